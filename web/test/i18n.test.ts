@@ -6,6 +6,7 @@ import { test } from 'node:test';
 import { IntlMessageFormat } from 'intl-messageformat';
 import de from '../src/i18n/de.json';
 import en from '../src/i18n/en.json';
+import { saidText } from '../src/format/said';
 import { t, wordOf } from '../src/i18n/i18n';
 
 const catalogues: Record<string, Record<string, string>> = { en, de };
@@ -52,6 +53,29 @@ test('every id that the page names is in the catalogue, and none is left over', 
   assert.deepEqual(missing, []);
   const left = [...known].filter((id) => !named.has(id) && !heads.has(id.split('.')[0] ?? ''));
   assert.deepEqual(left, []);
+});
+
+// The server's table of sentences: id and pattern, adjacent literals as one.
+const sentences = [...readFileSync(path.resolve('../server/json/sentences.cpp'), 'utf8').replace(/"\s*\n\s*"/g, '').matchAll(/Row\{\s*"(\w+)",\s*"((?:[^"\\]|\\.)*)"/g)];
+
+test('every sentence that the server can send by its id is said in each language, with its values', () => {
+  assert.ok(sentences.length > 90, `${sentences.length} sentences`);
+  const ids = new Set(sentences.map(([, id]) => `said.${id ?? ''}`));
+  for (const [tag, words] of Object.entries(catalogues)) {
+    for (const [, id, pattern] of sentences) {
+      const inPattern = [...(pattern ?? '').matchAll(/\{(\w+)\}/g)].map(([, name]) => name ?? '').sort();
+      assert.deepEqual(places(words[`said.${id ?? ''}`] ?? ''), inPattern, `${tag} ${id ?? ''}`);
+      assert.ok((words[`said.${id ?? ''}`] ?? '').length > 5, `${tag} ${id ?? ''}`);
+    }
+    assert.deepEqual(Object.keys(words).filter((id) => id.startsWith('said.') && !ids.has(id)), [], 'none is left over');
+  }
+});
+
+test('a sentence is said by its id, with the sentences in its values, else as the server wrote it', () => {
+  const why = { text: 'the disk is full (ledger)', said: { id: 'store_disk_full' as const, values: { detail: { text: 'ledger', said: null } } } };
+  assert.equal(saidText({ id: 'cannot_arm', values: { machine: { text: 'lathe', said: null }, why } }, 'x'), 'lathe cannot be armed: the disk is full (ledger)');
+  assert.equal(saidText(null, 'as it came'), 'as it came');
+  assert.equal(saidText({ id: 'of_a_later_version' as never, values: {} }, 'as it came'), 'as it came');
 });
 
 test('what nobody knows is shown as it came', () => {

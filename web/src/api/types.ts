@@ -33,6 +33,7 @@ export type ReceiptState = Receipt['state'];
 export type StoredLikeness = NonNullable<Receipt['stored']>;
 
 export type Problem = Schemas['Problem'];
+export type Said = Schemas['Said'];
 
 export interface Page<T> {
   items: T[];

@@ -3,6 +3,7 @@
 import type { Delivery, Job, JobState, Outcome, ReceiptState, ReleaseState } from '../api/types';
 import { t, wordOf } from '../i18n/i18n';
 import { stallRow } from '../rules/lines';
+import { saidText } from './said';
 import { kOutcomeTones } from '../rules/verdicts';
 import type { Tone } from './tones';
 
@@ -55,12 +56,13 @@ export function reasonText(reason: string): string {
   return cause ? `${cause}: ${rest}` : reason;
 }
 
-// Why a job moved last. The server's sentence says what may have reached the control, so it is kept after the cause.
+// Why a job moved last. A sentence that no catalogue has is kept after the cause: it says what may have reached the
+// control.
 export function jobReason(job: Job): string {
+  if (job.reason_said !== null) return saidText(job.reason_said, reasonText(job.reason));
   const cause = job.reason_id === null ? '' : wordOf('cause', job.reason_id, '');
   if (cause === '') return reasonText(job.reason);
   if (job.reason === job.reason_id || job.reason === '') return cause;
-  if (job.reason.includes('nothing was sent')) return t('reason.nothing_sent', { cause });
   const [, rest] = /^[a-z0-9_]+: ([^]*)$/.exec(job.reason) ?? [];
   return `${cause}: ${rest ?? job.reason}`;
 }

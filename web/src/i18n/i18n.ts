@@ -43,6 +43,8 @@ export function t(id: string, values?: Values): string {
   return String(format.format(values));
 }
 
+export const hasWord = (id: string): boolean => (spoken.value.words[id] ?? (en as Catalogue)[id]) !== undefined;
+
 // The text of an id that the server gave; `otherwise` where no catalogue has it.
 export function wordOf(prefix: string, name: string, otherwise = name.replace(/_/g, ' ')): string {
   const id = `${prefix}.${name}`;

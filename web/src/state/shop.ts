@@ -13,7 +13,7 @@ export type MachineHead = Omit<MachineItem, 'status'>;
 // second: what depends on this alone is not drawn anew with each figure.
 export type Core = Pick<
   MachineStatus,
-  'line' | 'stall' | 'job' | 'needs_confirmation' | 'stop_wanted' | 'asks_since_ms' | 'confirms' | 'link_error' | 'link_note'
+  'line' | 'stall' | 'job' | 'needs_confirmation' | 'stop_wanted' | 'asks_since_ms' | 'confirms' | 'link_error' | 'link_error_said' | 'link_note'
 > & { plc_alarm: number; wrong: number };
 
 export interface Machine {
@@ -32,15 +32,16 @@ export function newMachine(head: MachineHead, status: MachineStatus): Machine {
 }
 
 function coreOf(status: MachineStatus): Core {
-  const { line, stall, job, needs_confirmation, stop_wanted, asks_since_ms, confirms, link_error, link_note } = status;
+  const { line, stall, job, needs_confirmation, stop_wanted, asks_since_ms, confirms, link_error, link_error_said, link_note } = status;
   const wrong = Object.values(status.line_errors).reduce((sum, one) => sum + one, 0);
-  return { line, stall, job, needs_confirmation, stop_wanted, asks_since_ms, confirms, link_error, link_note, plc_alarm: status.plc?.alarm ?? 0, wrong };
+  return { line, stall, job, needs_confirmation, stop_wanted, asks_since_ms, confirms, link_error, link_error_said, link_note, plc_alarm: status.plc?.alarm ?? 0, wrong };
 }
 
-// The one before, where it says the same: then nobody who depends on it is called.
+// The one before, where it says the same: then nobody who depends on it is called. `link_error_said` follows from
+// `link_error`, and comes as another object each time.
 function kept(before: Core | null, now: Core): Core {
   if (before === null) return now;
-  return (Object.keys(now) as (keyof Core)[]).every((name) => before[name] === now[name]) ? before : now;
+  return (Object.keys(now) as (keyof Core)[]).every((name) => name === 'link_error_said' || before[name] === now[name]) ? before : now;
 }
 
 export type SessionState = 'unknown' | 'none' | Session;

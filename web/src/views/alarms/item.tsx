@@ -3,6 +3,7 @@ import { useLayoutEffect, useState } from 'preact/hooks';
 import { calls } from '../../api/calls';
 import type { Alarm } from '../../api/types';
 import { shortTime } from '../../format/times';
+import { saidText } from '../../format/said';
 import { reasonText } from '../../format/words';
 import { t, wordOf } from '../../i18n/i18n';
 import { minutes } from '../../parts/clock';
@@ -54,7 +55,7 @@ function AlarmItem({ alarm }: { alarm: Alarm }) {
           <a href={hrefs.machine(alarm.machine)}>
             <strong>{alarm.machine}</strong>
           </a>{' '}
-          <strong>{wordOf('alarm_kind', alarm.kind)}</strong>: {reasonText(alarm.text)}
+          <strong>{wordOf('alarm_kind', alarm.kind)}</strong>: {alarmText(alarm)}
         </p>
         <p class="quiet-text">{historyOf(alarm).join(', ')}</p>
         <Failure error={error} />
@@ -63,6 +64,8 @@ function AlarmItem({ alarm }: { alarm: Alarm }) {
     </li>
   );
 }
+
+const alarmText = (alarm: Alarm): string => saidText(alarm.said, reasonText(alarm.text));
 
 // What happened to it, in a line.
 function historyOf(alarm: Alarm): string[] {
@@ -106,7 +109,7 @@ const ShelveDialog = ({ alarm }: { alarm: Alarm }) => (
     reason={t('reason.kept')}
     send={async (key, reason) => takeAlarms([await calls.shelve(alarm.id, kShelfMinutes, reason, key)])}
   >
-    <p>{alarm.text}</p>
+    <p>{alarmText(alarm)}</p>
     <p class="hint">{t('alarm.shelve_text')}</p>
   </OrderDialog>
 );
