@@ -67,6 +67,10 @@ class Shop:
         """The control sends a program, as an operator's PUNCH does: DC2, the text, DC4."""
         self.controls[machine].say(CODES["dc2"] + text.encode() + CODES["dc4"])
 
+    def bridge(self, machine, is_bridged=True):
+        """A loopback plug in the control's place, or the control again."""
+        self.controls[machine].is_bridged = is_bridged
+
     def got(self, machine):
         return len(self.controls[machine].text())
 
@@ -167,7 +171,7 @@ def run(folder):
     rig = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Answering)
     threading.Thread(target=rig.serve_forever, daemon=True).start()
     try:
-        ended = subprocess.run(["node", str(WEB / sys.argv[2]), *sys.argv[3:]], timeout=600,
+        ended = subprocess.run(["node", str(WEB / sys.argv[2]), *sys.argv[3:]], timeout=float(os.environ.get("PAGE_TIMEOUT_S", "600")),
                                env={**os.environ, "DRIPFEED_RIG": f"http://127.0.0.1:{rig.server_port}/"})
         expect(ended.returncode == 0, f"{sys.argv[2]} ended with {ended.returncode}")
     finally:

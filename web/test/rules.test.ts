@@ -4,7 +4,6 @@ import { test } from 'node:test';
 import type { JobState, LineState, Stall } from '../src/api/types';
 import { offerFor } from '../src/rules/job_actions';
 import { asksForPerson, byUrgency, stateOf } from '../src/rules/alarms';
-import { timeLeftMs } from '../src/rules/forecast';
 import { hasJob, isTorn } from '../src/rules/lines';
 import { isReleased, mayBeQueued } from '../src/rules/releases';
 import { atLeast } from '../src/rules/roles';
@@ -132,15 +131,4 @@ test('alarms ask for a person until they are acknowledged or shelved', () => {
   assert.equal(stateOf(alarmOf({ acknowledged_at_ms: 5, cleared_at_ms: 6 }), 10), 'closed');
   const list = [alarmOf({ id: 1, last_at_ms: 9 }), alarmOf({ id: 2, severity: 'critical', acknowledged_at_ms: 3 }), alarmOf({ id: 3, severity: 'critical' })];
   assert.deepEqual(list.sort(byUrgency).map((one) => one.id), [3, 1, 2]);
-});
-
-test('time left is given only when enough was seen', () => {
-  const job = jobOf({ state: 'feeding', started_at_ms: 0 });
-  const at = (clocked: number, nowMs: number, change = {}) =>
-    timeLeftMs(statusOf({ line: 'feeding', job: 1, total: 1000, clocked, ...change }), job, nowMs);
-  assert.equal(at(250, 60_000), 180_000);
-  assert.equal(at(10, 60_000), null, 'one part in a hundred says nothing');
-  assert.equal(at(250, 2_000), null);
-  assert.equal(at(250, 60_000, { line: 'held', stall: 'stopped' }), null, 'a person decides when it goes on');
-  assert.equal(at(250, 60_000, { job: 2 }), null);
 });

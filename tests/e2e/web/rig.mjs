@@ -19,6 +19,7 @@ export const rig = {
   say: (machine, code) => ask('say', [machine, code]),
   punch: (machine, text) => ask('punch', [machine, text]),
   got: (machine) => ask('got', [machine]),
+  bridge: (machine, on = true) => ask('bridge', [machine, on]),
   holdOften: (machine, times, pause_s = 0.05) => ask('hold_often', [machine, times, pause_s]),
   tear: (machine) => ask('tear', [machine]),
   waitLine: (machine, ...states) => ask('wait_line', [machine, ...states]),

@@ -3,7 +3,9 @@ import { newOrderKey, request, requestText } from './client';
 import type {
   Alarm,
   Job,
+  JobForecast,
   Ledger,
+  LineTest,
   MachineItem,
   MachineWhole,
   Page,
@@ -26,6 +28,10 @@ export interface JobQuery {
   limit?: number;
 }
 
+// The stream of what passes on a machine's line.
+export const wireUrl = (name: string): string => `/api/v1/machines/${enc(name)}/wire`;
+
+const kLineTestMs = 120_000;
 const kMostPages = 50; // a list that never ends is cut here
 
 // All pages of a list, in the server's order.
@@ -49,6 +55,8 @@ export const calls = {
   machines: () => everything<MachineItem>('/machines'),
   machine: (name: string) => request<MachineWhole>('GET', `/machines/${enc(name)}`),
   addMachine: (profile: unknown, key: string) => request<MachineWhole>('POST', '/machines', { body: profile, key }),
+  testLine: (name: string, key: string) =>
+    request<LineTest>('POST', `/machines/${enc(name)}/line-test`, { key, timeoutMs: kLineTestMs }),
   confirmReset: (name: string, reason: string, key: string) =>
     request<unknown>('POST', `/machines/${enc(name)}/confirm-reset`, { body: { reason }, key }),
 
@@ -61,6 +69,7 @@ export const calls = {
   },
   jobsIn: (state: string) => everything<Job>('/jobs', { state }),
   job: (id: number) => request<Job>('GET', `/jobs/${id}`),
+  jobForecast: (id: number) => request<JobForecast>('GET', `/jobs/${id}/forecast`),
   addJob: (release: number) => request<Job>('POST', '/jobs', { body: { release }, key: newOrderKey() }),
   arm: (id: number, minutes: number, key: string) => request<Job>('POST', `/jobs/${id}/arm`, { body: { minutes }, key }),
   stop: (id: number, key: string) => request<Job>('POST', `/jobs/${id}/stop`, { key }),

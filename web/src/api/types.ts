@@ -24,6 +24,13 @@ export type Ledger = Schemas['Ledger'];
 export type LedgerRow = Ledger['items'][number];
 export type LedgerInterval = Ledger['interval'];
 
+export type JobForecast = Schemas['JobForecast'];
+
+export type WireReport = Schemas['EventWire'];
+export type WireRun = WireReport['runs'][number];
+export type LineTest = Schemas['LineTest'];
+export type LineTestResult = NonNullable<LineTest['result']>;
+
 export type Program = Schemas['Program'];
 export type Release = Schemas['Release'];
 export type ReleaseState = Release['state'];

@@ -30,8 +30,18 @@ export function aboutText(ms: number): string {
   const minutes = ms / 60_000;
   if (minutes < 1) return t('time.under_a_minute');
   if (minutes < 90) return t('time.about_minutes', { minutes: Math.round(minutes) });
-  return t('time.about_hours', { hours: Math.round(minutes / 6) / 10 });
+  return t('time.about_hours', { hours: tenths(ms) });
 }
+
+// A range as one text where its ends are about the same.
+export function aboutRange(low: number, high: number): string {
+  const [least, most] = [aboutText(low), aboutText(high)];
+  if (least === most) return most;
+  const minutes = (ms: number) => Math.round(ms / 60_000);
+  return high < 90 * 60_000 ? t('time.range_minutes', { low: Math.max(0, minutes(low)), high: minutes(high) }) : t('time.range_hours', { low: tenths(low), high: tenths(high) });
+}
+
+const tenths = (ms: number): number => Math.round(ms / 360_000) / 10;
 
 export function duration(seconds: number): string {
   if (seconds < 60) return `${seconds.toFixed(1)} s`;

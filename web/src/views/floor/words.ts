@@ -3,15 +3,15 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import type { Job } from '../../api/types';
 import { wholePercent } from '../../format/numbers';
-import { aboutText, countdown } from '../../format/times';
+import { aboutRange, countdown } from '../../format/times';
 import { saidText } from '../../format/said';
 import { jobReason, reasonText, stallText } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { minutes, seconds } from '../../parts/clock';
 import { asksForPerson } from '../../rules/alarms';
-import { timeLeftMs } from '../../rules/forecast';
 import { hasJob } from '../../rules/lines';
 import { kNeedsPerson, standingOf, type Standing } from '../../rules/standing';
+import { timeLeftOf } from '../../state/forecasts';
 import { linesOf } from '../../state/program_lines';
 import { alarms, isLive, jobs, programName, queueOf, type Machine } from '../../state/shop';
 
@@ -86,8 +86,9 @@ function sentence(machine: Machine, { key }: Standing, job: Job | null): string 
 function feedingText(machine: Machine, job: Job | null): string {
   const status = machine.status.value;
   const sent = t('sentence.sent', { share: wholePercent(status.clocked, status.total) });
-  const left = isLive.value ? timeLeftMs(status, job, seconds.value) : null;
-  return left === null ? sent : t('sentence.sent_left', { sent, left: aboutText(left) });
+  const left = isLive.value ? timeLeftOf(machine.name, status, job, seconds.value) : null;
+  if (left === null) return sent;
+  return t(left.by === 'checked' ? 'sentence.sent_left_checked' : 'sentence.sent_left', { sent, left: aboutRange(left.low_ms, left.high_ms) });
 }
 
 function armedText(job: Job | null): string {

@@ -4,12 +4,10 @@ import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../../api/calls';
 import type { MachineWhole, Utilisation } from '../../api/types';
 import { dialectText, stallText } from '../../format/words';
-import { count } from '../../format/numbers';
 import { duration } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { showDialog } from '../../parts/dialog';
 import { Badge } from '../../parts/badge';
-import { Empty } from '../../parts/empty';
 import { Facts } from '../../parts/facts';
 import { Failure } from '../../parts/failure';
 import { WireBar, WireFigures } from '../../parts/wire_progress';
@@ -25,7 +23,10 @@ import { AlarmList } from '../alarms/item';
 import { wordsOf } from '../floor/words';
 import { NotFound } from '../not_found';
 import { Blocks } from './blocks';
+import { Calibration } from './calibration';
 import { History } from './history';
+import { LinePart } from './line';
+import { Outlook } from './outlook';
 import { Queue } from './queue';
 import { Use } from './use';
 
@@ -39,6 +40,7 @@ function Whole({ machine }: { machine: Machine }) {
   const core = machine.core.value;
   const { standing, sentence, remark } = wordsOf(machine);
   const { key, tone } = standing.value;
+  const whole = useWhole(machine);
   const isStation = route.value.query.get('station') === '1';
   return (
     <div class="machine-view" data-line={isTorn(core) ? 'torn' : core.line} data-standing={key}>
@@ -61,12 +63,13 @@ function Whole({ machine }: { machine: Machine }) {
         <div>
           <OnLine machine={machine} />
           <Queue machine={machine} />
+          <LinePart machine={machine} whole={whole} />
           <History machine={machine.name} />
         </div>
         <div>
           <MachineAlarms name={machine.name} />
           <UsePart name={machine.name} />
-          <LinePart machine={machine} />
+          <Calibration whole={whole} />
           <section class="card">
             <label class="choice">
               <input type="checkbox" checked={isStation} onChange={(event) => changeQuery('station', event.currentTarget.checked ? '1' : null)} />
@@ -79,6 +82,16 @@ function Whole({ machine }: { machine: Machine }) {
   );
 }
 
+// The machine with its profile, as of the revision that is known; null while it is not there.
+function useWhole(machine: Machine): MachineWhole | null {
+  const [whole, setWhole] = useState<MachineWhole | null>(null);
+  const revision = machine.head.value.revision;
+  useEffect(() => {
+    loader.order(calls.machine(machine.name)).then(setWhole, () => setWhole(null));
+  }, [machine.name, revision]);
+  return whole;
+}
+
 function OnLine({ machine }: { machine: Machine }) {
   const status = machine.status.value;
   const { job: onLine, program } = wordsOf(machine);
@@ -89,6 +102,7 @@ function OnLine({ machine }: { machine: Machine }) {
       <h2>
         {program} <a href={hrefs.job(status.job)}>{t('job.number', { job: status.job })}</a>
       </h2>
+      {job && <Outlook machine={machine.name} job={job} status={status} />}
       {job && <Blocks job={job} from={status.block_from} to={status.block} />}
       <p class="hint">{t('machine.executed_unknown')}</p>
       <details>
@@ -138,33 +152,6 @@ function UsePart({ name }: { name: string }) {
       <h2>{t('use.title')}</h2>
       <Failure error={error} />
       {use && <Use days={use.days} />}
-    </section>
-  );
-}
-
-// How the line is set. What it counted of faults is shown where there were any.
-function LinePart({ machine }: { machine: Machine }) {
-  const [whole, setWhole] = useState<MachineWhole | null>(null);
-  const revision = machine.head.value.revision;
-  useEffect(() => {
-    loader.order(calls.machine(machine.name)).then(setWhole, () => setWhole(null));
-  }, [machine.name, revision]);
-  const status = machine.status.value;
-  const link = (whole?.profile.link ?? {}) as Record<string, unknown>;
-  const errors = Object.entries(status.line_errors).filter(([, seen]) => seen > 0);
-  return (
-    <section class="card" aria-label={t('line.title')}>
-      <h2>{t('line.title')}</h2>
-      {status.link_error && <p class="notice tone-bad">{status.link_error}</p>}
-      {status.link_note && <p class="notice tone-waiting">{status.link_note}</p>}
-      <Facts
-        facts={[
-          ...Object.entries(link).filter(([, value]) => typeof value !== 'object').map(([name, value]): [string, string] => [name, String(value)]),
-          [t('fact.revision'), revision],
-          [t('line.errors'), errors.length === 0 ? null : errors.map(([name, seen]) => `${count(seen)} × ${name}`).join(', ')],
-        ]}
-      />
-      {whole === null && <Empty>{t('line.unknown')}</Empty>}
     </section>
   );
 }
