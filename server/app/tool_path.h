@@ -1,5 +1,5 @@
-// The path of a text's tool as points, for a picture of it: what the run does and, beside it, what is not known of it.
-// The programmed path, without the tool's compensation, in the work offset that is active.
+// The toolpath of a text as points, for a picture of it: what the run does and, beside it, what is not known of it.
+// The programmed path, without tool radius compensation, in the active work offset.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// For who writes or reads a text: what is wrong with it as it stands, the words of its language, the path of its tool.
+// For who writes or reads a text: what is wrong with it as it stands, the words of its language, its toolpath.
 #include <utility>
 
 #include <fmt/format.h>

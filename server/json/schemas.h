@@ -25,7 +25,7 @@ Schemas program_schemas();  // programs, rendering
 Schemas check_schemas();    // verdicts and what they report
 Schemas compare_schemas();  // two revisions held against each other
 Schemas library_schemas();  // searches, and where a program is used
-Schemas path_schemas();     // the path of a program's tool
+Schemas path_schemas();     // toolpaths
 Schemas editing_schemas();  // faults of a text while it is written, words of a dialect
 Schemas measure_schemas();  // figures that are not kept, sweeps
 Schemas job_schemas();      // releases, jobs, ledgers

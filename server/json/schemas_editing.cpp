@@ -1,7 +1,12 @@
+<<<<<<< ours
 // What an editor asks for.
 #include "dialects/compile/convert.h"
+=======
+// What an editor asks for, and the toolpath beside it.
+>>>>>>> theirs
 #include "dialects/compile/language.h"
 #include "dialects/compile/outline.h"
+#include "server/app/tool_path.h"
 #include "server/json/schemas.h"
 #include "server/json/schemas_checks.h"
 #include "server/json/schemas_shared.h"
@@ -73,6 +78,45 @@ Schemas editing_schemas() {
                                          {"last", or_null(integer("of numbered variables the last; null: just one"))}}),
                                  "each once")}})},
   };
+}
+
+Schemas path_schemas() {
+  const auto place = [](std::string about) { return list_of(3, number("x y z, x as radius"), std::move(about)); };
+  return {
+      {"ToolPath",
+       object(
+           "what is known of a program's toolpath: the programmed one, without tool radius compensation, in "
+           "the "
+           "active work offset",
+           {{"dialect", text("in which the text was read")},
+            {"control", control()},
+            {"x_is_diameter", flag("the program's x words are diameters")},
+            {"points", integer("rows of the columns")},
+            {"segments", integer("straight ones; an arc is chords with a deviation of 0.005 mm at most")},
+            {"low_mm", place("the lowest of all points")},
+            {"high_mm", place("the highest of all points")},
+            {"cut_mm", number("length of all cuts and threads")},
+            {"rapid_mm", number("length of all rapids, as straight lines")},
+            {"not_drawn", list_of(object("moves that the path does not have",
+                                         {{"why", one_of(app::kNotDrawnNames, "they are not there")},
+                                          {"moves", integer("of that kind")},
+                                          {"first_line", integer("of the first one; 0: in a called program")}}),
+                                  "each reason once")},
+            {"other_axes", list_of(text("letter of an axis"), "that move, other than x, y and z")},
+            {"work_offsets",
+             list_of(integer("0: none, 1: G54, …"), "that the moves lie in; their zeros are drawn in one place")},
+            {"compensated", flag("moves have tool radius compensation, which the path does not have")},
+            {"is_cut_off", flag("there are more points than these")},
+            {"ran", flag("the program ran to its end")},
+            {"not_known", list_of(text("one sentence"), "what the run met and did not know, as a verdict has it")},
+            {"diagnostics", diagnostics_schema("of reading, validating and running the text; the first of each kind")},
+            {"kind_names", list_of(one_of(app::kPathKindNames, "of segment"), "by the numbers of the column")},
+            {"columns",
+             object("a row a point; numbers little-endian, as base64",
+                    {{"points_mm", text("x y z as 32-bit floats, x as radius")},
+                     {"kinds", text("what leads to the point, a byte; begin: nothing does")},
+                     {"lines", text("of the program's text as 32-bit integers; 0: in a called program")},
+                     {"feeds", text("as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind")}})}})}};
 }
 
 }  // namespace dripfeed::json

@@ -1,4 +1,4 @@
-// The path of a text's tool, as the page draws it.
+// The toolpath of a text, as the page draws it (diagnostics.cpp).
 #pragma once
 
 #include <string>

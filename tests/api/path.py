@@ -1,4 +1,4 @@
-"""The path of a tool by GET /programs/{id}/path and POST /path: columns of numbers that fit each other, what is not drawn, and what is not known."""
+"""The toolpath by GET /programs/{id}/path and POST /path: columns of numbers that fit each other, what is not drawn, and what is not known."""
 
 import base64
 import struct

@@ -756,7 +756,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** the path of the tool that a revision makes, as points, and what is not known of it */
+        /** the toolpath of a revision, as points, and what is not known of it */
         get: operations["get_programs_id_path"];
         put?: never;
         post?: never;
@@ -877,7 +877,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** the path of the tool that a text makes which is being written; it is not stored */
+        /** the toolpath of a text that is being written; it is not stored */
         post: operations["post_path"];
         delete?: never;
         options?: never;
@@ -6081,7 +6081,7 @@ export interface components {
                 last: number | null;
             }[];
         };
-        /** @description the path of a program's tool, as far as it is known: the programmed one, without compensation of the tool, in the work offset that is active */
+        /** @description what is known of a program's toolpath: the programmed one, without tool radius compensation, in the active work offset */
         ToolPath: {
             /** @description in which the text was read */
             dialect: string;
@@ -6113,7 +6113,7 @@ export interface components {
             x_is_diameter: boolean;
             /** @description rows of the columns */
             points: number;
-            /** @description straight ones; arcs are chords that lie 0.005 mm beside them at most */
+            /** @description straight ones; an arc is chords with a deviation of 0.005 mm at most */
             segments: number;
             /** @description the lowest of all points */
             low_mm: number[];
@@ -6135,7 +6135,7 @@ export interface components {
                 /** @description of the first one; 0: in a called program */
                 first_line: number;
             }[];
-            /** @description that move beside x, y and z */
+            /** @description that move, other than x, y and z */
             other_axes: string[];
             /** @description that the moves lie in; their zeros are drawn in one place */
             work_offsets: number[];
@@ -9608,7 +9608,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description the path of the tool that a revision makes, as points, and what is not known of it */
+            /** @description the toolpath of a revision, as points, and what is not known of it */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -9852,7 +9852,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the path of the tool that a text makes which is being written; it is not stored */
+            /** @description the toolpath of a text that is being written; it is not stored */
             200: {
                 headers: {
                     [name: string]: unknown;
