@@ -1,9 +1,5 @@
-<<<<<<< ours
-// What an editor asks for.
-#include "dialects/compile/convert.h"
-=======
 // What an editor asks for, and the toolpath beside it.
->>>>>>> theirs
+#include "dialects/compile/convert.h"
 #include "dialects/compile/language.h"
 #include "dialects/compile/outline.h"
 #include "server/app/tool_path.h"

@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 
 export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'received' | 'badge' | DeskView | 'not_found';
 // The half of the page for who does not stand at a machine; its code is loaded when it is asked for.
-export const kDeskViews = ['library', 'program', 'families', 'family', 'part', 'people'] as const;
+export const kDeskViews = ['orders', 'order', 'history', 'review', 'reviewed', 'library', 'program', 'families', 'family', 'part', 'people'] as const;
 export type DeskView = (typeof kDeskViews)[number];
 export const deskView = (view: ViewName): DeskView | undefined => kDeskViews.find((one) => one === view);
 
@@ -29,6 +29,11 @@ const kRows: Row[] = [
   { view: 'alarms', pattern: /^\/alarms$/ },
   { view: 'releases', pattern: /^\/releases$/ },
   { view: 'received', pattern: /^\/received$/ },
+  { view: 'history', pattern: /^\/history$/ },
+  { view: 'orders', pattern: /^\/orders$/ },
+  { view: 'order', pattern: /^\/orders\/([1-9]\d{0,15})$/ },
+  { view: 'review', pattern: /^\/review$/ },
+  { view: 'reviewed', pattern: /^\/review\/([1-9]\d{0,15})$/ },
   { view: 'library', pattern: /^\/(?:library|programs)$/ },
   { view: 'program', pattern: /^\/programs\/([1-9]\d{0,15})(?:\/(revisions|compare|uses|checks|release))?$/ },
   { view: 'families', pattern: /^\/(?:families|parts)$/ },
@@ -68,6 +73,11 @@ export const hrefs = {
   alarms: '#/alarms',
   releases: '#/releases',
   received: '#/received',
+  history: '#/history',
+  orders: '#/orders',
+  order: (id: number) => `#/orders/${id}`,
+  review: '#/review',
+  reviewed: (release: number) => `#/review/${release}`,
   library: '#/library',
   libraryOf: (query: Record<string, string>) => `#/library?${new URLSearchParams(query)}`,
   program: (id: number, place: ProgramPlace = 'text', query: Record<string, string> = {}) => {

@@ -19,6 +19,9 @@ const kFlags = [
   '--disable-sync',
 ];
 
+// With what a computer without a graphics card draws pictures in three dimensions.
+export const kSoftwarePictures = [...kFlags, '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
 export async function withPage(options, test) {
   const profile = await mkdtemp(path.join(os.tmpdir(), 'dripfeed-browser-'));
   const context = await chromium.launchPersistentContext(profile, {

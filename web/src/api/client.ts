@@ -58,8 +58,8 @@ export async function request<T>(method: Method, path: string, options: Options 
   return parse(await answerOf(method, path, options)) as T;
 }
 
-// An answer that is plain text.
-export const requestText = (path: string): Promise<string> => answerOf('GET', path, {});
+// An answer that is no JSON.
+export const requestText = (path: string, { method = 'GET', ...options }: Options & { method?: Method } = {}): Promise<string> => answerOf(method, path, options);
 
 // An answer as it came: a program may be in any encoding.
 export async function requestBytes(path: string): Promise<ArrayBuffer> {
@@ -70,7 +70,7 @@ export async function requestBytes(path: string): Promise<ArrayBuffer> {
 }
 
 async function answerOf(method: Method, path: string, options: Options): Promise<string> {
-  const headers: Record<string, string> = { Accept: 'application/json, text/plain' };
+  const headers: Record<string, string> = { Accept: 'application/json, text/plain, image/svg+xml' };
   const init: RequestInit = { method, headers, cache: 'no-store', credentials: 'same-origin' };
   if (options.body !== undefined) {
     headers['Content-Type'] = 'application/json';

@@ -1,7 +1,8 @@
 // The calls of the desk: the library, a program's text, its revisions and checks, families and parts.
 import { everything } from './calls';
-import { request, requestBytes } from './client';
+import { request, requestBytes, requestText } from './client';
 import type {
+  AuditRow,
   Comparison,
   Delivery,
   Diagnosed,
@@ -15,8 +16,10 @@ import type {
   ProgramRevision,
   ProgramUses,
   Release,
+  ReleaseMove,
   Rendered,
   SearchResult,
+  ToolPath,
   Verdict,
   VerdictSummary,
 } from './types';
@@ -40,6 +43,13 @@ export interface LibraryFilter {
   name?: string;
   shelf?: string;
 }
+
+// A picture of a check: which route draws it.
+export interface CheckPicture {
+  route: 'timing' | 'gouge' | 'accuracy';
+  plot: 'feed' | 'buffer' | 'stock' | 'deviation';
+}
+export type PictureOf = Pick<Verdict, 'program' | 'revision' | 'machine' | 'delivery'>;
 
 export interface DiagnoseOrder {
   text: string;
@@ -69,6 +79,9 @@ export const deskCalls = {
     request<Page<ProgramRevision>>('GET', `/programs/${id}/revisions${queryOf({ limit: 50, after })}`),
   compare: (id: number, query: { revision?: number; with?: number; with_revision?: number; machine?: string }) =>
     request<Comparison>('GET', `/programs/${id}/compare${queryOf(query)}`, { timeoutMs: kWorkMs }),
+  programPath: (id: number, revision: number, machine: string) =>
+    request<ToolPath>('GET', `/programs/${id}/path${queryOf({ revision, machine })}`, { timeoutMs: kWorkMs }),
+  pathOfText: (order: DiagnoseOrder) => request<ToolPath>('POST', '/path', { body: order, timeoutMs: kWorkMs }),
   uses: (id: number) => request<ProgramUses>('GET', `/programs/${id}/uses`),
 
   diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),
@@ -85,6 +98,14 @@ export const deskCalls = {
     request<Release>('POST', '/releases', { body: { program, revision, machine, delivery }, key }),
   handIn: (release: number, note: string, key: string) =>
     request<Release>('POST', `/releases/${release}/transitions`, { body: { to: 'in_review', note }, key }),
+
+  release: (id: number) => request<Release>('GET', `/releases/${id}`),
+  moveRelease: (id: number, move: ReleaseMove, key: string) => request<Release>('POST', `/releases/${id}/transitions`, { body: move, key }),
+  // Who did what with it, newest first.
+  releaseHistory: (id: number) => everything<AuditRow>('/audit', { subject: `release/${id}` }),
+  waive: (check: number, reason: string, key: string) => request<Verdict>('POST', `/checks/${check}/waivers`, { body: { reason }, key }),
+  checkPicture: ({ route, plot }: CheckPicture, of: PictureOf) =>
+    requestText(`/${route}?plot=${plot}`, { method: 'POST', body: of, timeoutMs: kWorkMs }),
 
   families: () => everything<FamilySummary>('/families'),
   family: (name: string) => request<Family>('GET', `/families/${enc(name)}`),

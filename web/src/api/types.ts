@@ -34,6 +34,12 @@ export type LineTestResult = NonNullable<LineTest['result']>;
 export type Program = Schemas['Program'];
 export type Release = Schemas['Release'];
 export type ReleaseState = Release['state'];
+export type ReleaseMove = Schemas['ReleaseMove'];
+
+export type Order = Schemas['Order'];
+export type OrderState = Order['state'];
+export type NewOrder = Schemas['NewOrder'];
+export type OrderPlan = Schemas['OrderPlan'];
 
 export type Receipt = Schemas['Receipt'];
 export type ReceiptState = Receipt['state'];
@@ -64,6 +70,7 @@ export type LinesAnswer = Comparison['text'];
 export type VerdictSummary = Schemas['VerdictSummary'];
 export type Verdict = Schemas['Verdict'];
 export type Outcome = Verdict['verdict'];
+export type ToolPath = Schemas['ToolPath'];
 export type Diagnosed = Schemas['Diagnosed'];
 export type Fault = Diagnosed['faults'][number];
 export type OutlineRow = Diagnosed['outline'][number];

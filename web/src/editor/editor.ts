@@ -29,6 +29,7 @@ export interface Editor {
   // Of the text as it stood when it was asked about; null where it has changed since.
   setFaults: (faults: readonly Fault[], of: string) => void;
   goTo: (line: number) => void;
+  show: (line: number) => void; // as goTo, and the keyboard stays where it is
   find: () => void;
   nextFault: () => void;
   applyFix: (fault: Fault) => void;
@@ -112,6 +113,10 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
       ],
     }),
   });
+  const show = (number: number) => {
+    const line = view.state.doc.line(Math.min(Math.max(number, 1), view.state.doc.lines));
+    view.dispatch({ selection: EditorSelection.cursor(line.from), effects: EditorView.scrollIntoView(line.from, { y: 'center' }) });
+  };
   return {
     text: () => view.state.doc.toString(),
     setText: (text) => {
@@ -123,9 +128,9 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
       if (of === view.state.doc.toString())
         view.dispatch(setDiagnostics(view.state, faults.map((fault) => diagnosticOf(view.state, fault, options.faultWords))));
     },
+    show,
     goTo: (number) => {
-      const line = view.state.doc.line(Math.min(Math.max(number, 1), view.state.doc.lines));
-      view.dispatch({ selection: EditorSelection.cursor(line.from), effects: EditorView.scrollIntoView(line.from, { y: 'center' }) });
+      show(number);
       view.focus();
     },
     find: () => openSearchPanel(view),

@@ -1,8 +1,9 @@
 // The server's names of states, stalls and causes as words for people, with the tone that goes with them. A name that
 // no catalogue has is shown as it came.
-import type { Delivery, Job, JobState, Outcome, ReceiptState, ReleaseState } from '../api/types';
+import type { Delivery, Job, JobState, OrderState, Outcome, ReceiptState, ReleaseState } from '../api/types';
 import { t, wordOf } from '../i18n/i18n';
 import { stallRow } from '../rules/lines';
+import { kOrderTones } from '../rules/orders';
 import { saidText } from './said';
 import { kOutcomeTones } from '../rules/verdicts';
 import type { Tone } from './tones';
@@ -34,6 +35,7 @@ const kReceiptTones: Record<ReceiptState, Tone> = {
 export const jobWording = (state: JobState): Wording => ({ text: wordOf('job_state', state), tone: kJobTones[state] ?? 'waiting' });
 export const receiptWording = (state: ReceiptState): Wording => ({ text: wordOf('receipt_state', state), tone: kReceiptTones[state] ?? 'waiting' });
 export const wordingOfOutcome = (outcome: Outcome): Wording => ({ text: wordOf('outcome', outcome), tone: kOutcomeTones[outcome] ?? 'waiting' });
+export const orderWording = (state: OrderState): Wording => ({ text: wordOf('order_state', state), tone: kOrderTones[state] ?? 'waiting' });
 export const releaseText = (state: ReleaseState): string => wordOf('release_state', state);
 export const deliveryText = (delivery: Delivery): string => wordOf('delivery', delivery);
 export const kDeliveries: Delivery[] = ['drip', 'memory'];

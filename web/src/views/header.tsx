@@ -12,8 +12,10 @@ import { AlarmBell } from './alarms/tray';
 
 const kPlaces: { views: ViewName[]; href: string; label: string; from?: Role }[] = [
   { views: ['floor', 'machine'], href: hrefs.floor, label: 'nav.floor' },
-  { views: ['jobs', 'job'], href: hrefs.jobs, label: 'nav.jobs' },
+  { views: ['orders', 'order'], href: hrefs.orders, label: 'nav.orders' },
+  { views: ['jobs', 'job', 'history'], href: hrefs.jobs, label: 'nav.jobs' },
   { views: ['releases'], href: hrefs.releases, label: 'nav.releases' },
+  { views: ['review', 'reviewed'], href: hrefs.review, label: 'nav.review', from: 'approver' },
   { views: ['library', 'program'], href: hrefs.library, label: 'nav.library' },
   { views: ['families', 'family', 'part'], href: hrefs.families, label: 'nav.parts' },
   { views: ['received'], href: hrefs.received, label: 'nav.received' },

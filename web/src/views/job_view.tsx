@@ -1,6 +1,7 @@
 // One job with all that is known of it, and its ledger.
 import { useEffect, useState } from 'preact/hooks';
 import { ApiError } from '../api/client';
+import type { Job } from '../api/types';
 import { bytes, shortHash } from '../format/numbers';
 import { deliveryText } from '../format/words';
 import { t } from '../i18n/i18n';
@@ -44,20 +45,7 @@ export function JobView({ id }: { id: number }) {
             {onLine && machine && <WireBar status={machine.status} />}
             {onLine && status && <WireFigures status={status} />}
             <div class="job-facts">
-              <Facts
-                facts={[
-                  [t('fact.program'), t('fact.program_revision', { program: programText(job), revision: job.revision })],
-                  [t('fact.sha256'), <Hash sha256={job.sha256} />],
-                  [t('fact.machine'), <a href={hrefs.machine(job.machine)}>{job.machine}</a>],
-                  [t('fact.read_back'), job.read_back ?? null],
-                  [t('fact.link'), <code>{job.link}</code>],
-                  [t('fact.delivery'), t('fact.delivery_bytes', { delivery: deliveryText(job.delivery), bytes: bytes(job.bytes) })],
-                  [t('fact.release'), job.release],
-                  [t('fact.queued_by'), job.created_by],
-                  [t('fact.armed_by'), job.armed_by],
-                  [t('fact.torn'), job.torn ? tornText(job.confirmed_by, job.confirm_reason) : null],
-                ]}
-              />
+              <JobFacts job={job} />
               <Times job={job} />
             </div>
           </section>
@@ -76,6 +64,24 @@ const Hash = ({ sha256 }: { sha256: string }) => (
     </code>
     <code class="print-only">{sha256}</code>
   </>
+);
+
+const JobFacts = ({ job }: { job: Job }) => (
+  <Facts
+    facts={[
+      [t('fact.program'), t('fact.program_revision', { program: programText(job), revision: job.revision })],
+      [t('fact.sha256'), <Hash sha256={job.sha256} />],
+      [t('fact.machine'), <a href={hrefs.machine(job.machine)}>{job.machine}</a>],
+      [t('fact.read_back'), job.read_back ?? null],
+      [t('fact.link'), <code>{job.link}</code>],
+      [t('fact.delivery'), t('fact.delivery_bytes', { delivery: deliveryText(job.delivery), bytes: bytes(job.bytes) })],
+      [t('fact.release'), job.release],
+      [t('column.order'), job.order === null ? null : <a href={hrefs.order(job.order)}>{job.order}</a>],
+      [t('fact.queued_by'), job.created_by],
+      [t('fact.armed_by'), job.armed_by],
+      [t('fact.torn'), job.torn ? tornText(job.confirmed_by, job.confirm_reason) : null],
+    ]}
+  />
 );
 
 const tornText = (by: string | null, reason: string | null): string =>

@@ -27,6 +27,9 @@ export function JobsView() {
   return (
     <>
       <h1 tabIndex={-1}>{t('nav.jobs')}</h1>
+      <p class="lead">
+        <a href={hrefs.history}>{t('jobs.history')}</a>
+      </p>
       {jobs.length === 0 ? (
         <Empty
           action={
@@ -47,16 +50,18 @@ export function JobsView() {
             {
               id: 'job',
               head: t('column.job'),
+              by: ({ id }) => id,
               cell: (job) => (
                 <a class="job-id" href={hrefs.job(job.id)} aria-label={t('job.details', { job: job.id })}>
                   {job.id}
                 </a>
               ),
             },
-            { id: 'state', head: t('column.state'), cell: (job) => <StateCell job={job} /> },
+            { id: 'state', head: t('column.state'), by: ({ state }) => jobWording(state).text, cell: (job) => <StateCell job={job} /> },
             {
               id: 'program',
               head: t('column.program'),
+              by: programText,
               cell: (job) => (
                 <>
                   <a href={hrefs.program(job.program)}>
@@ -66,7 +71,7 @@ export function JobsView() {
                 </>
               ),
             },
-            { id: 'machine', head: t('column.machine'), cell: (job) => <a href={hrefs.machine(job.machine)}>{job.machine}</a> },
+            { id: 'machine', head: t('column.machine'), by: ({ machine }) => machine, cell: (job) => <a href={hrefs.machine(job.machine)}>{job.machine}</a> },
             { id: 'times', head: t('column.times'), cell: (job) => <Times job={job} /> },
             may && { id: 'orders', head: t('column.orders'), class: 'orders', cell: (job) => <RowOrders job={job} /> },
           ]}

@@ -7,12 +7,12 @@ import { count } from '../../format/numbers';
 import { dateTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
+import { TargetForm } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
 import { bestRole, person } from '../../state/shop';
-import { MachineForm } from '../program/checks';
 import { ValuesForm } from './values_form';
 
 export function PartView({ number }: { number: string }) {
@@ -85,7 +85,7 @@ function RenderForm({ part, done }: { part: string; done: () => void }) {
   };
   return (
     <>
-      <MachineForm dialect={null} busy={busy} confirm={busy ? t('parts.rendering') : t('parts.render')} send={(machine, delivery) => void render(machine, delivery)} />
+      <TargetForm dialect={null} busy={busy} confirm={busy ? t('parts.rendering') : t('parts.render')} send={(machine, delivery) => void render(machine, delivery)} />
       <Failure error={error} />
       {made && (
         <p class="notice tone-good" role="status">

@@ -1,17 +1,17 @@
-// The program that values give for a machine, as they are typed. The server renders it and stores nothing.
+// The program that values give for a machine, as they are typed, and its toolpath. The server renders it and
+// stores nothing.
 import { useEffect, useState } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
-import type { Delivery } from '../../api/types';
 import { bytes, count } from '../../format/numbers';
-import { deliveryText, kDeliveries } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
+import { TargetFields, useTarget } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
+import { useSettled } from '../../parts/use_settled';
 import type { Values } from '../../rules/part_values';
-import { atLeast } from '../../rules/roles';
-import { machines, roleOn } from '../../state/shop';
+import { PathView } from '../path/path_view';
 
-const kPauseMs = 500;
+const kPause_ms = 500;
 const kShownLines = 400;
 
 interface Props {
@@ -22,66 +22,64 @@ interface Props {
 }
 
 export function Preview({ family, values, failed, isShown }: Props) {
-  const names = [...machines.value.keys()].filter((one) => atLeast(roleOn(one), 'programmer'));
-  const [machine, setMachine] = useState('');
-  const [delivery, setDelivery] = useState<Delivery>('drip');
-  const asked = useSettled(JSON.stringify(values));
-  const name = machine || names[0] || '';
-  const { value, error, loading } = useLoaded(name === '' ? null : `${family} ${name} ${delivery} ${asked}`, () =>
-    deskCalls.preview(family, JSON.parse(asked) as Values, name, delivery),
+  const target = useTarget(null);
+  const { machine, delivery } = target;
+  const [look, setLook] = useState<'text' | 'path'>('text');
+  const asked = useSettled(JSON.stringify(values), kPause_ms);
+  const { value, error, loading } = useLoaded(machine === '' ? null : `${family} ${machine} ${delivery} ${asked}`, () =>
+    deskCalls.preview(family, JSON.parse(asked) as Values, machine, delivery),
   );
   useEffect(() => failed(error), [error]);
-  if (names.length === 0) return null;
-  const lines = value?.text.split('\n') ?? [];
+  if (target.names.length === 0) return null;
   return (
     <section class="card preview" aria-label={t('preview.title')} aria-busy={loading}>
       <h2>{t('preview.title')}</h2>
       <div class="writing-bar">
-        <label class="choice">
-          <span>{t('fact.machine')}</span>
-          <select value={name} onChange={(event) => setMachine(event.currentTarget.value)}>
-            {names.map((one) => (
-              <option key={one} value={one}>
-                {one}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label class="choice">
-          <span>{t('fact.delivery')}</span>
-          <select value={delivery} onChange={(event) => setDelivery(event.currentTarget.value as Delivery)}>
-            {kDeliveries.map((one) => (
-              <option key={one} value={one}>
-                {deliveryText(one)}
-              </option>
-            ))}
-          </select>
-        </label>
+        <TargetFields target={target} />
+        <div class="segments" role="group" aria-label={t('preview.look')}>
+          {(['text', 'path'] as const).map((one) => (
+            <button key={one} type="button" aria-pressed={look === one} onClick={() => setLook(one)}>
+              {t(one === 'text' ? 'preview.text' : 'path.title')}
+            </button>
+          ))}
+        </div>
       </div>
       {error !== null && !isShown(error) && <Failure error={error} />}
       {loading && !value && <p role="status">{t('parts.rendering')}</p>}
       {value && (
-        <>
-          <p class="hint">
-            {t('library.blocks', { count: value.blocks, text: count(value.blocks) })}, {bytes(value.bytes)}: {value.because}
-          </p>
-          <pre class="text-box" tabIndex={0} aria-label={t('preview.text')}>
-            {lines.slice(0, kShownLines).join('\n')}
-          </pre>
-          {lines.length > kShownLines && <p class="hint">{t('preview.cut', { shown: kShownLines })}</p>}
-        </>
+        <p class="hint">
+          {t('library.blocks', { count: value.blocks, text: count(value.blocks) })}, {bytes(value.bytes)}: {value.because}
+        </p>
       )}
+      {value && look === 'text' && <PreviewText text={value.text} />}
+      {value && look === 'path' && <PreviewPath text={value.text} machine={machine} />}
     </section>
   );
 }
 
-// What was typed, once it rests.
-function useSettled(value: string): string {
-  const [settled, setSettled] = useState(value);
-  useEffect(() => {
-    if (value === settled) return;
-    const timer = setTimeout(() => setSettled(value), kPauseMs);
-    return () => clearTimeout(timer);
-  }, [value, settled]);
-  return settled;
+function PreviewText({ text }: { text: string }) {
+  const lines = text.split('\n');
+  return (
+    <>
+      <pre class="text-box" tabIndex={0} aria-label={t('preview.text')}>
+        {lines.slice(0, kShownLines).join('\n')}
+      </pre>
+      {lines.length > kShownLines && <p class="hint">{t('preview.cut', { shown: kShownLines })}</p>}
+    </>
+  );
+}
+
+function PreviewPath({ text, machine }: { text: string; machine: string }) {
+  const [line, setLine] = useState(0);
+  const { value, error, loading } = useLoaded(`${machine} ${text}`, () => deskCalls.pathOfText({ text, machine }));
+  return (
+    <div class="path">
+      <Failure error={error} />
+      {loading && (
+        <p role="status">{t('path.running')}</p>
+      )}
+      {value && <PathView path={value} line={line} chosen={setLine} />}
+      {line > 0 && <code class="path-text">{text.split('\n')[line - 1]}</code>}
+    </div>
+  );
 }

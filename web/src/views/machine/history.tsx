@@ -12,13 +12,11 @@ import { minutes } from '../../parts/clock';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { hrefs } from '../../router';
+import { durationOf, sumsOf } from '../../rules/history';
 import { jobs } from '../../state/shop';
 import { loader } from '../../state/loader';
 
 const kShown = 20;
-
-const tookS = (job: Job): number | null =>
-  job.started_at_ms === null || job.ended_at_ms === null ? null : (job.ended_at_ms - job.started_at_ms) / 1000;
 
 export function History({ machine }: { machine: string }) {
   const [found, setFound] = useState<Job[]>([]);
@@ -30,8 +28,7 @@ export function History({ machine }: { machine: string }) {
       setFound(page.items.filter((job) => job.ended_at_ms !== null).slice(0, kShown));
     }, setError);
   }, [machine, ended]);
-  const done = found.filter((job) => job.state === 'done');
-  const time = found.reduce((sum, job) => sum + (tookS(job) ?? 0), 0);
+  const sums = sumsOf(found);
   return (
     <section class="card" aria-label={t('history.title')}>
       <h2>{t('history.title')}</h2>
@@ -40,7 +37,7 @@ export function History({ machine }: { machine: string }) {
         <p class="quiet-text">{t('history.none')}</p>
       ) : (
         <>
-          <p>{t('history.sums', { all: found.length, done: done.length, time: duration(time), bytes: bytes(done.reduce((sum, job) => sum + job.bytes, 0)) })}</p>
+          <p>{t('history.sums', { all: found.length, done: sums.states.done, time: duration(sums.seconds), bytes: bytes(sums.bytes) })}</p>
           <Table
             label={t('history.title')}
             rows={found}
@@ -59,7 +56,7 @@ export function History({ machine }: { machine: string }) {
                 ),
               },
               { id: 'ended', head: t('column.ended'), cell: (job) => shortTime(job.ended_at_ms ?? 0, minutes.value) },
-              { id: 'took', head: t('column.took'), cell: (job) => (tookS(job) === null ? '–' : duration(tookS(job) ?? 0)) },
+              { id: 'took', head: t('column.took'), cell: (job) => (durationOf(job) === null ? '–' : duration(durationOf(job) ?? 0)) },
             ]}
           />
         </>

@@ -12,13 +12,15 @@ import { OrderDialog, showDialog } from '../../parts/dialog';
 import { Empty } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
+import { TargetForm } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
+import { lastBefore, verdictOf } from '../../rules/releases';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
-import { roleOn } from '../../state/shop';
-import { MachineForm, maySomewhere } from './checks';
-import { ComparedView } from './compare';
+import { bestRole, roleOn } from '../../state/shop';
+import { maySomewhere } from './checks';
+import { Since } from './since';
 import type { PlaceProps } from './program_view';
 
 export function ReleasePlace({ program }: PlaceProps) {
@@ -42,7 +44,7 @@ export function ReleasePlace({ program }: PlaceProps) {
   return (
     <>
       <p class="lead">{t('release.lead')}</p>
-      {may && <MachineForm dialect={program.dialect} busy={busy} confirm={t('release.draft', { revision: program.revision })} send={(machine, delivery) => void draft(machine, delivery)} />}
+      {may && <TargetForm dialect={program.dialect} busy={busy} confirm={t('release.draft', { revision: program.revision })} send={(machine, delivery) => void draft(machine, delivery)} />}
       <Failure error={failed ?? error} />
       {releases?.length === 0 && <Empty>{t('release.none')}</Empty>}
       {releases && releases.length > 0 && (
@@ -52,7 +54,7 @@ export function ReleasePlace({ program }: PlaceProps) {
           keyOf={({ id }) => id}
           marks={({ id, state }) => ({ 'data-release': String(id), 'data-state': state })}
           columns={[
-            { id: 'release', head: t('column.release'), cell: ({ id }) => id },
+            { id: 'release', head: t('column.release'), cell: ({ id }) => (atLeast(bestRole(), 'approver') ? <a href={hrefs.reviewed(id)}>{id}</a> : id) },
             { id: 'state', head: t('column.state'), cell: (release) => releaseText(release.state) },
             { id: 'machine', head: t('column.machine'), cell: (release) => `${release.machine}, ${deliveryText(release.delivery)}` },
             { id: 'revision', head: t('column.revision'), cell: ({ revision }) => revision },
@@ -76,16 +78,10 @@ export function ReleasePlace({ program }: PlaceProps) {
   );
 }
 
-// The newest one before it that went to the same machine.
-const lastBefore = (releases: readonly Release[], release: Release): Release | null =>
-  releases
-    .filter((one) => one.id < release.id && one.machine === release.machine && (one.approved_by !== null || one.state === 'proving'))
-    .sort((a, b) => b.id - a.id)[0] ?? null;
-
 function HandIn({ release, before, done }: { release: Release; before: Release | null; done: () => void }) {
   const [note, setNote] = useState('');
   const verdicts = useLoaded(`${release.program}`, () => deskCalls.checks(release.program));
-  const verdict = verdicts.value?.find((one) => one.revision === release.revision && one.machine === release.machine && one.delivery === release.delivery) ?? null;
+  const verdict = verdictOf(verdicts.value ?? [], release);
   return (
     <OrderDialog
       title={t('release.hand_in_title', { id: release.id, machine: release.machine })}
@@ -102,28 +98,11 @@ function HandIn({ release, before, done }: { release: Release; before: Release |
           <a href={hrefs.program(release.program, 'checks', verdict ? { check: String(verdict.id) } : {})}>{t('release.to_checks')}</a>
         </p>
       )}
-      {before && before.revision !== release.revision ? (
-        <Since release={release} before={before} />
-      ) : (
-        <p class="quiet-text">{before ? t('release.same_text', { id: before.id }) : t('release.first_one')}</p>
-      )}
+      <Since release={release} before={before} />
       <label class="field">
         <span>{t('release.note')}</span>
         <input value={note} maxLength={500} onInput={(event) => setNote(event.currentTarget.value)} autocomplete="off" />
       </label>
     </OrderDialog>
-  );
-}
-
-function Since({ release, before }: { release: Release; before: Release }) {
-  const { value, error } = useLoaded(`${before.id} ${release.id}`, () =>
-    deskCalls.compare(release.program, { revision: before.revision, with_revision: release.revision, machine: release.machine }),
-  );
-  return (
-    <div class="since">
-      <h3>{t('release.since', { id: before.id, revision: before.revision })}</h3>
-      <Failure error={error} />
-      {value ? <ComparedView of={value} /> : error === null && <p role="status">{t('compare.running')}</p>}
-    </div>
   );
 }

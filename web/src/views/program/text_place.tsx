@@ -1,5 +1,6 @@
 // The text: read by everybody, written by programmers. What the server finds in it stands in the margin and in the list
 // beside it; a save is the next revision, and never over another one that somebody made meanwhile.
+import type { RefObject } from 'preact';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { ApiError, newOrderKey } from '../../api/client';
 import { deskCalls } from '../../api/desk_calls';
@@ -14,6 +15,7 @@ import { changeQuery, hrefs } from '../../router';
 import { decodeProgram, lineEndOf, linesOf } from '../../rules/program_files';
 import { loader } from '../../state/loader';
 import { machines, person } from '../../state/shop';
+import { PathPanel } from './path_panel';
 import type { PlaceProps } from './program_view';
 import { SidePanel } from './side_panel';
 import { TextEditor } from './text_editor';
@@ -155,22 +157,13 @@ function Writing(props: WritingProps) {
   useLeaving(writing.isChanged);
   useSaveKey(writing.save);
   const seekLine = useLineOfQuery(query.get('line'), editor);
+  const withPath = query.get('path') === '1';
   return (
-    <div class="writing">
+    <div class={withPath ? 'writing writing-with-path' : 'writing'}>
       <div class="writing-main">
         <Notices program={program} isOld={props.isOld} writing={writing} />
         <Failure error={writing.error} />
-        <div class="writing-bar">
-          <SaveButtons program={program} writing={writing} />
-          <button type="button" class="button" onClick={() => editor.current?.find()}>
-            {t('text.find')}
-          </button>
-          <Download program={program} revision={writing.base} />
-          {isProgrammer && <MachineChoice dialect={program.dialect} value={machine} />}
-          <span class="writing-state" role="status">
-            {writing.isChanged ? t('text.not_saved') : t('text.saved', { revision: writing.base })} {t('fault.line', { line })}
-          </span>
-        </div>
+        <WritingBar program={program} writing={writing} editor={editor} line={line} withPath={withPath} machine={isProgrammer ? machine : null} />
         <p class="word-help">{word}</p>
         <TextEditor
           text={text}
@@ -186,10 +179,46 @@ function Writing(props: WritingProps) {
           opened={seekLine}
         />
       </div>
+      {withPath && (
+        <PathPanel
+          program={program}
+          revision={writing.base}
+          written={writing.isChanged && isProgrammer ? text : null}
+          machine={machine}
+          line={line}
+          chosen={(at) => editor.current?.show(at)}
+        />
+      )}
       {isProgrammer && <SidePanel diagnosis={diagnosis} isFixable={mayWrite && diagnosis.of === text} editor={editor} line={line} />}
     </div>
   );
 }
+
+interface BarProps {
+  program: Program;
+  writing: WritingState;
+  editor: RefObject<Editor | null>;
+  line: number;
+  withPath: boolean;
+  machine: string | null; // null: it is not chosen here
+}
+
+const WritingBar = ({ program, writing, editor, line, withPath, machine }: BarProps) => (
+  <div class="writing-bar">
+    <SaveButtons program={program} writing={writing} />
+    <button type="button" class="button" onClick={() => editor.current?.find()}>
+      {t('text.find')}
+    </button>
+    <button type="button" class="button" aria-pressed={withPath} onClick={() => changeQuery('path', withPath ? null : '1')}>
+      {t('path.title')}
+    </button>
+    <Download program={program} revision={writing.base} />
+    {machine !== null && <MachineChoice dialect={program.dialect} value={machine} />}
+    <span class="writing-state" role="status">
+      {writing.isChanged ? t('text.not_saved') : t('text.saved', { revision: writing.base })} {t('fault.line', { line })}
+    </span>
+  </div>
+);
 
 function SaveButtons({ program, writing }: { program: Program; writing: WritingState }) {
   const { mayWrite, isChanged, isBehind, saving, restoredAt, save, discard } = writing;

@@ -1,0 +1,142 @@
+// A planner's work against the real server: orders are added, found, sorted, exported, held and opened; jobs of an
+// approved release are queued for them; parts are reported. And the transfers of the past, with their sums.
+import { readFile } from 'node:fs/promises';
+import { accessible, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { rig } from './rig.mjs';
+
+const kDesk = { viewport: { width: 1280, height: 900 } };
+const kPhone = { width: 360, height: 740 };
+const { url, tokens } = await rig.base();
+
+const dialog = (page) => page.getByRole('dialog');
+const only = async (number) => (await rig.call('GET', `/orders?number=${number}`)).body.items[0];
+
+async function saved(page, press) {
+  const download = page.waitForEvent('download');
+  await press();
+  const file = await download;
+  return { name: file.suggestedFilename(), lines: (await readFile(await file.path(), 'utf8')).replace(/^\uFEFF/, '').trim().split('\r\n') };
+}
+
+async function planner(page) {
+  await rig.machine('lathe', { jobs: 0 });
+  for (let i = 1; i <= 3; i += 1)
+    await rig.call('POST', '/orders', { number: `B-${i}`, part: `P-${4 - i}`, quantity: 10 * i, due_at_ms: Date.now() + (i - 2) * 86_400_000, machine: i === 1 ? 'lathe' : null });
+  await signIn(page, url, tokens.operator);
+  await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'Orders' }).click();
+  await page.locator('[data-order]').first().waitFor();
+  expect((await page.locator('[data-order]').first().innerText()).includes('B-1'), 'the soonest comes first');
+  expect(await page.locator('[data-order]').first().getByText('late').isVisible(), 'and says that it is late');
+
+  await page.getByRole('button', { name: 'Add an order' }).click();
+  await dialog(page).getByLabel('Number of the planner').fill('A-77');
+  await dialog(page).getByLabel('Part', { exact: true }).fill('=R-7');
+  await dialog(page).getByLabel('Good parts that are wanted').fill('25');
+  await dialog(page).getByLabel('Machine').selectOption('lathe');
+  await dialog(page).getByLabel('Due').fill('2031-05-06T07:30');
+  await accessible(page, 'a new order');
+  await shot(page, 'orders-new');
+  await dialog(page).getByRole('button', { name: 'Add an order' }).click();
+  await page.getByRole('heading', { name: 'Order A-77' }).waitFor();
+  const order = await only('A-77');
+  expect(order.quantity === 25 && order.machine === 'lathe' && new Date(order.due_at_ms).getFullYear() === 2031, 'it is as it was written');
+
+  // A job of a release.
+  await page.getByRole('button', { name: 'Queue a job…' }).click();
+  await until(async () => (await dialog(page).getByRole('option').count()) > 0 || (await dialog(page).getByText('No release').count()) > 0, 'releases are known');
+  if ((await dialog(page).getByRole('option').count()) === 0) {
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Queue a job…' }).click();
+  }
+  await dialog(page).getByRole('option').first().waitFor({ state: 'attached' });
+  await shot(page, 'orders-job');
+  await dialog(page).getByRole('button', { name: 'Queue' }).click();
+  await page.locator('[data-job][data-state="queued"]').waitFor();
+  const { body: jobs } = await rig.call('GET', `/jobs?order=${order.id}`);
+  expect(jobs.items.length === 1 && jobs.items[0].state === 'queued', 'the job is queued, and not armed');
+
+  // Parts, hold, open.
+  await page.getByRole('button', { name: 'Report parts…' }).click();
+  expect(await dialog(page).getByRole('button', { name: 'Report them' }).isDisabled(), 'nothing is no report');
+  await dialog(page).getByLabel('Good parts').fill('4');
+  await dialog(page).getByLabel('Scrap').fill('1');
+  await dialog(page).getByRole('button', { name: 'Report them' }).click();
+  await page.getByText('4 of 25').waitFor();
+  await page.getByRole('button', { name: 'Hold it…' }).click();
+  await dialog(page).getByRole('textbox').fill('no material');
+  await dialog(page).getByRole('button', { name: 'Hold it' }).click();
+  await page.getByText('no material').waitFor();
+  expect((await only('A-77')).state === 'held', 'it is held');
+  expect((await page.getByRole('button', { name: 'Queue a job…' }).count()) === 0, 'and takes no job');
+  await page.getByRole('button', { name: 'Change the plan…' }).click();
+  await dialog(page).getByLabel('Good parts that are wanted').fill('30');
+  await dialog(page).getByRole('button', { name: 'Save the plan' }).click();
+  await page.getByText('4 of 30').waitFor();
+  await page.getByRole('button', { name: 'Open it…' }).click();
+  await dialog(page).getByRole('button', { name: 'Open it' }).click();
+  await page.getByRole('button', { name: 'Hold it…' }).waitFor();
+  await accessible(page, 'an order');
+  await shot(page, 'orders-one');
+
+  // Find, sort, export.
+  await page.getByRole('link', { name: 'All orders' }).click();
+  await page.getByRole('button', { name: 'Part', exact: true }).click();
+  const parts = () => page.locator('[data-order] td:nth-child(2)').allInnerTexts();
+  expect(JSON.stringify(await parts()) === JSON.stringify([...(await parts())].sort((a, b) => a.localeCompare(b))), 'sorted by part');
+  await page.getByRole('button', { name: 'Part', exact: true }).click();
+  expect((await page.locator('th[aria-sort="descending"]').count()) === 1, 'and downwards, said to a screen reader');
+  await page.getByLabel('Number or part').fill('b-');
+  await until(async () => (await page.locator('[data-order]').count()) === 3, 'three of them');
+  await page.getByLabel('Number or part').fill('');
+  const { name, lines } = await saved(page, () => page.getByRole('button', { name: 'Export as CSV' }).click());
+  expect(name === 'orders.csv' && lines.length === 5 && lines[0].startsWith('number,operation,part'), `the file has a row an order (${lines.length})`);
+  expect(lines.some((line) => line.startsWith("A-77,,'=R-7,lathe,open,2031-05-06T")), 'a text is no formula');
+  await accessible(page, 'orders');
+  await shot(page, 'orders');
+}
+
+async function history(page) {
+  const jobs = await rig.machine('past', { jobs: 3 });
+  for (const job of jobs.slice(0, 2)) await rig.call('POST', `/jobs/${job}/cancel`);
+  await signIn(page, url, tokens.viewer);
+  await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'Jobs', exact: true }).click();
+  await page.getByRole('link', { name: /History of transfers/ }).click();
+  await page.locator('[data-job]').first().waitFor();
+  expect((await page.locator('[data-job]').count()) === 2, 'what waits is no history');
+  const sums = page.getByRole('region', { name: 'Sums' });
+  expect(/Jobs\s+2/.test(await sums.innerText()) && /cancelled\s+2/i.test(await sums.innerText()), 'sums');
+  const { lines } = await saved(page, () => page.getByRole('button', { name: 'Export as CSV' }).click());
+  expect(lines.length === 3 && lines[1].includes(',cancelled,'), 'and the file');
+  await accessible(page, 'the history');
+  await shot(page, 'history');
+  await page.getByRole('search').getByLabel('State').selectOption('done');
+  await page.getByText('No transfer like this.').waitFor();
+}
+
+async function looks(page) {
+  await signIn(page, url, tokens.operator);
+  const { id } = await only('A-77');
+  for (const [name, viewport, language] of [['desk', kDesk.viewport, 'de'], ['tablet', { width: 820, height: 1180 }, 'en'], ['phone', kPhone, 'en']]) {
+    await page.setViewportSize(viewport);
+    await page.evaluate((tag) => localStorage.setItem('dripfeed.language', tag), language);
+    for (const scheme of ['light', 'dark']) {
+      await page.emulateMedia({ colorScheme: scheme });
+      for (const [place, address, there] of [['orders', '#/orders', '[data-order]'], ['order', `#/orders/${id}`, '.decide-buttons'], ['history', '#/history', '[data-job]']]) {
+        await page.goto(`${url}/${address}`);
+        await page.reload();
+        await live(page);
+        await page.locator(there).first().waitFor();
+        const wider = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        expect(wider <= 0, `${place}, ${name}, ${scheme}: as wide as the screen (${wider})`);
+        await accessible(page, `${place}, ${name}, ${scheme}`);
+        await shot(page, `look-${place}-${name}-${scheme}`);
+      }
+    }
+  }
+}
+
+await main([
+  ['a planner: add, queue, report, hold, change, find, sort, export', () => withPage(kDesk, planner)],
+  ['transfers of the past', () => withPage(kDesk, history)],
+  ['every look', () => withPage(kDesk, looks)],
+]);

@@ -1,0 +1,19 @@
+// The calls of whoever plans: orders, their jobs, parts that were made.
+import { everything } from './calls';
+import { request } from './client';
+import type { Job, NewOrder, Order, OrderPlan, OrderState, Release } from './types';
+
+export const orderCalls = {
+  orders: (state: OrderState | '') => everything<Order>('/orders', state === '' ? {} : { state }),
+  order: (id: number) => request<Order>('GET', `/orders/${id}`),
+  addOrder: (order: NewOrder, key: string) => request<Order>('POST', '/orders', { body: order, key }),
+  changeOrder: (order: Order, plan: OrderPlan, key: string) =>
+    request<Order>('PUT', `/orders/${order.id}`, { body: plan, ifMatch: order.revision, key }),
+  moveOrder: (id: number, to: OrderState, reason: string, key: string) =>
+    request<Order>('POST', `/orders/${id}/move`, { body: { to, ...(reason === '' ? {} : { reason }) }, key }),
+  reportParts: (id: number, good: number, scrap: number, note: string, key: string) =>
+    request<Order>('POST', `/orders/${id}/parts`, { body: { good, scrap, ...(note === '' ? {} : { note }) }, key }),
+  jobsOf: (order: number) => everything<Job>('/jobs', { order: String(order) }),
+  addJob: (order: number, release: number, key: string) => request<Job>('POST', '/jobs', { body: { release, order }, key }),
+  releases: () => everything<Release>('/releases'),
+};

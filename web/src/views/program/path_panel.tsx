@@ -1,0 +1,65 @@
+// The toolpath beside the text. It is the path of the text as it stands: a stored revision's, or what is being
+// written, asked for anew after a pause.
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { deskCalls } from '../../api/desk_calls';
+import type { Program, ToolPath } from '../../api/types';
+import { t } from '../../i18n/i18n';
+import { Failure } from '../../parts/failure';
+import { useLoaded } from '../../parts/use_loaded';
+import { useSettled } from '../../parts/use_settled';
+import { PathView } from '../path/path_view';
+
+interface Props {
+  program: Program;
+  revision: number;
+  written: string | null; // a text that differs from the revision's; null: it does not
+  machine: string;
+  line: number;
+  chosen: (line: number) => void;
+}
+
+const kPause_ms = 1_200;
+const kLongest_chars = 400_000; // a longer one is drawn when a person asks for it
+
+export function PathPanel({ program, revision, written, machine, line, chosen }: Props) {
+  const [asked, setAsked] = useState<string | null>(written);
+  const settled = useSettled(written, kPause_ms);
+  const isLong = (settled?.length ?? 0) > kLongest_chars;
+  useEffect(() => {
+    if (!isLong) setAsked(settled);
+  }, [settled, isLong]);
+  const numbers = useRef({ text: asked, number: 0 });
+  if (numbers.current.text !== asked) numbers.current = { text: asked, number: numbers.current.number + 1 };
+  const key = `${program.id} ${machine} ${asked === null ? `revision ${revision}` : `written ${numbers.current.number}`}`;
+  const { value, error, loading } = useLoaded<ToolPath>(key, () =>
+    asked === null
+      ? deskCalls.programPath(program.id, revision, machine)
+      : deskCalls.pathOfText({ text: asked, dialect: program.dialect, ...(machine ? { machine } : {}) }),
+  );
+  const kept = useRef<ToolPath | null>(null);
+  if (value) kept.current = value;
+  const shown = value ?? kept.current;
+  const isOlder = written !== asked || (loading && shown !== null);
+  return (
+    <section class="path" aria-label={t('path.title')} aria-busy={loading}>
+      <h2>{t('path.title')}</h2>
+      <Failure error={error} />
+      {loading && !shown && (
+        <p class="waiting" role="status">
+          {t('path.running')}
+        </p>
+      )}
+      {isOlder && (
+        <p class="hint" role="status">
+          {t('path.older')}{' '}
+          {isLong && written !== asked && (
+            <button type="button" class="button button-small" onClick={() => setAsked(written)}>
+              {t('path.again')}
+            </button>
+          )}
+        </p>
+      )}
+      {shown && <PathView path={shown} line={line} chosen={chosen} />}
+    </section>
+  );
+}
