@@ -16,7 +16,8 @@ bool begins_with_tape_mark(const ir::Program& program) {
   const auto first = std::ranges::find_if_not(program.tokens, is_leader);
   if (first != program.tokens.end() && is_mark(*first)) return true;
   const auto mark = std::ranges::find_if_not(program.tokens, is_label);
-  return mark != program.tokens.end() && is_mark(*mark) && std::any_of(std::next(mark), program.tokens.end(), is_mark);
+  return mark != program.tokens.end() && is_mark(*mark) &&
+         !std::all_of(std::next(mark), program.tokens.end(), is_label);
 }
 
 }  // namespace dripfeed::macro_b

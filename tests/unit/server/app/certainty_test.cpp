@@ -354,6 +354,7 @@ TEST(Certainty, AFactorTakesAPoint) {
 
 TEST(Certainty, CommentsBeforeTheFirstMarkAreNotRead) {
   EXPECT_FALSE(text::has_error(check("(OF THE SHOP)\n" + kHead + "M30\n%\n").checks.diagnostics));
+  EXPECT_FALSE(text::has_error(check("(OF THE SHOP)\n" + kHead + "M30\n").checks.diagnostics));
   EXPECT_TRUE(text::has_error(check("(O1)\n%\n").checks.diagnostics));
 }
 
