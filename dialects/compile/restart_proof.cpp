@@ -36,8 +36,8 @@ class Comparison {
     moves = 0;
     for (; a < whole.size() && b < rest.size(); ++a, ++b) {
       if (const std::string_view what = differs(whole[a], rest[b]); !what.empty())
-        return fmt::format("{} differs in line {}{}", what, whole[a].place.line,
-                           whole[a].place.program == 0 ? "" : " of a called program");
+        return fmt::format("line {}{} differs in {}", whole[a].place.line,
+                           whole[a].place.program == 0 ? "" : " of a called program", what);
       if (ir::is_move(whole[a].kind)) ++moves;
     }
     if (a < whole.size()) return fmt::format("it ends before line {}", whole[a].place.line);
