@@ -81,8 +81,20 @@ Document cost_document(const std::optional<compile::ComputeCost>& cost) {
 }
 
 Document text_or_null(const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); }
+Document line_or_null(std::uint32_t line) { return line == 0 ? Document(nullptr) : Document(line); }
 
 }  // namespace
+
+std::string restart_document(const compile::Restart& made, const text::Source& source) {
+  return dump({{"text", text_or_null(made.text)},
+               {"preamble_line", line_or_null(made.preamble_line)},
+               {"rest_line", line_or_null(made.rest_line)},
+               {"assumptions", made.assumptions},
+               {"compared_moves", made.compared_moves},
+               {"safe_before", line_or_null(made.safe_before)},
+               {"safe_after", line_or_null(made.safe_after)},
+               {"diagnostics", Document::parse(json::diagnostics(made.diagnostics, source))}});
+}
 
 std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
                               const text::Source& source) {

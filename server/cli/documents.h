@@ -10,6 +10,7 @@
 #include "dialects/compile/execute.h"
 #include "dialects/compile/optimized.h"
 #include "dialects/compile/render.h"
+#include "dialects/compile/restart.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
 #include "server/cli/doctor.h"
@@ -25,6 +26,9 @@ struct WireHashes {
 };
 
 std::string run_document(const interpreter::RunResult& result);
+// {"text","preamble_line","rest_line","assumptions","compared_moves","safe_before","safe_after","diagnostics"}: the
+// text is null where it is refused, the safe lines where none was looked for or found.
+std::string restart_document(const compile::Restart& made, const text::Source& source);
 // {"text","changes":[{"line","rule","what"}],"left_because","not_verified","before","after","cost"}: the two costs are
 // null where the program was not run before and after, `left_because` is why it is as it was.
 std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,

@@ -9597,7 +9597,7 @@ export interface operations {
     get_programs_id_path: {
         parameters: {
             query?: {
-                revision?: string;
+                revision?: number;
                 machine?: string;
             };
             header?: never;
