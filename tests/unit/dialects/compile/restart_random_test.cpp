@@ -18,8 +18,7 @@ namespace {
 
 class Shop {
  public:
-  Shop(std::string dialect, ir::MachineKind kind, std::uint32_t seed)
-      : dialect_(std::move(dialect)), kind_(kind), random_(seed) {
+  Shop(std::string dialect, ir::MachineKind kind, std::uint32_t seed) : dialect_(std::move(dialect)), random_(seed) {
     sinumerik_ = dialect_.starts_with("sinumerik");
     if (!sinumerik_) add("%");
     if (!sinumerik_) add("O0001 (RANDOM)");
@@ -154,7 +153,6 @@ class Shop {
   }
 
   std::string dialect_;
-  ir::MachineKind kind_;
   std::mt19937 random_;
   bool sinumerik_ = false;
   std::size_t head_ = 0;
@@ -182,7 +180,7 @@ void expect_tail(const std::vector<ir::Motion>& whole, const std::vector<ir::Mot
     placed |= b.axes_commanded;
     const bool cuts = a.kind != ir::MotionKind::rapid;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::uint16_t bit = 1U << axis;
+      const unsigned bit = 1U << axis;
       const bool end = (placed & bit) == 0 || is_near(a.end[axis], b.end[axis]);
       const bool start = !cuts || (a.axes_unknown & bit) != 0 || is_near(a.start[axis], b.start[axis]);
       ASSERT_TRUE(end && start) << what << " move " << i;
