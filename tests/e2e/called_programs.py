@@ -35,11 +35,14 @@ def main():
         assert [d["id"] for d in diagnostics(folder, "M98 P9001")] == ["call-target-missing"]
 
         lathe = folder / "lathe.nc"
-        lathe.write_text("%\nO1\nG21 G90 G40\nG50 S2000\nT0101\nG00 X50. Z2.\nM30\n%\n")
+        lathe.write_text("%\nO1\nG21 G91 G40\nG50 S2000\nT0101\nG00 X50. Z2.\nM30\n%\n")
         refused = run("convert", "--from", "fanuc", "--to", "sinumerik-840d", lathe)
-        assert refused.returncode == 2 and "line 3 has G90 and line 4 has G50 S" in refused.stderr, refused.stderr
-        done = run("convert", "--from", "fanuc", "--to", "sinumerik-840d", "--control", "kind=lathe,g_system=A", lathe)
-        assert done.returncode == 0, done.stderr
+        assert refused.returncode == 2 and "line 3 has G91 and line 4 has G50 S" in refused.stderr, refused.stderr
+        # A G90 in the first line of a program of system A turns nothing: G50 S decides.
+        lathe.write_text(lathe.read_text().replace("G91", "G90"))
+        for more in ([], ["--control", "kind=lathe,g_system=A"]):
+            done = run("convert", "--from", "fanuc", "--to", "sinumerik-840d", *more, lathe)
+            assert done.returncode == 0, done.stderr
 
 
 if __name__ == "__main__":
