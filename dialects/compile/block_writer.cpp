@@ -17,15 +17,6 @@ using ir::Address;
 using ir::Function;
 using ir::MotionKind;
 
-Function function_of(ir::Plane plane) {
-  switch (plane) {
-    case ir::Plane::xy: return Function::plane_xy;
-    case ir::Plane::zx: return Function::plane_zx;
-    case ir::Plane::yz: return Function::plane_yz;
-  }
-  return Function::none;
-}
-
 Function function_of(ir::FeedMode mode) {
   switch (mode) {
     case ir::FeedMode::per_min: return Function::feed_per_min;

@@ -99,7 +99,7 @@ void Converter::translate() {
     if (!(this->*pass.run)(read.program)) return;
 }
 
-// Of a statement that could not be written as its moves, the reason is told; what raising says of it then is no more.
+// A statement that could not be written as its moves has its reason already: what raising reports of it is left out.
 void Converter::forget_what_is_told() {
   const auto begin = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(told_);
   const auto is_told = [&](const text::Diagnostic& one) {
@@ -122,7 +122,7 @@ void Converter::refuse_faulty(const ir::Program& program) {
   add(std::move(found));
 }
 
-// What the other control would not read is no translation: its length is told at the line that it came from.
+// A block that is too long for the other control is refused at the line that it came from.
 void Converter::refuse_long_blocks() {
   const std::size_t most = request_.to.limits.block_length_bytes;
   if (most == 0) return;

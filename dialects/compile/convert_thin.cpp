@@ -179,8 +179,8 @@ class ThinConverter {
     for (const ir::PlainStretch& one : thin_.stretches.all) lines += one.line_count;
     origins_.reserve(lines);
     for (std::size_t i = 0; i < thin_.stretches.all.size(); ++i) {
-      const std::uint32_t behind = thin_.lines_behind()[i];
-      const auto at = std::ranges::find(origins, behind);
+      const std::uint32_t behind = thin_.line_behind(i);
+      const auto at = std::find(origins.begin() + static_cast<std::ptrdiff_t>(copied), origins.end(), behind);
       const auto index = static_cast<std::size_t>(at - origins.begin());
       if (index < copied + ThinProgram::kKeptBefore || !has_form(printed, origins, index, behind)) return false;
       copy(printed, origins, copied, index);

@@ -38,6 +38,15 @@ Function function_of(ir::CompSide side) {
   return Function::none;
 }
 
+Function function_of(ir::Plane plane) {
+  switch (plane) {
+    case ir::Plane::xy: return Function::plane_xy;
+    case ir::Plane::zx: return Function::plane_zx;
+    case ir::Plane::yz: return Function::plane_yz;
+  }
+  return Function::none;
+}
+
 ir::Code code_of(Function function, ir::ModalGroup group) {
   ir::Code made;
   made.function = function;

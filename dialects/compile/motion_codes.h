@@ -23,6 +23,7 @@ inline constexpr std::array kCenterAddresses = {ir::Address::i, ir::Address::j, 
 // Of a curve each chord is a straight cut. Nothing for what has no plain code: a thread, an event.
 std::optional<ir::Function> plain_function_of(ir::MotionKind kind);
 ir::Function function_of(ir::CompSide side);
+ir::Function function_of(ir::Plane plane);
 // A code by what it does, without a number or name of its own.
 ir::Code code_of(ir::Function function, ir::ModalGroup group);
 // Whether the control has a G code that does this.

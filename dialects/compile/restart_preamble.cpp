@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/motion_codes.h"
 #include "dialects/compile/restart_retract.h"
 #include "dialects/compile/restart_tool.h"
 #include "dialects/compile/restart_variables.h"
@@ -19,7 +20,7 @@ using ir::Function;
 using ir::ModalGroup;
 using text::DiagnosticId;
 
-// What the program itself says before the line: only that is said again. The rest is the control's own, as at the first
+// What the program itself says before the line: only that is repeated. The rest is the control's own, as at the first
 // run.
 class Stated {
  public:
@@ -54,16 +55,7 @@ class Stated {
   std::set<ModalGroup> groups_;
 };
 
-Function function_of(ir::Plane plane) {
-  switch (plane) {
-    case ir::Plane::xy: return Function::plane_xy;
-    case ir::Plane::zx: return Function::plane_zx;
-    case ir::Plane::yz: return Function::plane_yz;
-  }
-  return Function::none;
-}
-
-Function function_of(ir::DiameterMode mode) {
+Function diameter_function(ir::DiameterMode mode) {
   switch (mode) {
     case ir::DiameterMode::radius: return Function::diameter_off;
     case ir::DiameterMode::diameter: return Function::diameter_on;
@@ -97,7 +89,7 @@ void write_modes(RestartDraft& draft, const Stated& stated) {
     block.push_back(words.code(Function::cycle_off));
   }
   draft.add(block);
-  if (stated.has(ModalGroup::diameter)) draft.add({words.code(function_of(modes.diameter))});
+  if (stated.has(ModalGroup::diameter)) draft.add({words.code(diameter_function(modes.diameter))});
   std::vector<std::string> left;
   const auto leave = [&](ModalGroup group, std::string_view name) {
     if (!stated.has(group)) left.emplace_back(name);

@@ -19,7 +19,7 @@ bool is_constant(const ir::Program& program, const ir::Word& word) {
          (value.op == ir::Operator::negate && program.at(value.a).op == ir::Operator::constant);
 }
 
-// SUPA Z500 D0, G75 Z1=0: the tool axis alone (of a lathe both) to a place of the machine, and nothing else.
+// SUPA Z500 D0, G75 Z1=0: the tool axis alone (of a lathe both) to a machine position, and nothing else.
 bool is_retract(const RestartDraft& draft, const ir::Block& block) {
   const ir::Program& program = draft.program;
   bool to_machine = false;

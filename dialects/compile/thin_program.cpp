@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -255,21 +256,18 @@ bool ThinProgram::take(const text::Source& thin, const std::vector<ir::PlainStre
       statement->line += removed_lines;
     if (statement == program.statements.end() || statement->line != line) return false;
     stretch.statement = static_cast<std::uint32_t>(statement - program.statements.begin());
-    thin_lines_.push_back(line);
     stretches.all.push_back(stretch);
     removed_bytes += static_cast<std::uint32_t>(stretch.end - stretch.begin);
     removed_lines += stretch.line_count;
-    cuts_.push_back({.at = at, .removed_bytes = removed_bytes});
+    cuts_.push_back({.at = at, .line = line, .removed_bytes = removed_bytes, .removed_lines = removed_lines});
   }
   for (; statement != program.statements.end(); ++statement) statement->line += removed_lines;
   return true;
 }
 
 std::uint32_t ThinProgram::line_in_whole(std::uint32_t thin_line) const {
-  std::uint32_t line = thin_line;
-  for (std::size_t i = 0; i < thin_lines_.size() && thin_lines_[i] <= thin_line; ++i)
-    line += stretches.all[i].line_count;
-  return line;
+  const auto after = std::ranges::upper_bound(cuts_, thin_line, {}, &Cut::line);
+  return after == cuts_.begin() ? thin_line : thin_line + std::prev(after)->removed_lines;
 }
 
 text::Span ThinProgram::in_whole(text::Span span) const {

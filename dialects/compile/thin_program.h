@@ -18,7 +18,7 @@
 
 namespace dripfeed::compile {
 
-// What a line of plain moves looks like: N12 G1 X1. Y-2.5 is "NGXY". Empty for any other line.
+// The parts of a line of plain moves, such as N12 G1 X1. Y-2.5; without letters for any other line.
 struct MoveForm {
   std::string_view number;  // digits of N; may be empty
   std::string_view code;    // "G01" as written; may be empty
@@ -55,8 +55,8 @@ class ThinProgram {
   ir::ReadResult read_result;
   ir::PlainStretches stretches;  // for RunOptions::stretches
 
-  // The first line behind each stretch, and any line, of the thin text.
-  [[nodiscard]] const std::vector<std::uint32_t>& lines_behind() const { return thin_lines_; }
+  // Of the thin text: the first line behind a stretch, by its number.
+  [[nodiscard]] std::uint32_t line_behind(std::size_t stretch) const { return cuts_[stretch].line; }
   [[nodiscard]] std::uint32_t line_in_whole(std::uint32_t thin_line) const;
 
   // Puts what was found in the program to its place in the whole text.
@@ -64,9 +64,12 @@ class ThinProgram {
   void place(interpreter::RunResult& run) const;
 
  private:
+  // What stands behind a stretch in the thin text, and how much is removed by this cut and all before it.
   struct Cut {
-    std::uint32_t at = 0;             // byte of the thin text
-    std::uint32_t removed_bytes = 0;  // by this cut and all before it
+    std::uint32_t at = 0;
+    std::uint32_t line = 0;
+    std::uint32_t removed_bytes = 0;
+    std::uint32_t removed_lines = 0;
   };
   ThinProgram(std::string_view whole, const Dialect& dialect, const ir::Control& control);
   bool take(const text::Source& thin, const std::vector<ir::PlainStretch>& found, const Dialect& dialect,
@@ -76,7 +79,6 @@ class ThinProgram {
 
   text::Source whole_;
   std::vector<Cut> cuts_;
-  std::vector<std::uint32_t> thin_lines_;
 };
 
 }  // namespace dripfeed::compile

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kMostNamed = 20;  // of those that a sentence lists
 
 // The names that a program may be stored under, if the library has not read it yet.
-std::set<std::string> spellings(std::string_view name, const std::string& key) {
-  std::set<std::string> all{std::string(name), key};
+std::set<std::string> spellings(const std::string& key) {
+  std::set<std::string> all{key};
   constexpr std::size_t kDigits = 4;
   if (key.size() > 1 && key.front() == 'O' && key.find_first_not_of("0123456789", 1) == std::string::npos &&
       key.size() <= kDigits)
@@ -52,7 +52,7 @@ Result<std::vector<CalledPrograms::Found>> CalledPrograms::all_named(const Calle
     if (!named) return std::unexpected(named.error());
     ids.insert(named->begin(), named->end());
   }
-  for (const std::string& name : spellings(key, key)) {
+  for (const std::string& name : spellings(key)) {
     const auto listed = lift(store_.programs().list({.limit = store::kPageLimitMax, .after = {}}, {.name = name}));
     if (!listed) return std::unexpected(listed.error());
     for (const store::Program& one : listed->items) ids.insert(one.id);
@@ -113,6 +113,7 @@ Result<CalledText> CalledPrograms::find(const Caller& caller, std::string_view n
   if (revision->bytes > kMostBytes) {
     chosen->why_not = fmt::format("what {} does: the program has {} bytes, more than are read of a called program",
                                   chosen->key, revision->bytes);
+    chosen->program = 0;  // it is not what the text is run with
     return chosen;
   }
   auto text = lift(store::read_whole(store_.contents(), revision->sha256, kMostBytes));

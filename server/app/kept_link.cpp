@@ -33,7 +33,7 @@ std::size_t KeptLink::read(std::span<std::byte> into) {
 
 std::size_t KeptLink::write(std::span<const std::byte> bytes) {
   const std::size_t taken = link_->write(bytes);
-  if (taken > 0) tap_->note(WireKind::out, bytes.first(taken), thread_.clock().now());
+  if (taken > 0) note(WireKind::out, bytes.first(taken));
   return taken;
 }
 

@@ -32,7 +32,7 @@ class KeptLink {
   [[nodiscard]] Link* get() const { return link_.get(); }
   std::size_t read(std::span<std::byte> into);
   std::size_t write(std::span<const std::byte> bytes);
-  void heard(std::span<const std::byte> bytes) { tap_->note(WireKind::in, bytes, thread_.clock().now()); }
+  void heard(std::span<const std::byte> bytes) { note(WireKind::in, bytes); }
   void signal(WireKind change) { tap_->note(change, thread_.clock().now()); }
   [[nodiscard]] const std::shared_ptr<WireTap>& tap() const { return tap_; }
   [[nodiscard]] bool is_up() const { return up_; }
@@ -45,6 +45,10 @@ class KeptLink {
   void tell(LineReport& report) const;
 
  private:
+  // The clock is read for who looks.
+  void note(WireKind direction, std::span<const std::byte> bytes) {
+    if (tap_->is_watched()) tap_->note(direction, bytes, thread_.clock().now());
+  }
   void open_later();
 
   machine::LineSettings settings_;

@@ -8,6 +8,7 @@
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/shared_definitions.h"
 #include "server/app/catalog.h"
+#include "server/app/diagnose.h"
 
 namespace dripfeed::app {
 
@@ -18,38 +19,22 @@ struct Side {
   ir::Control control;
 };
 
-Result<Side> side_of_machine(const TranslationOrder::Side& named, const Documents& documents) {
-  const auto profile = documents.read_profile(named.profile);
+Result<Side> side_of_machine(const std::string& document, const Documents& documents) {
+  const auto profile = documents.read_profile(document);
   if (!profile) return std::unexpected(profile.error());
-  if (!named.dialect.empty() && named.dialect != profile->control.dialect)
-    return fail(ErrorCode::invalid, fmt::format("the machine is {}, not {}", profile->control.dialect, named.dialect));
   auto control = control_of(*profile);
   if (!control) return std::unexpected(control.error());
   return Side{compile::find_dialect(profile->control.dialect), std::move(*control)};
 }
 
-Result<const compile::Dialect*> dialect_of(const std::string& name) {
-  const compile::Dialect* dialect = compile::find_dialect(name);
-  if (dialect == nullptr) return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", name));
-  return dialect;
-}
-
-Result<Side> source_side(const TranslationOrder::Side& named, const text::Source& source, const Documents& documents) {
-  if (!named.profile.empty()) return side_of_machine(named, documents);
-  const auto dialect = named.dialect.empty() ? Result<const compile::Dialect*>(&compile::infer_dialect(source))
-                                             : dialect_of(named.dialect);
-  if (!dialect) return std::unexpected(dialect.error());
-  return Side{*dialect, (*dialect)->infer_control(source)};
-}
-
 // A lathe's program goes to a lathe: what was found out about the source holds for the other side.
 Result<Side> target_side(const TranslationOrder::Side& named, const Side& from, const Documents& documents) {
-  if (!named.profile.empty()) return side_of_machine(named, documents);
+  if (!named.profile.empty()) return side_of_machine(named.profile, documents);
   if (named.dialect == from.dialect->name) return from;
-  const auto dialect = dialect_of(named.dialect);
-  if (!dialect) return std::unexpected(dialect.error());
+  const compile::Dialect* dialect = compile::find_dialect(named.dialect);
+  if (dialect == nullptr) return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", named.dialect));
   const bool is_mill = from.control.kind == ir::MachineKind::mill;
-  return Side{*dialect, (*dialect)->control(is_mill ? ir::MachineKind::mill : ir::MachineKind::lathe, {})};
+  return Side{dialect, dialect->control(is_mill ? ir::MachineKind::mill : ir::MachineKind::lathe, {})};
 }
 
 }  // namespace
@@ -67,15 +52,17 @@ Result<void> refuse_contradiction(const text::Source& source, const ir::Control&
 
 Result<Translation> translate_text(const TranslationOrder& order, const Documents& documents, CalledBy& called) {
   Translation out{.source = text::Source(order.name, order.text), .from = {}, .to = {}, .result = {}};
-  const auto from = source_side(order.from, out.source, documents);
-  if (!from) return std::unexpected(from.error());
-  if (auto clear = refuse_contradiction(out.source, from->control); !clear) return std::unexpected(clear.error());
-  const auto to = target_side(order.to, *from, documents);
+  const auto opened =
+      open_text({.dialect = order.from.dialect, .text = order.text, .profile = order.from.profile}, documents);
+  if (!opened) return std::unexpected(opened.error());
+  const Side from{(*opened)->examination.dialect, (*opened)->examination.control};
+  if (auto clear = refuse_contradiction(out.source, from.control); !clear) return std::unexpected(clear.error());
+  const auto to = target_side(order.to, from, documents);
   if (!to) return std::unexpected(to.error());
-  out.from = from->dialect->name;
+  out.from = from.dialect->name;
   out.to = to->dialect->name;
   const compile::FindText find = [&called](std::string_view name) { return called.find(name); };
-  const ir::Control control = compile::with_definitions(from->control, find);
+  const ir::Control control = compile::with_definitions(from.control, find);
   compile::ProgramLibrary library(control, find);
   out.result = compile::convert(
       {.source = out.source, .from = control, .to = to->control, .mode = order.mode, .library = &library});

@@ -43,8 +43,9 @@ class WireTap {
   explicit WireTap(const tape_code::DecodeTable& code) : code_(code) {}
 
   // On the line's thread.
+  [[nodiscard]] bool is_watched() const { return watchers_.load(std::memory_order_relaxed) > 0; }
   void note(WireKind direction, std::span<const std::byte> bytes, feed::Time at) {
-    if (watchers_.load(std::memory_order_relaxed) > 0) keep(direction, bytes, at);
+    if (is_watched()) keep(direction, bytes, at);
   }
   void note(WireKind event, feed::Time at);
   // The line is gone; whoever watches asks for the next one.

@@ -125,6 +125,7 @@ store::Result<store::ProgramRevision> find_revision(store::Store& store, store::
 struct StoredText {
   std::string name;
   std::string dialect;
+  std::string folder;
   store::Revision revision = 0;
   std::string text;
 };

@@ -26,19 +26,12 @@ app::Result<std::string> profile_of(store::Store& store, const std::string& mach
 }
 
 app::Result<void> load_program(store::Store& store, const json::ConvertBody& body, app::TranslationOrder& order) {
-  const auto program = app::lift(store.programs().get(body.program));
-  if (!program) return std::unexpected(program.error());
-  const auto revision = app::lift(find_revision(store, body.program, body.revision));
-  if (!revision) return std::unexpected(revision.error());
-  if (revision->bytes > kTextLimit)
-    return app::fail(app::ErrorCode::invalid,
-                     fmt::format("program {} has {} bytes, more than are translated", program->name, revision->bytes));
-  auto text = app::lift(store::read_whole(store.contents(), revision->sha256, kTextLimit));
-  if (!text) return std::unexpected(text.error());
-  order.name = program->name;
-  order.text = std::move(*text);
-  if (order.from.dialect.empty()) order.from.dialect = program->dialect;
-  order.caller = {.dialect = program->dialect, .machine = body.machine, .folder = program->folder};
+  auto stored = load_text(store, body.program, body.revision, kTextLimit);
+  if (!stored) return std::unexpected(stored.error());
+  order.name = std::move(stored->name);
+  order.text = std::move(stored->text);
+  if (order.from.dialect.empty()) order.from.dialect = stored->dialect;
+  order.caller = {.dialect = std::move(stored->dialect), .machine = body.machine, .folder = std::move(stored->folder)};
   return {};
 }
 
@@ -62,10 +55,9 @@ app::Result<app::TranslationOrder> translation_order(store::Store& store, json::
 
 app::Result<app::DiagnoseOrder> order_of(const Call& call, json::DiagnoseBody body) {
   app::DiagnoseOrder order{.dialect = std::move(body.dialect), .text = std::move(body.text), .delivery = body.delivery};
-  if (body.machine.empty()) return order;
-  auto machine = app::lift(call.api.application().store().machines().get(body.machine));
-  if (!machine) return std::unexpected(machine.error());
-  order.profile = std::move(machine->profile);
+  auto profile = profile_of(call.api.application().store(), body.machine);
+  if (!profile) return std::unexpected(profile.error());
+  order.profile = std::move(*profile);
   return order;
 }
 

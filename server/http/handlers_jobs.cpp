@@ -9,6 +9,7 @@
 #include "server/http/list_response.h"
 #include "server/json/records.h"
 #include "server/json/requests.h"
+#include "server/json/verdict_records.h"
 
 namespace dripfeed::http {
 

@@ -8,6 +8,7 @@
 #include "server/http/list_response.h"
 #include "server/json/records.h"
 #include "server/json/requests.h"
+#include "server/json/verdict_records.h"
 
 namespace dripfeed::http {
 
@@ -54,6 +55,7 @@ app::Result<StoredText> load_text(store::Store& store, store::Id id, store::Revi
   if (!text) return std::unexpected(text.error());
   return StoredText{.name = std::move(program->name),
                     .dialect = std::move(program->dialect),
+                    .folder = std::move(program->folder),
                     .revision = revision->revision,
                     .text = std::move(*text)};
 }

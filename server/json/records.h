@@ -41,10 +41,6 @@ std::string release(const store::Release& release);
 // What came of reading a job's program back, as one word.
 inline constexpr std::string_view kReadBackStates[] = {"waiting", "equal", "differs", "expired", "superseded"};
 std::string job(const store::Job& job);
-// How long a job's program takes by the newest verdict on it; `verdict`: nothing where there is none. `buffer`: of the
-// machine, 0: not known.
-std::string job_forecast(const store::Job& job, const std::optional<store::Verdict>& verdict,
-                         const checks::BufferSize& buffer);
 std::string receipt(const store::Receipt& receipt, const std::optional<app::StoredLikeness>& stored);
 std::string request(const store::Request& request);
 // `id` is null while the store could not take it yet.
@@ -53,10 +49,6 @@ std::string program_lines(std::uint64_t from, const app::ProgramLines& found);
 std::string utilisation(std::span<const app::DayOfUse> days);
 std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next, const store::LedgerInterval& interval,
                    bool confirms);
-// A stored verdict: the report's members with the verdict's own.
-std::string verdict(const store::Verdict& verdict);
-// Of a list: without the report.
-std::string verdict_summary(const store::Verdict& verdict);
 // `waiting`: changes that are not in the library yet.
 struct SearchHit {
   store::LibraryHit hit;

@@ -1,5 +1,5 @@
 // One row a sentence. A name in braces stands for what the code puts there: the shortest text up to what follows. The
-// first row that fits counts, so the longer of two comes first. A test reads the code, and asks that each row is said
+// first row that fits counts, so the longer of two comes first. A test reads the code, and asks that each row is used
 // there and that each sentence of an alarm has a row.
 #include "server/json/sentences.h"
 

@@ -1,5 +1,5 @@
-"""The sentences that have ids (server/json/sentences.cpp) against the code that says them: each row is said somewhere, and what alarms and refusals
-say at a machine's side has a row. Run as `sentences.py ROOT`."""
+"""The sentences that have ids (server/json/sentences.cpp) against the code that uses them: the code has each row's sentence somewhere, and each
+sentence of alarms and refusals at a machine has a row. Run as `sentences.py ROOT`."""
 
 import pathlib
 import re

@@ -58,7 +58,7 @@ test('every id that the page names is in the catalogue, and none is left over', 
 // The server's table of sentences: id and pattern, adjacent literals as one.
 const sentences = [...readFileSync(path.resolve('../server/json/sentences.cpp'), 'utf8').replace(/"\s*\n\s*"/g, '').matchAll(/Row\{\s*"(\w+)",\s*"((?:[^"\\]|\\.)*)"/g)];
 
-test('every sentence that the server can send by its id is said in each language, with its values', () => {
+test('each language has every sentence that the server sends by its id, with its values', () => {
   assert.ok(sentences.length > 90, `${sentences.length} sentences`);
   const ids = new Set(sentences.map(([, id]) => `said.${id ?? ''}`));
   for (const [tag, words] of Object.entries(catalogues)) {
@@ -71,7 +71,7 @@ test('every sentence that the server can send by its id is said in each language
   }
 });
 
-test('a sentence is said by its id, with the sentences in its values, else as the server wrote it', () => {
+test('a sentence is shown by its id, with the sentences in its values, else as the server wrote it', () => {
   const why = { text: 'the disk is full (ledger)', said: { id: 'store_disk_full' as const, values: { detail: { text: 'ledger', said: null } } } };
   assert.equal(saidText({ id: 'cannot_arm', values: { machine: { text: 'lathe', said: null }, why } }, 'x'), 'lathe cannot be armed: the disk is full (ledger)');
   assert.equal(saidText(null, 'as it came'), 'as it came');

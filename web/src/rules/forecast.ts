@@ -1,7 +1,7 @@
 // How long a transfer still takes, and how much of it lies in the control's buffer. The checks predicted when each line
 // begins; what is seen of the feed corrects that: how much longer, or shorter, the lines took that went out. What the
 // control executes is not seen, only what left and what its buffer holds at most, so the answer is a range. Without a
-// prediction the rate of bytes is what is left. Nothing is said of a feed that a person stopped.
+// prediction the rate of bytes is what is left. A feed that a person stopped has no forecast.
 import type { Job, JobForecast, MachineStatus } from '../api/types';
 import { stallKind } from './lines';
 

@@ -7,6 +7,7 @@
 #include "server/json/openapi.h"
 #include "server/json/reports.h"
 #include "server/json/requests.h"
+#include "server/json/verdict_records.h"
 
 namespace dripfeed::json {
 namespace {

@@ -57,7 +57,7 @@ function StepButton({ blocked, ...props }: StepProps & { blocked: boolean }) {
 
 const kFirstTransfers = 1;
 
-// What is sent back, withdrawn or approved is told why; a proving needs to know how often.
+// Returning, withdrawing and approving need a reason; a proving needs to know how often.
 function StepDialog({ step, release, changed }: StepProps) {
   const [transfers, setTransfers] = useState(kFirstTransfers);
   const isProving = step.to === 'proving';
