@@ -65,6 +65,15 @@ void LedgerWriter::reset_confirmed(const std::string& machine, std::string_view 
 }
 
 void LedgerWriter::round() {
+  take_(write_books(), complaint_);
+  if (ballast_ != nullptr && clock_.now() >= restore_at_) {
+    restore_at_ = clock_.now() + kRestoreEvery;
+    ballast_->restore();
+  }
+}
+
+// Has the lines only as long as it writes: whoever wants one alone waits for that.
+std::vector<Booked> LedgerWriter::write_books() {
   std::vector<Due> all;
   for (Seat& seat : lines_.all()) {
     LineReport report = seat.line->report();
@@ -76,6 +85,7 @@ void LedgerWriter::round() {
     begin(due);
     book_answer(due);
   }
+  let_idle_go(all);
   const bool written = commit_rows(all);
   std::vector<Booked> booked;
   booked.reserve(all.size());
@@ -87,10 +97,15 @@ void LedgerWriter::round() {
                       .left_torn = due.seat.left_torn,
                       .is_booked = written});
   }
-  take_(std::move(booked), complaint_);
-  if (ballast_ != nullptr && clock_.now() >= restore_at_) {
-    restore_at_ = clock_.now() + kRestoreEvery;
-    ballast_->restore();
+  return booked;
+}
+
+// A line that owes the books nothing is not held while the disk takes what others owe.
+void LedgerWriter::let_idle_go(std::vector<Due>& all) {
+  for (Due& due : all) {
+    if (due.report.job != 0 || due.tracked.is_begun || due.tracked.answer_row != 0) continue;
+    due.seat.line.reset();
+    due.seat.claim.reset();
   }
 }
 

@@ -86,6 +86,8 @@ class LedgerWriter {
   };
 
   void round();
+  std::vector<Booked> write_books();
+  static void let_idle_go(std::vector<Due>& all);
   void begin(const Due& due);
   bool begin_record(const Due& due, std::string_view what);
   void end_record(const Due& due, bool torn, std::string_view reason);

@@ -205,6 +205,14 @@ std::string Lines::why_torn(const std::string& machine) const {
   return known ? known->seat.left_torn : std::string();
 }
 
+std::vector<std::string> Lines::machines() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> machines;
+  machines.reserve(lines_.size());
+  for (const auto& [name, entry] : lines_) machines.push_back(name);
+  return machines;
+}
+
 std::vector<Seat> Lines::all() const {
   const std::lock_guard lock(mutex_);
   std::vector<Seat> all;

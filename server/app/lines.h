@@ -53,6 +53,7 @@ class Lines {
   [[nodiscard]] std::string why_none(const std::string& machine) const;
   // Why the machine's line was made torn; "" where it was not.
   [[nodiscard]] std::string why_torn(const std::string& machine) const;
+  [[nodiscard]] std::vector<std::string> machines() const;
   [[nodiscard]] std::vector<Seat> all() const;
 
  private:

@@ -52,7 +52,9 @@ Receiving::~Receiving() { stop(); }
 
 void Receiving::round() {
   const std::lock_guard lock(round_mutex_);
-  for (const auto& [machine, line, claim, left] : lines_.all()) {
+  for (const std::string& machine : lines_.machines()) {
+    const auto line = lines_.find(machine);  // one line at a time: work for one holds no other
+    if (!line) continue;
     expect_read_back(machine, line->report());
     for (const Reception& reception : line->take_receptions()) {
       const auto profile = profile_of(machine);

@@ -127,10 +127,20 @@ export function changeQuery(name: string, value: string | null): void {
   if (value === null) next.delete(name);
   else next.set(name, value);
   const text = next.toString();
-  history.replaceState(null, '', `#${address.split('?', 1)[0]}${text ? `?${text}` : ''}`);
+  history.replaceState(null, '', `#${pathOf(address)}${text ? `?${text}` : ''}`);
   route.value = routeOf(location.hash);
 }
 
 export function go(href: string): void {
   location.hash = href;
+}
+
+const pathOf = (address: string): string => address.split('?', 1)[0] ?? '';
+
+// For what an answer leads to. Whoever has gone to another place while it was on its way stays there.
+export function goUnlessLeft(): (href: string) => void {
+  const asked = pathOf(route.peek().address);
+  return (href) => {
+    if (pathOf(route.peek().address) === asked) go(href);
+  };
 }

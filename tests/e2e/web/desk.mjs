@@ -205,9 +205,28 @@ async function releaseFirst(program) {
   }
 }
 
+// A check whose answer comes late does not take a person back who has gone on meanwhile.
+async function stays(page, program) {
+  const answered = page.waitForResponse((response) => response.request().method() === 'POST' && response.url().endsWith('/checks'));
+  await page.route('**/api/v1/checks', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    await route.continue();
+  });
+  await page.getByRole('button', { name: 'Check revision 4' }).click();
+  await page.getByRole('link', { name: 'Release' }).click();
+  await answered;
+  await page.unroute('**/api/v1/checks');
+  await page.getByRole('button', { name: 'Draft a release of revision 4' }).waitFor();
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 300)));
+  expect(new URL(page.url()).hash === `#/programs/${program}/release`, 'a late answer leaves a person where they are');
+  await page.getByRole('link', { name: 'Checks' }).click();
+  await page.getByRole('heading', { name: /^Check \d+/ }).waitFor();
+}
+
 async function handIn(page, program) {
   await releaseFirst(program);
   await page.getByRole('link', { name: 'Checks' }).click();
+  await stays(page, program);
   await page.getByRole('button', { name: 'Check revision 4' }).click();
   await page.getByRole('heading', { name: /^Check \d+/ }).waitFor();
   await accessible(page, 'a check');
@@ -392,6 +411,7 @@ async function administrator(page) {
   const secret = await dialog(page).locator('code').innerText();
   expect(/^[\w-]{43}$/.test(secret), 'the secret is shown once');
   await page.keyboard.press('Escape');
+  await dialog(page).waitFor({ state: 'detached' });
   await page.getByRole('row').filter({ hasText: 'MES' }).getByRole('cell', { name: 'orders and the queue' }).waitFor();
   expect(!(await page.content()).includes(secret), 'and not again');
   await accessible(page, 'tokens');

@@ -3,7 +3,7 @@ import { deskCalls } from '../../api/desk_calls';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
-import { go, hrefs } from '../../router';
+import { goUnlessLeft, hrefs } from '../../router';
 import { atLeast } from '../../rules/roles';
 import { person } from '../../state/shop';
 import { ValuesForm } from './values_form';
@@ -33,8 +33,9 @@ export function FamilyView({ name }: { name: string }) {
               may={may}
               confirm={t('parts.make')}
               save={async (number, values, key) => {
+                const follow = goUnlessLeft();
                 await deskCalls.addPart(number, family.name, values, key);
-                go(hrefs.part(number));
+                follow(hrefs.part(number));
               }}
             />
           </section>

@@ -214,7 +214,9 @@ function TypedField(props: TypedFieldProps) {
   typed.current = props.typed;
   // Not while the same is being typed: a blank at its end may be the start of the next word.
   useEffect(() => setText((before) => (before.trim() === props.value ? before : props.value)), [props.value]);
-  useEffect(() => () => clearTimeout(timer.current), []);
+  // Where the address changes, what was typed before is over: its question would replace the newer one.
+  const { address } = route.value;
+  useEffect(() => () => clearTimeout(timer.current), [address]);
   const list = `choices-${props.label}`;
   return (
     <label class={props.class}>

@@ -14,7 +14,7 @@ import { Empty } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
-import { changeQuery, go, hrefs } from '../../router';
+import { changeQuery, goUnlessLeft, hrefs } from '../../router';
 import { isoTime, type CsvColumn } from '../../rules/csv';
 import { byUrgency, filtered, isLate, kOrderStates } from '../../rules/orders';
 import { atLeast } from '../../rules/roles';
@@ -34,7 +34,7 @@ export function OrdersView({ query }: { query: URLSearchParams }) {
       <p class="lead">{t('orders_view.lead')}</p>
       <Filters filter={filter}>
         {may && (
-          <button type="button" class="button button-main" onClick={() => showDialog(<NewOrderDialog made={(order) => go(hrefs.order(order.id))} />)}>
+          <button type="button" class="button button-main" onClick={newOrder}>
             {t('orders_view.add')}
           </button>
         )}
@@ -50,6 +50,11 @@ export function OrdersView({ query }: { query: URLSearchParams }) {
       {rows.length > 0 && <Orders rows={rows} />}
     </>
   );
+}
+
+function newOrder(): void {
+  const follow = goUnlessLeft();
+  showDialog(<NewOrderDialog made={(order) => follow(hrefs.order(order.id))} />);
 }
 
 interface FilterProps {

@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { newOrderKey } from '../../api/client';
 import { deskCalls } from '../../api/desk_calls';
-import type { Delivery, Program, Verdict } from '../../api/types';
+import type { Delivery, Program } from '../../api/types';
 import { dateTime } from '../../format/times';
 import { deliveryText } from '../../format/words';
 import { t } from '../../i18n/i18n';
@@ -11,7 +11,7 @@ import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { TargetForm } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
-import { go, hrefs } from '../../router';
+import { goUnlessLeft, hrefs } from '../../router';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
 import { bestRole } from '../../state/shop';
@@ -29,10 +29,7 @@ export function ChecksPlace({ program, query }: PlaceProps) {
           program={program.id}
           revision={program.revision}
           dialect={program.dialect}
-          done={(verdict) => {
-            again();
-            go(hrefs.program(program.id, 'checks', { check: String(verdict.id) }));
-          }}
+          done={again}
         />
       )}
       <Failure error={error} />
@@ -78,7 +75,7 @@ interface CheckFormProps {
   program: number;
   revision: number;
   dialect: string;
-  done: (verdict: Verdict) => void;
+  done: () => void;
 }
 
 function CheckForm({ program, revision, dialect, done }: CheckFormProps) {
@@ -87,8 +84,11 @@ function CheckForm({ program, revision, dialect, done }: CheckFormProps) {
   const check = async (machine: string, delivery: Delivery) => {
     setBusy(true);
     setError(null);
+    const follow = goUnlessLeft();
     try {
-      done(await loader.order(deskCalls.addCheck(program, revision, machine, delivery, newOrderKey())));
+      const verdict = await loader.order(deskCalls.addCheck(program, revision, machine, delivery, newOrderKey()));
+      done();
+      follow(hrefs.program(program, 'checks', { check: String(verdict.id) }));
     } catch (failure) {
       setError(failure);
     }
