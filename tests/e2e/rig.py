@@ -42,7 +42,7 @@ def plain_program(blocks, name="O0042"):
     """A drip-feedable Fanuc lathe text: a finishing cut in many short moves."""
     lines = ["%", name, "G21 G18 G40 G99", "G55", "T0101", "G97 S500 M03", "G00 X100. Z10."]
     for i in range(blocks):
-        lines.append(f"G01 X{50 + (i % 7) * 0.1:.3f} Z{-i * 0.05:.3f} F0.2")
+        lines.append(f"G01 X{50 + (i % 7) * 0.1:.3f} Z{-(i % 4000) * 0.05:.3f} F0.2")
     lines += ["G00 X100.", "M05", "M30", "%"]
     return "\n".join(lines) + "\n"
 
