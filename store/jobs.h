@@ -8,6 +8,7 @@
 
 #include "store/basics.h"
 #include "store/error.h"
+#include "store/releases.h"
 
 namespace dripfeed::store {
 
@@ -68,6 +69,7 @@ struct Job {
   std::optional<std::int64_t> held_ms;  // how long its control held, once it ended; nothing where nobody counted
   std::string read_back;                // of a memory load: "waiting for read-back", "equal", or how it differs
   Id order = 0;                         // that it belongs to; 0: none
+  RestartOf restart;                    // of its release
 
   // Nothing may be armed on the machine until a person confirms.
   [[nodiscard]] bool needs_confirmation() const { return torn && confirmed_at_ms == 0; }

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 namespace dripfeed::store {
 namespace {
 
@@ -25,6 +27,11 @@ constexpr std::array kTransitions{
 }  // namespace
 
 std::span<const ReleaseTransition> release_transitions() { return kTransitions; }
+
+std::string words_of(const RestartOf& restart) {
+  if (!restart.is_one()) return {};
+  return fmt::format(" that continues release {} at line {}", restart.release, restart.line);
+}
 
 bool clears(const Verdict& verdict) {
   switch (verdict.of.outcome) {

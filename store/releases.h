@@ -24,11 +24,22 @@ struct ReleaseTransition {
 // All that are allowed.
 std::span<const ReleaseTransition> release_transitions();
 
+// A text that continues another release's.
+struct RestartOf {
+  Id release = 0;          // 0: it is no restart
+  std::uint64_t line = 0;  // of that release's text
+  [[nodiscard]] bool is_one() const { return release != 0; }
+};
+
+// " that continues release 7 at line 40"; "" of what is none.
+std::string words_of(const RestartOf& restart);
+
 struct NewRelease {
   Id program = 0;
   Revision revision = 0;
   std::string machine{};
   Delivery delivery = Delivery::drip;
+  RestartOf restart{};
 };
 
 struct Release {
@@ -48,7 +59,8 @@ struct Release {
 struct ReleaseMove {
   ReleaseState to = ReleaseState::draft;
   std::string note{};
-  std::uint64_t transfers = 0;  // for proving: at least 1
+  std::uint64_t transfers = 0;  // for proving: at least 1; of a restart 1
+  std::string shown_sha256{};   // of a restart, for proving: of the text that whoever releases it has seen
 };
 
 // One step of a release's history.
@@ -74,12 +86,14 @@ struct Clearance {
 
 class Releases : public Repository {
  public:
-  // A draft. Errors: broken_reference, refused_transition (the program is archived), exists (one for this text, machine
-  // and delivery that is not obsolete).
+  // A draft. Errors: broken_reference (also of a restart whose release is neither proving nor approved),
+  // refused_transition (the program is archived), exists (one for this text, machine and delivery that is not
+  // obsolete).
   virtual Result<Release> add(const NewRelease& release, const Stamp& by) = 0;
   // Errors: not_found, refused_transition, no_verdict, verdict_not_passed, verdict_stale, sign_off_missing,
   // invalid_value (proving without transfers), four_eyes (to approved, where the machine's group wants another person
-  // than who wrote or released the text).
+  // than who wrote or released the text). A restart is shown, and then released for one transfer by its proving alone:
+  // invalid_value (another text than it has, more transfers), four_eyes at the proving, refused_transition to approved.
   virtual Result<Release> move(Id release, const ReleaseMove& move, const Stamp& by) = 0;
   // Errors: not_found.
   virtual Result<Release> get(Id release) = 0;

@@ -227,6 +227,7 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   }
   const auto named = lift(store_.jobs().get(id));
   if (!named) return std::unexpected(named.error());
+  if (named->restart.is_one() && rounds > 1) return fail(ErrorCode::refused, "a restart is sent once");
   // Until the line has the order nobody gives the machine another line or profile.
   const auto hold = lines_.hold(named->machine);
   const auto arming = prepare_arming(id, rounds);
@@ -244,7 +245,8 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
                                        stamp(actor)));
   if (!armed) return armed;
   // Nothing is reserved before the control's start: of a job that was only armed the ledger proves that nothing left.
-  const std::string armed_text = rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds);
+  const std::string armed_text =
+      (rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds)) + store::words_of(named->restart);
   const store::NewLedgerRow first{.job = id, .counts = {}, .note = armed_text};
   const auto written = store_.ledger().append(std::span(&first, 1), clock_.wall_ms());
   if (!written) return disarm_after(*armed, store::message_of(written.error()), actor);

@@ -109,6 +109,10 @@ Response measure_gouge(const Call& call);
 Response measure_timing(const Call& call);
 Response sweep_family(const Call& call);
 
+// handlers_restarts.cpp
+Response preview_restart(const Call& call);
+Response make_restart(const Call& call);
+
 // handlers_work.cpp
 Response list_work(const Call& call);
 Response cancel_work(const Call& call);

@@ -169,6 +169,20 @@ Reply path(const Work& work) {
   return reply;
 }
 
+Reply restart(const Work& work) {
+  const Document& head = work.package.head;
+  const auto made = app::restart_case({.of = read_case(head.at("case"), work.package),
+                                       .line = head.at("line").get<std::uint32_t>(),
+                                       .clearance_mm = head.at("clearance_mm").get<double>()},
+                                      work.documents, work.budget, work.called);
+  if (!made) return std::unexpected(made.error());
+  WorkPackage reply;
+  reply.head["is_possible"] = made->is_possible();
+  reply.add(made->restart.text);
+  reply.add(restart_preview(*made));
+  return reply;
+}
+
 Reply index(const Work& work) {
   const auto done = app::digest_programs(read_digest_orders(work.package.head.at("orders"), work.package));
   if (!done) return std::unexpected(done.error());
@@ -181,9 +195,10 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},       {"render", render},   {"accuracy", accuracy}, {"gouge", gouge},
-                              {"timing", timing},     {"sweep", sweep},     {"compare", compare},   {"index", index},
-                              {"diagnose", diagnose}, {"convert", convert}, {"path", path}};
+constexpr KindRow kKinds[] = {{"check", check},     {"render", render}, {"accuracy", accuracy},
+                              {"gouge", gouge},     {"timing", timing}, {"sweep", sweep},
+                              {"compare", compare}, {"index", index},   {"diagnose", diagnose},
+                              {"convert", convert}, {"path", path},     {"restart", restart}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {
   const Work work{.package = package,

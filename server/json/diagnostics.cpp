@@ -149,6 +149,27 @@ std::string tool_path(const app::ToolPath& path) {
                  {"feeds", base64_column(path.feeds)}}}});
 }
 
+std::string restart_preview(const app::RestartMade& made) {
+  const compile::Restart& restart = made.restart;
+  const auto line_or_null = [](std::uint32_t line) { return line == 0 ? Document(nullptr) : Document(line); };
+  Document findings = Document::array();
+  for (const app::ApproachFinding& one : made.findings)
+    findings.push_back({{"severity", text::name_of(one.severity)}, {"line", one.line}, {"text", one.text}});
+  const bool has_text = !restart.text.empty();
+  return dump({{"possible", made.is_possible()},
+               {"text", has_text ? Document(compile::as_utf8(restart.text)) : Document(nullptr)},
+               {"sha256", has_text ? Document(made.sha256) : Document(nullptr)},
+               {"preamble_line", line_or_null(restart.preamble_line)},
+               {"rest_line", line_or_null(restart.rest_line)},
+               {"assumptions", restart.assumptions},
+               {"compared_moves", restart.compared_moves},
+               {"findings", std::move(findings)},
+               {"not_held", has_text ? text_or_null(made.not_held) : Document(nullptr)},
+               {"safe_before", line_or_null(restart.safe_before)},
+               {"safe_after", line_or_null(restart.safe_after)},
+               {"diagnostics", embedded(diagnostics(restart.diagnostics, made.source))}});
+}
+
 app::Result<std::string> dialect_words(std::string_view name, std::string_view kind_word,
                                        std::string_view system_word) {
   const compile::Dialect* dialect = compile::find_dialect(name);

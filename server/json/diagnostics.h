@@ -10,6 +10,7 @@
 #include "dialects/text/source.h"
 #include "server/app/diagnose.h"
 #include "server/app/error.h"
+#include "server/app/restarting.h"
 
 namespace dripfeed::json {
 
@@ -20,6 +21,9 @@ std::string folded_diagnostics(const std::vector<text::Diagnostic>& diagnostics)
 
 // Places are lines and columns in characters, as an editor counts them.
 std::string diagnosed(const app::Diagnosed& diagnosed);
+
+// The document RestartPreview.
+std::string restart_preview(const app::RestartMade& made);
 // Of the dialect's usual control of that kind; `kind` and `g_system` may be empty. Errors: not_found: the dialect;
 // invalid: the kind or the G code system.
 app::Result<std::string> dialect_words(std::string_view dialect, std::string_view kind, std::string_view g_system);

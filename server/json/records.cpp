@@ -110,12 +110,18 @@ std::string_view read_back_state(std::string_view read_back) {
   return read_back.substr(0, read_back.find_first_of(" :"));
 }
 
+Document restart_document(const store::RestartOf& restart) {
+  if (!restart.is_one()) return nullptr;
+  return {{"release", restart.release}, {"line", restart.line}};
+}
+
 Document job_document(const store::Job& job) {
   return {{"id", job.id},
           {"state", store::name_of(job.state)},
           {"machine", job.machine},
           {"release", job.release},
           {"order", job.order == 0 ? Document(nullptr) : Document(job.order)},
+          {"restart", restart_document(job.restart)},
           {"program", job.program},
           {"revision", job.revision},
           {"sha256", job.text_sha256},
@@ -304,6 +310,7 @@ std::string release(const store::Release& release) {
                {"machine", release.of.machine},
                {"delivery", store::name_of(release.of.delivery)},
                {"sha256", release.text_sha256},
+               {"restart", restart_document(release.of.restart)},
                {"transfers_allowed", release.transfers_allowed},
                {"transfers_done", release.transfers_done},
                {"created_by", release.created_by},

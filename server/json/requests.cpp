@@ -143,6 +143,17 @@ void read_members(ObjectReader& o, ConvertBody& into) {
 
 void read_members(ObjectReader& o, ReleaseBody& into) { read_subject(o, into); }
 
+void read_restart(ObjectReader& o, RestartBody& into) {
+  constexpr double kLeastClearance_mm = 0.1;
+  constexpr double kMostClearance_mm = 1000.0;
+  o.integer("line", into.line, 1, UINT32_MAX, true);
+  o.number("clearance_mm", into.clearance_mm, kLeastClearance_mm, kMostClearance_mm);
+}
+void read_shown_restart(ObjectReader& o, RestartBody& into) {
+  read_restart(o, into);
+  o.text("shown_sha256", into.shown_sha256, true);
+}
+
 void read_members(ObjectReader& o, app::CheckOrder& into) {
   read_subject(o, into);
   o.object("nominal", [&](ObjectReader& nominal) {
@@ -195,6 +206,7 @@ void read_members(ObjectReader& o, store::ReleaseMove& into) {
     into.to = static_cast<store::ReleaseState>(*to);
   o.text("note", into.note);
   o.integer("transfers", into.transfers, 1, kMostTransfers);
+  o.text("shown_sha256", into.shown_sha256);
   if (into.to == store::ReleaseState::proving && !o.has("transfers")) o.fault("transfers", "is missing");
 }
 
@@ -280,6 +292,9 @@ app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) 
 }
 app::Result<app::SweepOrder> read_sweep_body(std::string_view body) { return read_body<app::SweepOrder>(body); }
 app::Result<ReleaseBody> read_release_body(std::string_view body) { return read_body<ReleaseBody>(body); }
+app::Result<RestartBody> read_restart_body(std::string_view body, bool makes) {
+  return read_by<RestartBody>(makes ? read_shown_restart : read_restart, body);
+}
 app::Result<ReasonBody> read_reason_body(std::string_view body, bool required) {
   return read_by<ReasonBody>(required ? read_reason : read_optional_reason, or_empty(body));
 }
@@ -328,6 +343,8 @@ Schemas request_schemas() {
       described<app::SweepOrder>("SweepOrder", read_members, "a family, and how it is tried"),
       described<ReleaseBody>("NewRelease", read_members, "what a release binds"),
       described<store::ReleaseMove>("ReleaseMove", read_members, "one step of a release"),
+      described<RestartBody>("RestartOrder", read_restart, "where a program is to be restarted"),
+      described<RestartBody>("NewRestart", read_shown_restart, "a restart that was shown"),
       described<JobBody>("NewJob", read_members, "which release is transferred"),
       described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
       described<MoveBody>("Move", read_members, "the new place of a queued job"),

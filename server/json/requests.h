@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "dialects/compile/convert.h"
+#include "dialects/compile/restart.h"
 #include "server/app/measured.h"
 #include "server/app/programs.h"
 #include "server/app/receiving.h"
@@ -82,6 +83,14 @@ struct ReleaseBody {
   store::Delivery delivery = store::Delivery::drip;
 };
 app::Result<ReleaseBody> read_release_body(std::string_view body);
+
+// A restart that is looked at, and the one that is made of what was shown.
+struct RestartBody {
+  std::uint32_t line = 0;
+  double clearance_mm = compile::kRestartClearance_mm;
+  std::string shown_sha256;  // of the text that was shown; only to make it
+};
+app::Result<RestartBody> read_restart_body(std::string_view body, bool makes);
 
 struct ReasonBody {
   std::string reason;

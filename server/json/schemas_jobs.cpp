@@ -10,6 +10,33 @@ namespace {
 
 Schema delivery() { return one_of(store::kNames<store::Delivery>, "how the text is sent to the control"); }
 
+Schema restart() {
+  return or_null(
+      object("the restart of another release's text; null: it is none",
+             {{"release", integer("whose text it continues")}, {"line", integer("of that text, where it begins")}}));
+}
+
+Schema restart_preview() {
+  return object(
+      "the restart of a program at a line, as it would be sent",
+      {{"possible", flag("a text could be made, and nothing found forbids to send it")},
+       {"text", or_null(text("the whole text; null: it is refused"))},
+       {"sha256", or_null(text("of the text, in hexadecimal: what is approved"))},
+       {"preamble_line", or_null(integer("of the text, where what is new begins"))},
+       {"rest_line", or_null(integer("of the text, where the rest of the program begins"))},
+       {"assumptions", list_of(text("a sentence"), "what must hold at the machine")},
+       {"compared_moves", integer("of the rest, that are those of the whole program")},
+       {"findings",
+        list_of(object("what a move would do to the stock or the part",
+                       {{"severity", severity()}, {"line", integer("of the text")}, {"text", text("one sentence")}}),
+                "of the part as the blocks before the line have left it")},
+       {"not_held", or_null(text("why the moves were not held against the part; null: they were"))},
+       {"safe_before",
+        or_null(integer("nearest line before it where a restart is possible; null: none was looked for, or found"))},
+       {"safe_after", or_null(integer("the same after it"))},
+       {"diagnostics", diagnostics_schema("why it is refused")}});
+}
+
 Schema release() {
   return object("a text that may go to one machine by one delivery",
                 Members{{"id", integer("of the release")},
@@ -19,6 +46,7 @@ Schema release() {
                         {"machine", text("to which it may go")},
                         {"delivery", delivery()},
                         {"sha256", text("of the text, in hexadecimal")},
+                        {"restart", restart()},
                         {"transfers_allowed", integer("while it is proved")},
                         {"transfers_done", integer("of these")}} +
                     created() +
@@ -35,6 +63,7 @@ Schema job() {
               {"machine", text("to which it is sent")},
               {"release", integer("its id")},
               {"order", or_null(integer("that it belongs to; null: none"))},
+              {"restart", restart()},
               {"program", integer("its id")},
               {"revision", integer("of the program's text")},
               {"sha256", text("of the text, in hexadecimal")},
@@ -96,11 +125,9 @@ Schema ledger() {
 }  // namespace
 
 Schemas job_schemas() {
-  return {{"Release", release()},
-          {"Job", job()},
-          {"JobForecast", job_forecast()},
-          {"Ledger", ledger()},
-          {"EventJob", reference("Job")}};
+  return {{"Release", release()}, {"RestartPreview", restart_preview()},
+          {"Job", job()},         {"JobForecast", job_forecast()},
+          {"Ledger", ledger()},   {"EventJob", reference("Job")}};
 }
 
 }  // namespace dripfeed::json

@@ -48,6 +48,7 @@ constexpr std::array kRows = {
     Row{"line_busy_settings",
         "the line of {machine} has a job or a torn block; its settings can be changed when that is over"},
     Row{"line_still_used", "the line of {machine} is still in use"},
+    Row{"restart_is_sent_once", "a restart is sent once"},
     Row{"line_in_use", "the line of {machine} is in use"},
     Row{"no_line_because", "{machine} has no line: {why}"},
     Row{"no_line", "machine {machine} has no line"},

@@ -207,4 +207,24 @@ app::Result<std::string> DocumentWorkers::of_text(std::string_view kind, const a
   return std::move(reply->texts.at(0));
 }
 
+app::Result<DocumentWorkers::Restart> DocumentWorkers::restart(const app::RestartOrder& order,
+                                                               const app::Waiter& waiter) {
+  std::vector<app::CalledText> called;
+  const auto make = [&](const std::vector<app::CalledText>& known) {
+    WorkPackage request;
+    request.head = {{"kind", "restart"},
+                    {"seconds", budget_.seconds},
+                    {"case", write_case(order.of, request)},
+                    {"line", order.line},
+                    {"clearance_mm", order.clearance_mm}};
+    request.head["called"] = write_called(known, request);
+    return request;
+  };
+  auto reply = ask_with_called(caller_of(order.of), called, make, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return Restart{.is_possible = reply->head.at("is_possible").get<bool>(),
+                 .text = std::move(reply->texts.at(0)),
+                 .document = std::move(reply->texts.at(1))};
+}
+
 }  // namespace dripfeed::json

@@ -11,6 +11,7 @@
 #include "server/app/called_programs.h"
 #include "server/app/compare.h"
 #include "server/app/diagnose.h"
+#include "server/app/restarting.h"
 #include "server/app/translation.h"
 #include "server/app/workers.h"
 
@@ -54,6 +55,13 @@ class DocumentWorkers final : public app::Workers {
 
   // The document of json::tool_path.
   app::Result<std::string> path(const app::DiagnoseOrder& order, const app::Waiter& waiter);
+
+  struct Restart {
+    bool is_possible = false;
+    std::string text;      // byte for byte
+    std::string document;  // of json::restart_preview
+  };
+  app::Result<Restart> restart(const app::RestartOrder& order, const app::Waiter& waiter);
 
   app::Workplace& workplace() { return workplace_; }
 

@@ -33,7 +33,8 @@ std::string jobs_where(std::string_view rest) {
       "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, "
       "confirm_reason, "
       "confirmed_at_ms, expires_at_ms, read_back, reason_id, queue_rank, work_order, "
-      "coalesce(held_ms, -1) FROM job WHERE {}",
+      "coalesce(held_ms, -1), (SELECT restart_of FROM text_release r WHERE r.id = job.text_release), (SELECT "
+      "restart_line FROM text_release r WHERE r.id = job.text_release) FROM job WHERE {}",
       rest);
 }
 
@@ -66,6 +67,8 @@ Job read_job(Query& query) {
   job.rank = query.number();
   job.order = query.number();
   if (const std::int64_t held_ms = query.signed_number(); held_ms >= 0) job.held_ms = held_ms;
+  job.restart.release = query.number();
+  job.restart.line = query.number();
   return job;
 }
 

@@ -126,6 +126,7 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     added.link = job.link;
     added.bytes_total = job.bytes_total;
     added.order = job.order;
+    added.restart = release->of.restart;
     added.created_by = by.actor;
     added.created_at_ms = by.at_ms;
     added.rank = last_rank(session, added.machine) + 1;
@@ -133,7 +134,8 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     add_audit_row(session,
                   {.action = "job.add",
                    .subject = job_subject(added.id),
-                   .detail = fmt::format("release {} text {} to {}", added.release, added.text_sha256, added.machine)},
+                   .detail = fmt::format("release {} text {} to {}{}", added.release, added.text_sha256, added.machine,
+                                         store::words_of(added.restart))},
                   by);
     log_event(session, added, by);
     return added;

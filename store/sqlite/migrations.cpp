@@ -12,6 +12,7 @@
 #include "store/sqlite/schema_v10.h"
 #include "store/sqlite/schema_v11.h"
 #include "store/sqlite/schema_v12.h"
+#include "store/sqlite/schema_v13.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -138,7 +139,8 @@ std::span<const Migration> migrations() {
                                       Migration{9, "labels of programs", kSchemaV9},
                                       Migration{10, "users", kSchemaV10},
                                       Migration{11, "webhooks and orders", kSchemaV11},
-                                      Migration{12, "called programs of verdicts", kSchemaV12}};
+                                      Migration{12, "called programs of verdicts", kSchemaV12},
+                                      Migration{13, "restarts", kSchemaV13}};
   return kMigrations;
 }
 

@@ -28,11 +28,11 @@ using store::Stamp;
 
 constexpr std::string_view kColumns =
     "id, program, revision, machine, delivery, sha256, state, transfers_allowed, transfers_done, created_by, "
-    "created_at_ms, approved_by, sign_off, changed_at_ms";
+    "created_at_ms, approved_by, sign_off, changed_at_ms, restart_of, restart_line";
 constexpr std::string_view kInsert =
     "INSERT INTO text_release (program, revision, sha256, machine, delivery, state, transfers_allowed, transfers_done, "
-    "created_by, created_at_ms, approved_by, sign_off, changed_at_ms) VALUES (?, ?, ?, ?, ?, 'draft', 0, 0, ?, ?, '', "
-    "'', ?)";
+    "created_by, created_at_ms, approved_by, sign_off, changed_at_ms, restart_of, restart_line) VALUES (?, ?, ?, ?, ?, "
+    "'draft', 0, 0, ?, ?, '', '', ?, ?, ?)";
 constexpr std::string_view kUpdate =
     "UPDATE text_release SET state = ?, transfers_allowed = ?, transfers_done = ?, approved_by = ?, sign_off = ?, "
     "changed_at_ms = ? WHERE id = ?";
@@ -56,6 +56,8 @@ Release read_release(Query& query) {
   release.approved_by = query.text();
   release.sign_off = query.text();
   release.changed_at_ms = query.signed_number();
+  release.of.restart.release = query.number();
+  release.of.restart.line = query.number();
   return release;
 }
 
@@ -93,21 +95,33 @@ Result<Release> ReleaseTable::add(const NewRelease& release, const Stamp& by) {
     const auto sha256 = text_of_revision(session, release.program, release.revision);
     if (!sha256) return std::unexpected(sha256.error());
     if (auto usable = refuse_archived(session, release.program); !usable) return std::unexpected(usable.error());
+    if (auto begun = refuse_restart_of(session, release); !begun) return std::unexpected(begun.error());
     note_program_change(session, release.program);
     session.run(kInsert, release.program, release.revision, *sha256, release.machine, release.delivery, by.actor,
-                by.at_ms, by.at_ms);
+                by.at_ms, by.at_ms, NumberOrNull{release.restart.release}, release.restart.line);
     const Id id = session.last_id();
-    add_audit_row(
-        session,
-        {.action = "release.add",
-         .subject = subject_of(id),
-         .detail = fmt::format("text {} for {} by {}", *sha256, release.machine, store::name_of(release.delivery))},
-        by);
+    add_audit_row(session,
+                  {.action = "release.add",
+                   .subject = subject_of(id),
+                   .detail = fmt::format("text {} for {} by {}{}", *sha256, release.machine,
+                                         store::name_of(release.delivery), store::words_of(release.restart))},
+                  by);
     if (!session.ok()) return std::unexpected(session.error());
     auto added = get(id);
     if (added) log_event(session, *added, {}, by);
     return added;
   });
+}
+
+Result<void> ReleaseTable::refuse_restart_of(Session& session, const NewRelease& release) {
+  if (!release.restart.is_one()) return {};
+  const auto of = get(release.restart.release);
+  if (!of) return session.refuse(ErrorCode::broken_reference, subject_of(release.restart.release));
+  const bool released = of->state == ReleaseState::proving || of->state == ReleaseState::approved;
+  if (!released || of->of.machine != release.machine || of->of.delivery != release.delivery)
+    return session.refuse(ErrorCode::broken_reference,
+                          fmt::format("{} is not released for this machine and delivery", subject_of(of->id)));
+  return {};
 }
 
 Result<void> ReleaseTable::check(const Release& release, const ReleaseMove& move) {
@@ -121,6 +135,13 @@ Result<void> ReleaseTable::check(const Release& release, const ReleaseMove& move
   if (row == rows.end()) {
     return refuse(ErrorCode::refused_transition,
                   fmt::format("{} to {}", store::name_of(release.state), store::name_of(move.to)));
+  }
+  if (release.of.restart.is_one() && move.to == ReleaseState::approved)
+    return refuse(ErrorCode::refused_transition, "a restart is released for one transfer, by its proving");
+  if (release.of.restart.is_one() && move.to == ReleaseState::proving) {
+    if (move.transfers != 1) return refuse(ErrorCode::invalid_value, "a restart is released for one transfer");
+    if (move.shown_sha256 != release.text_sha256)
+      return refuse(ErrorCode::invalid_value, "the text that was shown is not that of the restart");
   }
   if (row->needs_transfers && move.transfers == 0) {
     return refuse(ErrorCode::invalid_value, "proving needs at least one transfer");
@@ -139,7 +160,8 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
     auto moved = get(release);
     if (!moved) return moved;
     if (auto fits = check(*moved, move); !fits) return std::unexpected(fits.error());
-    if (move.to == ReleaseState::approved) {
+    const bool shown = moved->of.restart.is_one() && move.to == ReleaseState::proving;
+    if (shown || move.to == ReleaseState::approved) {
       if (auto other = refuse_own_eyes(session, *moved, by); !other) return std::unexpected(other.error());
     }
     const ReleaseState from = moved->state;
@@ -148,6 +170,10 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
     if (move.to == ReleaseState::proving) {
       moved->transfers_allowed = move.transfers;
       moved->transfers_done = 0;
+    }
+    if (shown) {
+      moved->approved_by = by.actor;
+      moved->sign_off = move.note;
     }
     if (move.to == ReleaseState::approved) {
       moved->approved_by = by.actor;
@@ -159,7 +185,8 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
     add_audit_row(session,
                   {.action = "release.move",
                    .subject = subject_of(release),
-                   .detail = fmt::format("{} to {}: {}", store::name_of(from), store::name_of(move.to), move.note)},
+                   .detail = fmt::format("{} to {}: {}{}", store::name_of(from), store::name_of(move.to), move.note,
+                                         shown ? " (shown: " + move.shown_sha256 + ")" : "")},
                   by);
     log_event(session, *moved, move.note, by);
     return moved;

@@ -25,6 +25,7 @@ class ReleaseTable final : public store::Releases {
   static void count_transfer(Session& session, store::Id release);
 
  private:
+  store::Result<void> refuse_restart_of(Session& session, const store::NewRelease& release);
   store::Result<store::Verdict> clearing_verdict(const store::Release& release);
   store::Result<void> check(const store::Release& release, const store::ReleaseMove& move);
 

@@ -94,6 +94,8 @@ def rows(made):
         ("GET", "/api/v1/releases", "viewer", {}, None, {}),
         ("GET", "/api/v1/releases/{id}", "viewer", {"id": "release"}, None, {}),
         ("POST", "/api/v1/releases/{id}/transitions", "programmer", {"id": "release"}, {"to": "in_review"}, {}),
+        ("POST", "/api/v1/releases/{id}/restart-preview", "operator", {"id": "release"}, {"line": 8}, {"ready": "proving"}),
+        ("POST", "/api/v1/releases/{id}/restarts", "programmer", {"id": "release"}, lambda: {"line": 8, "shown_sha256": made["shown"]}, {"ready": "shown"}),
         ("GET", "/api/v1/receipts", "viewer", {}, None, {"ready": "received"}),
         ("GET", "/api/v1/receipts/{id}", "viewer", {"id": "receipt"}, None, {}),
         ("GET", "/api/v1/receipts/{id}/text", "viewer", {"id": "receipt"}, None, {}),
@@ -129,7 +131,7 @@ def rows(made):
         ("PUT", "/api/v1/orders/{id}", "operator", {"id": "order"}, {"part": "R-1", "quantity": 6}, {"headers": MATCH_1}),
         ("POST", "/api/v1/orders/{id}/parts", "operator", {"id": "order"}, {"good": 2}, {}),
         ("POST", "/api/v1/orders/{id}/move", "operator", {"id": "order"}, {"to": "held", "reason": "no material"}, {}),
-        ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"]}, {"keep": "job", "ready": "proving"}),
+        ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"]}, {"keep": "job"}),
         ("GET", "/api/v1/jobs", "viewer", {}, None, {}),
         ("GET", "/api/v1/jobs/{id}", "viewer", {"id": "job"}, None, {}),
         ("GET", "/api/v1/jobs/{id}/forecast", "viewer", {"id": "job"}, None, {}),
@@ -153,6 +155,9 @@ class Stage:
 
     def proving(self):
         self.client.post(f"/releases/{self.made['release']}/transitions", {"to": "proving", "transfers": 9})
+
+    def shown(self):
+        self.made["shown"] = self.client.post(f"/releases/{self.made['release']}/restart-preview", {"line": 8})["sha256"]
 
     def received(self):
         self.idle()

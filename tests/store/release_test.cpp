@@ -1,5 +1,7 @@
 // Verdicts and releases: what clears a text, what makes a verdict stale, every step of a release.
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -217,6 +219,75 @@ TEST_F(ReleaseTest, OneValidReleaseAText) {
   EXPECT_EQ(refusal(store_->releases().add(nowhere, by("anna"))), ErrorCode::broken_reference);
   EXPECT_EQ(refusal(store_->releases().get(99)), ErrorCode::not_found);
   EXPECT_EQ(refusal(store_->releases().history(99)), ErrorCode::not_found);
+}
+
+class RestartTest : public ReleaseTest {
+ protected:
+  RestartTest() {
+    add_verdict(*store_, program_, "mill-1");
+    of_ = make_draft();
+    rest_ = add_program(*store_, "%\nM5\nM30\n%\n", "O2");
+    add_verdict(*store_, rest_, "mill-1");
+  }
+  Result<Release> add_restart() {
+    return store_->releases().add(
+        {.program = rest_.id, .revision = 1, .machine = "mill-1", .restart = {.release = of_.id, .line = 40}},
+        by("anna", 70));
+  }
+  Result<Release> prove(const Release& restart, std::string sha256, std::uint64_t transfers = 1) {
+    return store_->releases().move(
+        restart.id,
+        {.to = ReleaseState::proving, .note = "read it", .transfers = transfers, .shown_sha256 = std::move(sha256)},
+        by("bert", 80));
+  }
+
+  Release of_;
+  Program rest_;
+};
+
+TEST_F(RestartTest, IsOfAReleaseThatMayBeFed) {
+  EXPECT_EQ(refusal(add_restart()), ErrorCode::broken_reference) << "of a draft";
+  must(move(of_, ReleaseState::in_review));
+  must(move(of_, ReleaseState::proving));
+  const Release made = must(add_restart());
+  reopen();
+  const Release read = must(store_->releases().get(made.id));
+  EXPECT_EQ(read.of.restart.release, of_.id);
+  EXPECT_EQ(read.of.restart.line, 40U);
+  EXPECT_EQ(sql("UPDATE text_release SET restart_line = 41 WHERE restart_line = 40"), "append-only");
+  EXPECT_NE(sql("UPDATE text_release SET restart_line = 41 WHERE restart_of IS NULL"), "");
+}
+
+TEST_F(RestartTest, GoesOnceAndOnlyAsItWasShown) {
+  must(move(of_, ReleaseState::in_review));
+  must(move(of_, ReleaseState::proving));
+  const Release made = must(add_restart());
+  must(move(made, ReleaseState::in_review));
+  EXPECT_EQ(refusal(prove(made, "")), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(prove(made, of_.text_sha256)), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(prove(made, made.text_sha256, 2)), ErrorCode::invalid_value);
+  const Release released = must(prove(made, made.text_sha256));
+  EXPECT_EQ(released.approved_by, "bert");
+  EXPECT_EQ(refusal(move(made, ReleaseState::approved)), ErrorCode::refused_transition);
+  const Job job = must(store_->jobs().add({.release = made.id}, by("olga", 90)));
+  EXPECT_EQ(job.restart.release, of_.id);
+  EXPECT_EQ(must(store_->jobs().get(job.id)).restart.line, 40U);
+  const auto audit = must(store_->audit().list({})).items;
+  EXPECT_TRUE(std::ranges::any_of(audit, [](const AuditRow& row) {
+    return row.entry.action == "job.add" && row.entry.detail.contains("continues release 1 at line 40");
+  }));
+}
+
+TEST_F(RestartTest, FourEyesLookAtItBeforeItGoes) {
+  must(store_->users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("anna")));
+  must(move(of_, ReleaseState::in_review));
+  must(move(of_, ReleaseState::proving));
+  const Release made = must(add_restart());
+  must(move(made, ReleaseState::in_review));
+  EXPECT_EQ(refusal(store_->releases().move(
+                made.id, {.to = ReleaseState::proving, .transfers = 1, .shown_sha256 = made.text_sha256}, by("anna"))),
+            ErrorCode::four_eyes);
+  must(prove(made, made.text_sha256));
 }
 
 }  // namespace

@@ -92,6 +92,9 @@ void write_newest(Store& store, const std::string& path) {
   must(store.browser_sessions().open("cookie", {.token_hash = "hash"}, 8, 9));
   must(store.programs().label(job.program, {.tags = {{"pump"}}, .folder = "acme"}, by("tester")));
   const Program old = add_program(store, "%\nO9\nM30\n%\n", "O9");
+  must(store.releases().add(
+      {.program = old.id, .revision = 1, .machine = "mill-1", .restart = {.release = job.release, .line = 2}},
+      by("tester")));
   must(store.programs().archive(old.id, "of an old machine", by("tester")));
   const Webhook hook =
       must(store.webhooks().add({.url = "https://mes.shop/in", .types = {"job.*"}}, "whsec_x", 8, by("tester", 9)));
@@ -149,6 +152,7 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     EXPECT_EQ(must(store_->event_log().seen_by("mqtt")).has_value(), has_webhooks);
     const auto waits = must(store_->webhooks().due(1, 10));
     EXPECT_EQ(waits ? waits->event.of.word : "", has_webhooks ? "ping" : "");
+    EXPECT_EQ(must(store_->releases().list({})).items.at(0).of.restart.line, migration.version >= 13 ? 2U : 0U);
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");

@@ -7,6 +7,7 @@ import { asksForPerson, byUrgency, stateOf } from '../src/rules/alarms';
 import { hasJob, isTorn } from '../src/rules/lines';
 import { isReleased, mayBeQueued } from '../src/rules/releases';
 import { atLeast } from '../src/rules/roles';
+import { lineOfEnd, mayRestart, shownLines, stepOf } from '../src/rules/restarts';
 import { kNeedsPerson, standingOf } from '../src/rules/standing';
 import { routeOf } from '../src/router';
 import { alarmOf, jobOf, releaseOf, statusOf } from './samples';
@@ -131,4 +132,40 @@ test('alarms ask for a person until they are acknowledged or shelved', () => {
   assert.equal(stateOf(alarmOf({ acknowledged_at_ms: 5, cleared_at_ms: 6 }), 10), 'closed');
   const list = [alarmOf({ id: 1, last_at_ms: 9 }), alarmOf({ id: 2, severity: 'critical', acknowledged_at_ms: 3 }), alarmOf({ id: 3, severity: 'critical' })];
   assert.deepEqual(list.sort(byUrgency).map((one) => one.id), [3, 1, 2]);
+});
+
+test('a job that is over can be restarted, from the line that its end states', () => {
+  for (const state of ['done', 'failed', 'cancelled', 'interrupted'] as const) assert.ok(mayRestart(jobOf({ state })), state);
+  for (const state of ['queued', 'armed', 'feeding', 'held', 'draining'] as const) assert.ok(!mayRestart(jobOf({ state })), state);
+  assert.equal(lineOfEnd({ reason: 'cancelled by olga after 812 bytes (line 35 to 37)' }), 35);
+  assert.equal(lineOfEnd({ reason: 'cancelled' }), null);
+});
+
+test('a restart is shown with its new lines and the first of the rest', () => {
+  const preview = {
+    possible: true,
+    text: '%\nO1\n(RESTART AT LINE 9)\nG90\nG1 X1.\nX2.\nX3.\nM30\n%\n',
+    sha256: 'ab',
+    preamble_line: 3,
+    rest_line: 5,
+    assumptions: [],
+    compared_moves: 3,
+    findings: [],
+    not_held: null,
+    safe_before: null,
+    safe_after: null,
+    diagnostics: [],
+  };
+  const shown = shownLines(preview, 2);
+  assert.deepEqual(shown.map(({ number, isNew }) => [number, isNew]), [[3, true], [4, true], [5, false], [6, false]]);
+  assert.equal(shown[2]?.text, 'G1 X1.');
+  assert.deepEqual(shownLines({ ...preview, text: null }, 2), []);
+});
+
+test("a restart's release goes on step by step, once", () => {
+  assert.equal(stepOf(releaseOf({ state: 'draft' })), 'clear');
+  assert.equal(stepOf(releaseOf({ state: 'in_review' })), 'release');
+  assert.equal(stepOf(releaseOf({ state: 'proving', transfers_allowed: 1, transfers_done: 0 })), 'queue');
+  assert.equal(stepOf(releaseOf({ state: 'proving', transfers_allowed: 1, transfers_done: 1 })), 'gone');
+  assert.equal(stepOf(releaseOf({ state: 'obsolete' })), 'gone');
 });

@@ -459,7 +459,48 @@ async function badgeAndStation(page) {
   expect(page.url().endsWith('#/floor'), 'another badge is another person, and leaves no trace either');
 }
 
+// A job that a person ended in the middle: the restart is shown, made, released for one transfer and queued; the control gets nothing by that.
+async function restartAtLine(page) {
+  const [job] = await rig.machine('restart', { blocks: 400 });
+  await signIn(page, url, tokens.admin);
+  await arm(page, 'restart', job);
+  await rig.say('restart', 'dc1');
+  await standing(page, 'restart', 'feeding');
+  await until(async () => (await rig.got('restart')) > 600, 'some blocks are sent');
+  await order(page, 'restart', `Cancel, job ${job}`).click();
+  await dialog(page).getByRole('button', { name: 'Cancel at block end' }).click();
+  await card(page, 'restart').getByText(new RegExp(`Last: job ${job}, cancelled`)).waitFor();
+  const got = await rig.got('restart');
+  await page.goto(`${url}/#/jobs/${job}`);
+  const place = page.getByRole('region', { name: 'Restart at a line' });
+  const line = place.getByLabel('Line of the program');
+  expect(Number(await line.inputValue()) > 7, `it proposes the line of the job's end: ${await line.inputValue()}`);
+  await line.fill('3');
+  await place.getByRole('button', { name: 'Show the restart' }).click();
+  await line.fill('12');
+  await place.getByRole('button', { name: 'Show the restart' }).click();
+  await place.getByText('(RESTART AT LINE 12)').first().waitFor();
+  const make = place.getByRole('button', { name: 'Make it a release' });
+  expect(await isOff(make), 'what was not read is not made');
+  await accessible(page, 'a restart');
+  await shot(page, 'restart');
+  await place.getByLabel(/I have read the new lines/).check();
+  await make.click();
+  await place.getByText(/^Release \d+: /).waitFor();
+  const release = place.getByRole('button', { name: 'Release it for one transfer' });
+  if (await release.isVisible()) {
+    await release.click();
+    await place.getByRole('button', { name: 'Queue the restart' }).click();
+    await place.getByText(/Queued as job/).waitFor();
+    await shot(page, 'restart-queued');
+  } else {
+    expect(await place.getByText(/Its verdict does not clear it yet/).isVisible(), 'it says what is to be done');
+  }
+  expect((await rig.got('restart')) === got, 'nothing of it was sent');
+}
+
 await main([
+  ['restart at a line', () => withPage(kDesk, restartAtLine)],
   ['operator', () => withPage(kDesk, operator)],
   ['modbus', () => withPage(kDesk, overModbus)],
   ['still stop', () => withPage(kTablet, stillStop)],

@@ -18,6 +18,7 @@ import type {
   Release,
   ReleaseMove,
   Rendered,
+  RestartPreview,
   SearchResult,
   ToolPath,
   Verdict,
@@ -106,6 +107,12 @@ export const deskCalls = {
   waive: (check: number, reason: string, key: string) => request<Verdict>('POST', `/checks/${check}/waivers`, { body: { reason }, key }),
   checkPicture: ({ route, plot }: CheckPicture, of: PictureOf) =>
     requestText(`/${route}?plot=${plot}`, { method: 'POST', body: of, timeoutMs: kWorkMs }),
+  previewRestart: (release: number, line: number) =>
+    request<RestartPreview>('POST', `/releases/${release}/restart-preview`, { body: { line }, timeoutMs: kWorkMs }),
+  makeRestart: (release: number, line: number, sha256: string, key: string) =>
+    request<Release>('POST', `/releases/${release}/restarts`, { body: { line, shown_sha256: sha256 }, key, timeoutMs: kWorkMs }),
+  releaseRestart: (release: number, sha256: string, key: string) =>
+    request<Release>('POST', `/releases/${release}/transitions`, { body: { to: 'proving', transfers: 1, shown_sha256: sha256 }, key }),
 
   families: () => everything<FamilySummary>('/families'),
   family: (name: string) => request<Family>('GET', `/families/${enc(name)}`),

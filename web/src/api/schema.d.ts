@@ -1142,6 +1142,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/releases/{id}/restart-preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the restart of the released text at a line, and what it assumes; stored nowhere */
+        post: operations["post_releases_id_restart_preview"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/releases/{id}/restarts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a release in review of the restart that was shown; an approver releases it for one transfer */
+        post: operations["post_releases_id_restarts"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/orders": {
         parameters: {
             query?: never;
@@ -3616,7 +3650,7 @@ export interface components {
              * @description of the sentence, the same in every version
              * @enum {string}
              */
-            id: "control_asked_anew" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "line_in_use" | "no_line_because" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_anew_restart" | "cannot_arm" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            id: "control_asked_anew" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_anew_restart" | "cannot_arm" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
             /** @description by name; `detail`: what is added in brackets */
             values: {
                 [key: string]: {
@@ -3996,8 +4030,26 @@ export interface components {
             to: "draft" | "in_review" | "proving" | "approved" | "obsolete";
             /** @description for the record; of an approval the sign-off */
             note?: string | null;
-            /** @description that may be made while it is proved; needed for proving */
+            /** @description that may be made while it is proved; needed for proving, of a restart 1 */
             transfers?: number | null;
+            /** @description of a restart: of the text that was shown; needed for its proving */
+            shown_sha256?: string | null;
+        };
+        /** @description where a program is to be restarted */
+        RestartOrder: {
+            /** @description of the released text that is to be the first one of the rest, from 1 */
+            line: number;
+            /** @description above the start, where the program has no level of its own above it; not given: 2 */
+            clearance_mm?: number | null;
+        };
+        /** @description a restart that was shown */
+        NewRestart: {
+            /** @description of the released text that is to be the first one of the rest, from 1 */
+            line: number;
+            /** @description above the start, where the program has no level of its own above it; not given: 2 */
+            clearance_mm?: number | null;
+            /** @description of the text that was shown */
+            shown_sha256: string;
         };
         /** @description which release is transferred */
         NewJob: {
@@ -6564,6 +6616,13 @@ export interface components {
             delivery: "drip" | "memory";
             /** @description of the text, in hexadecimal */
             sha256: string;
+            /** @description the restart of another release's text; null: it is none */
+            restart: {
+                /** @description whose text it continues */
+                release: number;
+                /** @description of that text, where it begins */
+                line: number;
+            } | null;
             /** @description while it is proved */
             transfers_allowed: number;
             /** @description of these */
@@ -6578,6 +6637,63 @@ export interface components {
             sign_off: string | null;
             /** @description when its state changed last; milliseconds since 1970, UTC */
             changed_at_ms: number;
+        };
+        /** @description the restart of a program at a line, as it would be sent */
+        RestartPreview: {
+            /** @description a text could be made, and nothing found forbids to send it */
+            possible: boolean;
+            /** @description the whole text; null: it is refused */
+            text: string | null;
+            /** @description of the text, in hexadecimal: what is approved */
+            sha256: string | null;
+            /** @description of the text, where what is new begins */
+            preamble_line: number | null;
+            /** @description of the text, where the rest of the program begins */
+            rest_line: number | null;
+            /** @description what must hold at the machine */
+            assumptions: string[];
+            /** @description of the rest, that are those of the whole program */
+            compared_moves: number;
+            /** @description of the part as the blocks before the line have left it */
+            findings: {
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description of the text */
+                line: number;
+                /** @description one sentence */
+                text: string;
+            }[];
+            /** @description why the moves were not held against the part; null: they were */
+            not_held: string | null;
+            /** @description nearest line before it where a restart is possible; null: none was looked for, or found */
+            safe_before: number | null;
+            /** @description the same after it */
+            safe_after: number | null;
+            /** @description why it is refused */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
         };
         /** @description one transfer of a released text to a machine */
         Job: {
@@ -6594,6 +6710,13 @@ export interface components {
             release: number;
             /** @description that it belongs to; null: none */
             order: number | null;
+            /** @description the restart of another release's text; null: it is none */
+            restart: {
+                /** @description whose text it continues */
+                release: number;
+                /** @description of that text, where it begins */
+                line: number;
+            } | null;
             /** @description its id */
             program: number;
             /** @description of the program's text */
@@ -10444,6 +10567,80 @@ export interface operations {
         responses: {
             /** @description move a release on; a programmer hands it in for review, all else is an approver's */
             200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Release"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_releases_id_restart_preview: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RestartOrder"];
+            };
+        };
+        responses: {
+            /** @description the restart of the released text at a line, and what it assumes; stored nowhere */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RestartPreview"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_releases_id_restarts: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewRestart"];
+            };
+        };
+        responses: {
+            /** @description a release in review of the restart that was shown; an approver releases it for one transfer */
+            201: {
                 headers: {
                     [name: string]: unknown;
                 };

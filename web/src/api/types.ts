@@ -40,6 +40,7 @@ export type Order = Schemas['Order'];
 export type OrderState = Order['state'];
 export type NewOrder = Schemas['NewOrder'];
 export type OrderPlan = Schemas['OrderPlan'];
+export type RestartPreview = Schemas['RestartPreview'];
 
 export type Receipt = Schemas['Receipt'];
 export type ReceiptState = Receipt['state'];

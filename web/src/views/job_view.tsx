@@ -9,14 +9,20 @@ import { programText } from '../orders/dialogs';
 import { OrderBar } from '../orders/order_bar';
 import { Facts } from '../parts/facts';
 import { Failure } from '../parts/failure';
+import { lazyView } from '../parts/lazy';
 import { WireBar, WireFigures } from '../parts/wire_progress';
 import { hasJob } from '../rules/lines';
+import { mayRestart } from '../rules/restarts';
+import { atLeast } from '../rules/roles';
 import { hrefs } from '../router';
-import { jobs, machines } from '../state/shop';
+import { jobs, machines, roleOn } from '../state/shop';
 import { loader } from '../state/loader';
 import { StateCell, Times } from './jobs_view';
 import { LedgerView } from './ledger_view';
 import { NotFound } from './not_found';
+
+// Few look for it, so its code is loaded with it.
+const RestartPlace = lazyView(() => import('./restart_place').then((code) => code.RestartPlace));
 
 export function JobView({ id }: { id: number }) {
   const [error, setError] = useState<unknown>(null);
@@ -49,6 +55,7 @@ export function JobView({ id }: { id: number }) {
               <Times job={job} />
             </div>
           </section>
+          {mayRestart(job) && atLeast(roleOn(job.machine), 'operator') && <RestartPlace key={job.id} job={job} />}
           <LedgerView job={job} />
         </>
       )}
@@ -76,6 +83,7 @@ const JobFacts = ({ job }: { job: Job }) => (
       [t('fact.link'), <code>{job.link}</code>],
       [t('fact.delivery'), t('fact.delivery_bytes', { delivery: deliveryText(job.delivery), bytes: bytes(job.bytes) })],
       [t('fact.release'), job.release],
+      [t('fact.restart'), job.restart && t('fact.restart_of', { release: job.restart.release, line: job.restart.line })],
       [t('column.order'), job.order === null ? null : <a href={hrefs.order(job.order)}>{job.order}</a>],
       [t('fact.queued_by'), job.created_by],
       [t('fact.armed_by'), job.armed_by],
