@@ -6,6 +6,7 @@ import { tokensOf } from '../src/editor/tokens';
 import { Words } from '../src/editor/words';
 import { boundsOf, givenValues, grouped, parameterOf } from '../src/rules/part_values';
 import { columnOffset, decodeProgram, lineEndOf, linesOf, nameOfFile, tagsOf } from '../src/rules/program_files';
+import { lineFrom, originOf, sideOf } from '../src/rules/translations';
 import { findingsOf } from '../src/rules/verdicts';
 import { hrefs, routeOf } from '../src/router';
 
@@ -134,4 +135,21 @@ test('addresses of the desk', () => {
   assert.deepEqual(routeOf(hrefs.program(7)).parameters, ['7', '']);
   assert.equal(routeOf('#/programs/7/nonsense').view, 'not_found');
   assert.deepEqual(routeOf(hrefs.part('R/7 ä')).parameters, ['R/7 ä']);
+});
+
+test('a line of a text and of its translation are found from each other', () => {
+  const origins = [1, 0, 3, 3, 7]; // the second line comes from none
+  assert.equal(originOf(origins, 1), 1);
+  assert.equal(originOf(origins, 2), null);
+  assert.equal(originOf(origins, 9), null);
+  assert.equal(lineFrom(origins, 3), 3);
+  assert.equal(lineFrom(origins, 4), 5, 'of a line that became none, what comes after it');
+  assert.equal(lineFrom(origins, 8), null);
+  assert.equal(lineFrom([], 4), 4, 'without a table the lines are the same');
+});
+
+test('a translation is for a machine or a language', () => {
+  assert.deepEqual(sideOf('machine:mill 2'), { to_machine: 'mill 2' });
+  assert.deepEqual(sideOf('mazak'), { to: 'mazak' });
+  assert.equal(sideOf('?'), null);
 });

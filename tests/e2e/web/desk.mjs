@@ -311,6 +311,42 @@ async function part(page) {
   await editor(page).waitFor();
 }
 
+const kLoop = '%\nO0710 (PASSES)\nG21 G17 G90 G94 G54\nT5 M6\nM3 S800\nG0 X0 Y0 Z5.\n#101=0\nWHILE[#101LT3]DO1\nG1 Z[-#101] F100.\nX[10.+#101]\nG0 X0\n#101=#101+1\nEND1\nG0 Z50.\nM30\n%\n';
+
+async function translation(page) {
+  const { body } = await rig.call('POST', '/programs', { name: 'O0710', dialect: 'fanuc', text: kLoop });
+  await signIn(page, url, tokens.programmer);
+  await page.goto(`${url}/#/programs/${body.id}`);
+  await page.getByRole('button', { name: 'Translation' }).click();
+  await page.getByText('Choose a machine or a control.').waitFor();
+  await page.getByLabel('Translate for').selectOption('sinumerik-840d');
+  const panel = page.getByRole('region', { name: 'Translation' });
+  await panel.getByText('both were run and move the same').waitFor();
+  const translated = panel.getByRole('textbox', { name: 'Translation for SINUMERIK 840D' });
+  await translated.getByText('WHILE R101').waitFor();
+  await page.getByRole('textbox', { name: /^Text of/ }).getByText('#101=#101+1').click();
+  await translated.locator('.cm-activeLine').getByText('R101=R101+1').waitFor();
+  expect(true, "the cursor's line is shown in the translation");
+  await translated.getByText('ENDWHILE').click();
+  await page.getByRole('textbox', { name: /^Text of/ }).locator('.cm-activeLine').getByText('END1').waitFor();
+  expect(true, 'and the other side follows');
+  await accessible(page, 'a translation');
+  await shot(page, 'desk-translation');
+  await panel.getByLabel(/^As/).selectOption('explicit');
+  await translated.getByText('X12').waitFor();
+  await panel.getByRole('button', { name: 'Keep it as a program…' }).click();
+  await dialog(page).getByLabel('Name').fill('PASSES.MPF');
+  await dialog(page).getByRole('button', { name: 'Keep it' }).click();
+  await page.getByRole('heading', { name: 'PASSES.MPF' }).waitFor();
+  const kept = (await rig.call('GET', '/programs?name=PASSES.MPF')).body.items;
+  expect(kept.length === 1 && kept[0].dialect === 'sinumerik-840d', 'it is a program of its own, in its own language');
+  await page.goBack();
+  await write(page, kLoop.replace('G0 X0 Y0 Z5.', 'G0 X0 Y0 Z5. G65 P9999'));
+  await panel.getByText('refused').waitFor();
+  await panel.locator('.fault').first().waitFor();
+  await shot(page, 'desk-translation-refused');
+}
+
 async function pages(page) {
   for (let i = 0; i < 60; ++i) await rig.call('POST', '/programs', { name: `P${i}`, dialect: 'fanuc', text: `%\nO${i + 1}\nM30\n%\n` });
   await signIn(page, url, tokens.viewer);
@@ -431,6 +467,7 @@ await main([
   ['an administrator', () => withPage(kDesk, administrator)],
   ['a programmer: upload, find, file, mend, conflict, compare, hand in', () => withPage(kDesk, day)],
   ['a part by its values', () => withPage(kDesk, part)],
+  ['a translation', () => withPage(kDesk, translation)],
   ['a viewer', () => withPage(kDesk, viewer)],
   ['pages of the library', () => withPage(kDesk, pages)],
   ['every look', () => withPage(kDesk, everyLook)],

@@ -4,6 +4,8 @@ import { request, requestBytes, requestText } from './client';
 import type {
   AuditRow,
   Comparison,
+  ConvertOrder,
+  Converted,
   Delivery,
   Diagnosed,
   DialectWords,
@@ -86,6 +88,7 @@ export const deskCalls = {
   uses: (id: number) => request<ProgramUses>('GET', `/programs/${id}/uses`),
 
   diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),
+  convert: (order: ConvertOrder) => request<Converted>('POST', '/convert', { body: order, timeoutMs: kWorkMs }),
   words: (dialect: string, kind: string, gSystem: string) =>
     request<DialectWords>('GET', `/dialects/${enc(dialect)}/words${queryOf({ kind, g_system: gSystem })}`),
 

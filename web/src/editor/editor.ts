@@ -18,7 +18,8 @@ export interface EditorOptions {
   phrases: Record<string, string>; // the editor's own words in the language of the page
   faultWords: { alarm: (name: string) => string; fix: (text: string) => string; note: (line: number, text: string) => string };
   changed: (text: string) => void;
-  cursorMoved: (line: number, word: string) => void; // and what the word there means; '' where nothing is known of it
+  // And what the word there means, '' where nothing is known of it; and whether a person moved it, or the page did.
+  cursorMoved: (line: number, word: string, byPerson: boolean) => void;
 }
 
 export interface Editor {
@@ -86,7 +87,8 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
     if (update.selectionSet || update.docChanged) {
       const { head } = update.state.selection.main;
       const word = wordAt(update.view, head)?.word;
-      options.cursorMoved(update.state.doc.lineAt(head).number, word ? `${word.word}: ${word.about}` : '');
+      const byPerson = update.transactions.some((one) => one.isUserEvent('select'));
+      options.cursorMoved(update.state.doc.lineAt(head).number, word ? `${word.word}: ${word.about}` : '', byPerson);
     }
   });
   const view = new EditorView({

@@ -16,7 +16,7 @@ interface Props {
   faultsOf: string; // the text that they are of
   editor: Ref<Editor>;
   changed: (text: string) => void;
-  cursorMoved: (line: number, word: string) => void;
+  cursorMoved: (line: number, word: string, byPerson: boolean) => void;
   opened: () => void;
 }
 
@@ -71,7 +71,7 @@ export function TextEditor(props: Props) {
       if (over || !host.current) return;
       const { text, label, readOnly } = now.current;
       const options = { text, label, readOnly, phrases: phrases(), faultWords: kFaultWords };
-      give(openEditor(host.current, { ...options, changed: (to) => now.current.changed(to), cursorMoved: (line, word) => now.current.cursorMoved(line, word) }));
+      give(openEditor(host.current, { ...options, changed: (to) => now.current.changed(to), cursorMoved: (...moved) => now.current.cursorMoved(...moved) }));
       setOpen(true);
     }, setError);
     return () => {

@@ -16,6 +16,7 @@ import { decodeProgram, lineEndOf, linesOf } from '../../rules/program_files';
 import { loader } from '../../state/loader';
 import { machines, person } from '../../state/shop';
 import { PathPanel } from './path_panel';
+import { TranslationPanel } from './translation_panel';
 import type { PlaceProps } from './program_view';
 import { SidePanel } from './side_panel';
 import { TextEditor } from './text_editor';
@@ -158,12 +159,13 @@ function Writing(props: WritingProps) {
   useSaveKey(writing.save);
   const seekLine = useLineOfQuery(query.get('line'), editor);
   const withPath = query.get('path') === '1';
+  const to = isProgrammer ? query.get('to') : null;
   return (
-    <div class={withPath ? 'writing writing-with-path' : 'writing'}>
+    <div class={withPath || to ? 'writing writing-beside' : 'writing'}>
       <div class="writing-main">
         <Notices program={program} isOld={props.isOld} writing={writing} />
         <Failure error={writing.error} />
-        <WritingBar program={program} writing={writing} editor={editor} line={line} withPath={withPath} machine={isProgrammer ? machine : null} />
+        <WritingBar program={program} writing={writing} editor={editor} line={line} withPath={withPath} withTranslation={to !== null} machine={isProgrammer ? machine : null} />
         <p class="word-help">{word}</p>
         <TextEditor
           text={text}
@@ -179,20 +181,47 @@ function Writing(props: WritingProps) {
           opened={seekLine}
         />
       </div>
-      {withPath && (
-        <PathPanel
-          program={program}
-          revision={writing.base}
-          written={writing.isChanged && isProgrammer ? text : null}
-          machine={machine}
-          line={line}
-          chosen={(at) => editor.current?.show(at)}
-        />
-      )}
+      <Beside {...props} writing={writing} machine={machine} line={line} withPath={withPath} to={to} chosen={(at) => editor.current?.show(at)} />
       {isProgrammer && <SidePanel diagnosis={diagnosis} isFixable={mayWrite && diagnosis.of === text} editor={editor} line={line} />}
     </div>
   );
 }
+
+interface BesideProps extends WritingProps {
+  writing: WritingState;
+  machine: string;
+  line: number;
+  withPath: boolean;
+  to: string | null; // what it is translated for; null: it is not
+  chosen: (line: number) => void;
+}
+
+const Beside = ({ program, query, isProgrammer, writing, machine, line, withPath, to, chosen }: BesideProps) => (
+  <>
+    {withPath && (
+      <PathPanel
+        program={program}
+        revision={writing.base}
+        written={writing.isChanged && isProgrammer ? writing.text : null}
+        machine={machine}
+        line={line}
+        chosen={chosen}
+      />
+    )}
+    {to !== null && (
+      <TranslationPanel
+        program={program}
+        text={writing.text}
+        machine={machine}
+        to={to}
+        mode={query.get('mode') === 'explicit' ? 'explicit' : 'macro'}
+        line={line}
+        mayKeep={isProgrammer}
+        chosen={chosen}
+      />
+    )}
+  </>
+);
 
 interface BarProps {
   program: Program;
@@ -200,10 +229,11 @@ interface BarProps {
   editor: RefObject<Editor | null>;
   line: number;
   withPath: boolean;
+  withTranslation: boolean;
   machine: string | null; // null: it is not chosen here
 }
 
-const WritingBar = ({ program, writing, editor, line, withPath, machine }: BarProps) => (
+const WritingBar = ({ program, writing, editor, line, withPath, withTranslation, machine }: BarProps) => (
   <div class="writing-bar">
     <SaveButtons program={program} writing={writing} />
     <button type="button" class="button" onClick={() => editor.current?.find()}>
@@ -212,6 +242,11 @@ const WritingBar = ({ program, writing, editor, line, withPath, machine }: BarPr
     <button type="button" class="button" aria-pressed={withPath} onClick={() => changeQuery('path', withPath ? null : '1')}>
       {t('path.title')}
     </button>
+    {machine !== null && (
+      <button type="button" class="button" aria-pressed={withTranslation} onClick={() => changeQuery('to', withTranslation ? null : '?')}>
+        {t('translation.title')}
+      </button>
+    )}
     <Download program={program} revision={writing.base} />
     {machine !== null && <MachineChoice dialect={program.dialect} value={machine} />}
     <span class="writing-state" role="status">
