@@ -38,8 +38,8 @@ std::optional<ProgramName> find_name(std::string_view text);
 // The first comment of the text, in parentheses or behind ';', within so many lines; "" without one.
 std::string_view first_comment(std::string_view text, std::size_t lines);
 
-// The programs of one punch: several between one pair of '%' part at their O numbers, an archive at its %_N_ headers.
-// One program is the text itself.
+// The programs of one punch: several between pairs of '%' part at their O numbers, an archive at its %_N_ headers.
+// One program is the text itself; so is a text with more after a '%' than programs.
 std::vector<std::string> split_programs(std::string_view text);
 
 }  // namespace dripfeed::receive

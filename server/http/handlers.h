@@ -92,6 +92,7 @@ Response compare_programs(const Call& call);
 // handlers_editing.cpp
 Response diagnose(const Call& call);
 Response convert(const Call& call);
+Response split_text(const Call& call);
 Response path_of_text(const Call& call);
 Response get_program_path(const Call& call);
 Response get_dialect_words(const Call& call);

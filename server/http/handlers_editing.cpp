@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "server/app/diagnose.h"
+#include "server/app/split_text.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/json/diagnostics.h"
@@ -85,6 +86,12 @@ Response convert(const Call& call) {
   const auto done = call.api.workers().convert(*order, waiter_of(call, "convert", subject, body->machine));
   if (!done) return problem_response(done.error());
   return json_response(200, *done);
+}
+
+Response split_text(const Call& call) {
+  const auto body = json::read_text_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  return json_response(200, json::split_text(app::split_text(body->text)));
 }
 
 Response diagnose(const Call& call) { return work_on_text(call, &json::DocumentWorkers::diagnose, "diagnose"); }

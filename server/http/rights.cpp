@@ -42,6 +42,7 @@ constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/sweep", "checks"},
     ScopeRow{"/api/v1/work", "checks"},
     ScopeRow{"/api/v1/programs", "library"},
+    ScopeRow{"/api/v1/split", "library"},
     ScopeRow{"/api/v1/families", "library"},
     ScopeRow{"/api/v1/parts", "library"},
     ScopeRow{"/api/v1/receipts", "library"},

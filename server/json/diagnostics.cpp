@@ -149,6 +149,13 @@ std::string tool_path(const app::ToolPath& path) {
                  {"feeds", base64_column(path.feeds)}}}});
 }
 
+std::string split_text(const std::vector<app::SplitProgram>& programs) {
+  Document list = Document::array();
+  for (const app::SplitProgram& one : programs)
+    list.push_back({{"name", text_or_null(one.name)}, {"comment", text_or_null(one.comment)}, {"text", one.text}});
+  return dump({{"programs", std::move(list)}});
+}
+
 std::string restart_preview(const app::RestartMade& made) {
   const compile::Restart& restart = made.restart;
   const auto line_or_null = [](std::uint32_t line) { return line == 0 ? Document(nullptr) : Document(line); };

@@ -11,6 +11,7 @@
 #include "server/app/diagnose.h"
 #include "server/app/error.h"
 #include "server/app/restarting.h"
+#include "server/app/split_text.h"
 
 namespace dripfeed::json {
 
@@ -21,6 +22,9 @@ std::string folded_diagnostics(const std::vector<text::Diagnostic>& diagnostics)
 
 // Places are lines and columns in characters, as an editor counts them.
 std::string diagnosed(const app::Diagnosed& diagnosed);
+
+// The document SplitText.
+std::string split_text(const std::vector<app::SplitProgram>& programs);
 
 // The document RestartPreview.
 std::string restart_preview(const app::RestartMade& made);

@@ -126,8 +126,19 @@ def a_preview(client):
     control.close()
 
 
+def a_dump_is_taken_apart(client):
+    dump = "%\nO0001(HOUSING)\nM98P2\nM30\nO0002\nM99\n%\n"
+    split = client.must("POST", "/split", {"text": dump}, role="programmer")["programs"]
+    expect([(one["name"], one["comment"]) for one in split] == [("O0001", "HOUSING"), ("O0002", None)], split)
+    expect([one["text"] for one in split] == ["%\nO0001(HOUSING)\nM98P2\nM30\n%\n", "%\nO0002\nM99\n%\n"], split)
+    whole = client.must("POST", "/split", {"text": "M30"}, role="programmer")["programs"]
+    expect(whole == [{"name": None, "comment": None, "text": "M30"}], whole)
+    client.refuse(422, "POST", "/split", {})
+
+
 def run(folder):
     client = Client(folder).start()
+    a_dump_is_taken_apart(client)
     a_text_and_its_faults(client)
     a_fix_mends(client)
     an_outline(client)

@@ -80,6 +80,7 @@ def rows(made):
         ("POST", "/api/v1/path", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/preview", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/diagnose", "programmer", {}, {"text": "M30"}, {}),
+        ("POST", "/api/v1/split", "programmer", {}, {"text": "%\nO1\nM30\nO2\nM30\n%\n"}, {}),
         ("POST", "/api/v1/convert", "programmer", {}, {"text": "M30", "to": "fanuc"}, {}),
         ("GET", "/api/v1/dialects/{name}/words", "viewer", {"name": "fanuc"}, None, {}),
         ("POST", "/api/v1/checks", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "check"}),

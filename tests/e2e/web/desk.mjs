@@ -347,6 +347,24 @@ async function translation(page) {
   await shot(page, 'desk-translation-refused');
 }
 
+// A dump of a control's memory becomes its programs.
+async function dump(page) {
+  await signIn(page, url, tokens.programmer);
+  await page.goto(`${url}/#/library`);
+  await page.getByRole('button', { name: 'Upload…' }).first().waitFor();
+  const text = kPump.replace('O0700', 'O0720').replace('M30\n%', 'M30\nO0721 (GROOVE)\nG0 X0\nM99\n:0722\nM99\n%').split('\n').join('\r\n');
+  await drop(page, [['ALL-PROG.TXT', text]]);
+  await dialog(page).getByText('The file holds 3 programs: O0720 (PUMP HOUSING), O0721 (GROOVE)').waitFor();
+  await shot(page, 'desk-dump');
+  await dialog(page).getByRole('button', { name: 'Take it apart' }).click();
+  await dialog(page).getByRole('button', { name: 'Upload 3 programs' }).click();
+  await until(async () => (await dialog(page).getByRole('link').count()) === 3, 'all three are there');
+  await accessible(page, 'a dump');
+  const { body } = await rig.call('GET', '/programs?name=O0721');
+  const stored = await fetch(`${url}/api/v1/programs/${body.items[0].id}/text`, { headers: { Authorization: `Bearer ${tokens.viewer}` } });
+  expect((await stored.text()) === '%\r\nO0721 (GROOVE)\r\nG0 X0\r\nM99\r\n%\r\n', 'each with the line ends of the file');
+}
+
 async function pages(page) {
   for (let i = 0; i < 60; ++i) await rig.call('POST', '/programs', { name: `P${i}`, dialect: 'fanuc', text: `%\nO${i + 1}\nM30\n%\n` });
   await signIn(page, url, tokens.viewer);
@@ -468,6 +486,7 @@ await main([
   ['a programmer: upload, find, file, mend, conflict, compare, hand in', () => withPage(kDesk, day)],
   ['a part by its values', () => withPage(kDesk, part)],
   ['a translation', () => withPage(kDesk, translation)],
+  ['a dump', () => withPage(kDesk, dump)],
   ['a viewer', () => withPage(kDesk, viewer)],
   ['pages of the library', () => withPage(kDesk, pages)],
   ['every look', () => withPage(kDesk, everyLook)],

@@ -22,6 +22,7 @@ import type {
   Rendered,
   RestartPreview,
   SearchResult,
+  SplitProgram,
   ToolPath,
   Verdict,
   VerdictSummary,
@@ -88,6 +89,7 @@ export const deskCalls = {
   uses: (id: number) => request<ProgramUses>('GET', `/programs/${id}/uses`),
 
   diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),
+  split: async (text: string) => (await request<{ programs: SplitProgram[] }>('POST', '/split', { body: { text }, timeoutMs: kTextMs })).programs,
   convert: (order: ConvertOrder) => request<Converted>('POST', '/convert', { body: order, timeoutMs: kWorkMs }),
   words: (dialect: string, kind: string, gSystem: string) =>
     request<DialectWords>('GET', `/dialects/${enc(dialect)}/words${queryOf({ kind, g_system: gSystem })}`),

@@ -851,6 +851,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/split": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the programs of a text that holds several, as controls dump their memory; they are not stored */
+        post: operations["post_split"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/convert": {
         parameters: {
             query?: never;
@@ -6047,6 +6064,18 @@ export interface components {
             /** @description there are more places than these */
             outline_is_cut: boolean;
         };
+        /** @description the programs of a text */
+        SplitText: {
+            /** @description in their order; one where the text is not several */
+            programs: {
+                /** @description that it gives itself; null: none */
+                name: string | null;
+                /** @description its first; null: none */
+                comment: string | null;
+                /** @description with the line ends that it came with */
+                text: string;
+            }[];
+        };
         /** @description a text in another control's language; it is not stored */
         Converted: {
             /** @description dialect that it was read in */
@@ -9912,6 +9941,41 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Diagnosed"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_split: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewText"];
+            };
+        };
+        responses: {
+            /** @description the programs of a text that holds several, as controls dump their memory; they are not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SplitText"];
                 };
             };
             /** @description a problem */

@@ -72,6 +72,7 @@ export type VerdictSummary = Schemas['VerdictSummary'];
 export type Verdict = Schemas['Verdict'];
 export type Outcome = Verdict['verdict'];
 export type ToolPath = Schemas['ToolPath'];
+export type SplitProgram = Schemas['SplitText']['programs'][number];
 export type Converted = Schemas['Converted'];
 export type ConvertOrder = Schemas['ConvertOrder'];
 export type ConvertMode = Converted['mode'];

@@ -56,6 +56,10 @@ TEST(SplitPrograms, PartsAtNumbersAndHeaders) {
   EXPECT_EQ(split_programs("%_N_A_MPF\nM30\n%_N_B_SPF\nM17\n"),
             (std::vector<std::string>{"%_N_A_MPF\nM30\n", "%_N_B_SPF\nM17\n"}));
   EXPECT_EQ(split_programs("G0 X1\n"), (std::vector<std::string>{"G0 X1\n"}));
+  EXPECT_EQ(split_programs("%\nO1\nM30\n%\n\n%\nO2\nM30\n%\n"),
+            (std::vector<std::string>{"%\nO1\nM30\n%\n", "%\nO2\nM30\n%\n"}));
+  const std::string with_more = "%\nO1\nM30\nO2\nM30\n%\nTOOL LIST\n";
+  EXPECT_EQ(split_programs(with_more), (std::vector<std::string>{with_more}));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Files of a person's disk on their way into the library: what each would become, and the sending, one after the other.
 import { deskCalls } from '../../api/desk_calls';
 import { newOrderKey } from '../../api/client';
-import type { Program } from '../../api/types';
+import type { Program, SplitProgram } from '../../api/types';
 import { decodeProgram, nameOfFile } from '../../rules/program_files';
 
 const kHead_chars = 64 * 1024; // enough to see which dialect a text is in
@@ -13,6 +13,7 @@ export interface Upload {
   bytes: number;
   text: string;
   isLatin1: boolean;
+  parts: readonly SplitProgram[]; // the programs that it holds, where they are several
   key: string; // of the order: a repeated one does nothing twice
   name: string;
   dialect: string; // '' : not chosen yet
@@ -26,12 +27,13 @@ export interface Upload {
 export async function readUpload(file: File): Promise<Upload> {
   const { text, encoding } = decodeProgram(await file.arrayBuffer());
   const name = nameOfFile(file.name);
-  const [same, dialect] = await Promise.all([sameName(name), dialectOf(text)]);
+  const [same, dialect, parts] = await Promise.all([sameName(name), dialectOf(text), partsOf(text)]);
   return {
     file: file.name,
     bytes: file.size,
     text,
     isLatin1: encoding === 'latin-1',
+    parts,
     key: newOrderKey(),
     name,
     dialect: same[0]?.dialect ?? dialect,
@@ -49,6 +51,25 @@ const dialectOf = (text: string): Promise<string> =>
     ({ dialect }) => dialect,
     () => '',
   );
+
+// Of a file that the server does not take apart, what is wrong with it is stated when it is sent.
+const partsOf = (text: string): Promise<SplitProgram[]> =>
+  deskCalls.split(text).then(
+    (parts) => (parts.length > 1 ? parts : []),
+    () => [],
+  );
+
+// Each program of a file by itself; they are looked up one after the other, as there may be hundreds.
+export async function apart(upload: Upload): Promise<Upload[]> {
+  const all: Upload[] = [];
+  for (const [i, { name: given, text }] of upload.parts.entries()) {
+    const name = given ?? `${upload.name} ${i + 1}`;
+    const same = await sameName(name);
+    const bytes = new TextEncoder().encode(text).length;
+    all.push({ ...upload, bytes, text, parts: [], key: newOrderKey(), name, dialect: same[0]?.dialect ?? upload.dialect, same, revise: same[0]?.id ?? null });
+  }
+  return all;
+}
 
 export const sameName = (name: string): Promise<Program[]> => (name === '' ? Promise.resolve([]) : deskCalls.programsNamed(name));
 

@@ -11,7 +11,7 @@ import { Icon } from '../../parts/icon';
 import { hrefs } from '../../router';
 import { loader } from '../../state/loader';
 import { kDialects } from '../../rules/dialects';
-import { readUpload, sameName, sendUpload, type Upload } from './upload';
+import { apart, readUpload, sameName, sendUpload, type Upload } from './upload';
 
 interface Props {
   files: readonly File[];
@@ -29,6 +29,16 @@ export function UploadDialog({ files, folder: given, changed }: Props) {
   }, []);
   const change = (index: number, by: Partial<Upload>) =>
     setUploads((before) => before && before.map((one, i) => (i === index ? { ...one, ...by } : one)));
+  const takeApart = async (upload: Upload) => {
+    setBusy(true);
+    try {
+      const parts = await loader.order(apart(upload));
+      setUploads((before) => before && before.flatMap((one) => (one.key === upload.key ? parts : [one])));
+    } catch (failure) {
+      setError(failure);
+    }
+    setBusy(false);
+  };
   const open = uploads?.filter((one) => one.state !== 'done') ?? [];
   const isReady = open.length > 0 && open.every((one) => one.name.trim() !== '' && one.dialect !== '');
   const send = async (event: Event) => {
@@ -56,7 +66,7 @@ export function UploadDialog({ files, folder: given, changed }: Props) {
         {uploads && (
           <ol class="upload-list">
             {uploads.map((one, index) => (
-              <UploadRow key={one.key} upload={one} off={busy || one.state === 'done'} change={(by) => change(index, by)} />
+              <UploadRow key={one.key} upload={one} off={busy || one.state === 'done'} change={(by) => change(index, by)} apart={() => void takeApart(one)} />
             ))}
           </ol>
         )}
@@ -79,7 +89,17 @@ export function UploadDialog({ files, folder: given, changed }: Props) {
   );
 }
 
-function UploadRow({ upload, off, change }: { upload: Upload; off: boolean; change: (by: Partial<Upload>) => void }) {
+const kShownParts = 4;
+const partText = ({ name, comment }: Upload['parts'][number]): string => (comment === null ? (name ?? '–') : `${name ?? '–'} (${comment})`);
+
+interface RowProps {
+  upload: Upload;
+  off: boolean;
+  change: (by: Partial<Upload>) => void;
+  apart: () => void;
+}
+
+function UploadRow({ upload, off, change, apart: takeApart }: RowProps) {
   // Another name may be another program's.
   const rename = (name: string) => {
     change({ name });
@@ -116,6 +136,15 @@ function UploadRow({ upload, off, change }: { upload: Upload; off: boolean; chan
           </select>
         </label>
       </div>
+      {upload.parts.length > 0 && (
+        <p class="hint">
+          {t('upload.holds', { count: upload.parts.length, names: upload.parts.slice(0, kShownParts).map(partText).join(', ') })}
+          {upload.parts.length > kShownParts && ', …'}{' '}
+          <button type="button" class="button button-small" disabled={off} onClick={takeApart}>
+            {t('upload.take_apart')}
+          </button>
+        </p>
+      )}
       {upload.same.length > 0 && <SameName upload={upload} off={off} change={change} />}
       {upload.isLatin1 && <p class="hint">{t('upload.latin1')}</p>}
       <Failure error={upload.error} />
