@@ -12,30 +12,12 @@
 #include <spdlog/spdlog.h>
 
 #include "server/http/handlers.h"
-#include "server/http/problem_titles.h"
 #include "server/http/rights.h"
 #include "server/json/records.h"
 
 namespace dripfeed::http {
 
 namespace {
-
-struct StatusRow {
-  app::ErrorCode code;
-  unsigned status;
-  std::string_view title;
-};
-constexpr const char* kRetryAfter_s = "5";
-constexpr std::array kStatuses = {
-    StatusRow{app::ErrorCode::not_found, 404, "not found"},
-    StatusRow{app::ErrorCode::exists, 409, "exists already"},
-    StatusRow{app::ErrorCode::malformed, 400, "malformed"},
-    StatusRow{app::ErrorCode::invalid, 422, "invalid"},
-    StatusRow{app::ErrorCode::stale, 412, "stale revision"},
-    StatusRow{app::ErrorCode::refused, 409, "refused"},
-    StatusRow{app::ErrorCode::unavailable, 503, "unavailable"},
-    StatusRow{app::ErrorCode::internal, 500, "internal error"},
-};
 
 template <class Number>
 bool read_number(std::string_view text, Number& into) {
@@ -62,22 +44,28 @@ Response json_response(unsigned status, std::string body) {
   return response;
 }
 
-Response problem_response(const app::Error& error) {
-  for (const StatusRow& row : kStatuses) {
-    if (row.code != error.code) continue;
-    Response response = json_response(row.status, json::problem(row.status, row.title, error));
-    response.content_type = "application/problem+json";
-    if (row.code == app::ErrorCode::unavailable) response.headers.emplace_back("Retry-After", kRetryAfter_s);
-    return response;
-  }
-  return problem_response(500, error.text);
+namespace {
+
+Response problem_of(const json::ProblemCode& code, const app::Error& error) {
+  Response response = json_response(code.status, json::problem(code, error));
+  response.content_type = "application/problem+json";
+  if (code.retry_s != 0) retry_after(response, code.retry_s);
+  return response;
 }
 
+}  // namespace
+
+void retry_after(Response& response, std::int64_t seconds) {
+  constexpr const char* kName = "Retry-After";
+  std::erase_if(response.headers, [](const auto& header) { return header.first == kName; });
+  response.headers.emplace_back(kName, fmt::format("{}", seconds));
+}
+
+Response problem_response(const app::Error& error) { return problem_of(json::problem_code(error), error); }
+
 Response problem_response(unsigned status, std::string text) {
-  Response response =
-      json_response(status, json::problem(status, title_of(status), {app::ErrorCode::invalid, std::move(text), {}}));
-  response.content_type = "application/problem+json";
-  return response;
+  const json::ProblemCode& code = json::problem_code(status, text);
+  return problem_of(code, {app::ErrorCode::invalid, std::move(text), {}});
 }
 
 Response created(std::string location, std::string body) {

@@ -92,6 +92,8 @@ std::span<const Route> routes();
 Response json_response(unsigned status, std::string body);
 Response problem_response(const app::Error& error);
 Response problem_response(unsigned status, std::string text);
+// When to ask again, in the place of what the problem has by itself.
+void retry_after(Response& response, std::int64_t seconds);
 // 201 with Location.
 Response created(std::string location, std::string body);
 // 204.

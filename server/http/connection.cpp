@@ -12,7 +12,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/http/connection_state.h"
-#include "server/http/problem_titles.h"
+#include "server/json/problem_codes.h"
 
 namespace dripfeed::http {
 
@@ -59,20 +59,16 @@ std::string last_of(std::string_view list) {
   return std::string(list);
 }
 
-Response come_again(std::string_view detail) {
-  Response response = plain_problem(503, detail);
-  response.headers.emplace_back("Retry-After", "1");
-  return response;
-}
-
 }  // namespace
 
 Response plain_problem(unsigned status, std::string_view detail) {
+  const json::ProblemCode& code = json::problem_code(status, detail);
   Response response;
   response.status = status;
   response.content_type = "application/problem+json";
-  response.body = fmt::format(R"({{"type":"about:blank","title":"{}","status":{},"detail":"{}"}})", title_of(status),
-                              status, detail);
+  response.body = fmt::format(R"({{"type":"about:blank","title":"{}","status":{},"code":"{}","detail":"{}"}})",
+                              code.title, status, code.code, detail);
+  if (code.retry_s != 0) response.headers.emplace_back("Retry-After", fmt::format("{}", code.retry_s));
   return response;
 }
 
@@ -177,7 +173,7 @@ void Connection::read_body() {
   const std::size_t most = chunked ? limit : static_cast<std::size_t>(length);
   const bool in_file = most > kSmallBody_bytes;
   if (!take_room(most, in_file))
-    return respond_unread(come_again("too many large requests are being read: send this one again"));
+    return respond_unread(plain_problem(503, "too many large requests are being read: send this one again"));
   if (parser_->is_done()) return on_read({});
   wire_.lowest().expires_after(kReadTimeout + std::chrono::seconds(most / kSlowest_bytes_s));
   if (in_file) return spool_body();
@@ -205,7 +201,7 @@ void Connection::answer_in(Lane lane) {
                  connection->respond(std::move(answer));
                }));
   });
-  if (!taken) respond_unread(come_again("too many requests of this kind are waiting: send this one again"));
+  if (!taken) respond_unread(plain_problem(503, "too many requests of this kind are waiting: send this one again"));
 }
 
 // Of what all bodies may take together. Short ones are not counted.

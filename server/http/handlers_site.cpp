@@ -86,7 +86,7 @@ std::expected<std::string, Response> sign_in(const Call& call, const json::Sessi
     if (answer->outcome == app::SignIn::locked) {
       const std::int64_t wait_s = (answer->locked_until_ms - app.clock().wall_ms()) / 1000 + 1;
       Response response = problem_response(429, fmt::format("too many wrong ones: try again in {} s", wait_s));
-      response.headers.emplace_back("Retry-After", fmt::format("{}", wait_s));
+      retry_after(response, wait_s);
       return refuse(std::move(response));
     }
     if (answer->outcome == app::SignIn::wrong)
@@ -136,11 +136,7 @@ Response get_events(const Call& call) {
 }
 
 Response event_stream(std::expected<std::shared_ptr<EventSubscription>, std::string> watcher) {
-  if (!watcher) {
-    Response full = problem_response(429, watcher.error());
-    full.headers.emplace_back("Retry-After", "10");
-    return full;
-  }
+  if (!watcher) return problem_response(429, watcher.error());
   Response response;
   response.content_type = "text/event-stream";
   response.headers.emplace_back("Cache-Control", "no-store");

@@ -103,6 +103,8 @@ void write_kind(const Schema& schema, Document& out) {
     case Schema::Kind::text:
       if (!schema.words.empty()) out["enum"] = schema.words;
       if (!schema.words.empty() && schema.may_be_null) out["enum"].push_back(nullptr);
+      for (std::size_t i = 0; i < schema.meanings.size(); ++i)
+        out["x-enumDescriptions"][std::string(schema.words[i])] = schema.meanings[i];
       if (schema.is_filled) out["minLength"] = 1;
       break;
     case Schema::Kind::integer:

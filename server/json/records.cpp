@@ -460,12 +460,9 @@ std::string progress(std::string_view machine, const app::MachineStatus& status)
   return dump(document);
 }
 
-std::string problem(unsigned status, std::string_view title, const app::Error& error) {
-  Document document = {{"type", "about:blank"},
-                       {"title", title},
-                       {"status", status},
-                       {"detail", error.text},
-                       {"said", said_document(error.text)}};
+std::string problem(const ProblemCode& code, const app::Error& error) {
+  Document document = {{"type", "about:blank"}, {"title", code.title},  {"status", code.status},
+                       {"code", code.code},     {"detail", error.text}, {"said", said_document(error.text)}};
   Document errors = Document::array();
   for (const app::ErrorPlace& place : error.places) {
     Document one = Document::object();

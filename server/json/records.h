@@ -13,6 +13,7 @@
 #include "server/app/ports/workplace.h"
 #include "server/app/program_uses.h"
 #include "server/app/utilisation.h"
+#include "server/json/problem_codes.h"
 
 namespace dripfeed::json {
 
@@ -65,6 +66,6 @@ std::string event_data(const app::Event& event);
 std::string progress(std::string_view machine, const app::MachineStatus& status);
 
 // application/problem+json.
-std::string problem(unsigned status, std::string_view title, const app::Error& error);
+std::string problem(const ProblemCode& code, const app::Error& error);
 
 }  // namespace dripfeed::json

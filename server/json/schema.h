@@ -21,10 +21,11 @@ using Words = std::vector<std::string_view>;
 struct Schema {
   enum class Kind : std::uint8_t { any, text, integer, number, flag, object, list, map, reference, text_or_number };
   Kind kind = Kind::any;
-  std::string about;            // unit and meaning, for people
-  Words words;                  // of a text: one of these
-  bool is_filled = false;       // of a text: not ""
-  std::optional<double> least;  // of a number
+  std::string about;                  // unit and meaning, for people
+  Words words;                        // of a text: one of these
+  std::vector<std::string> meanings;  // of the words, in their order; empty: they speak for themselves
+  bool is_filled = false;             // of a text: not ""
+  std::optional<double> least;        // of a number
   std::optional<double> most;
   bool may_be_null = false;
   bool is_closed = false;             // of an object: other members are refused

@@ -1,7 +1,10 @@
 // The server itself: health, session, problems, and the live events that are no document of a thing.
+#include <fmt/format.h>
+
 #include "server/app/alarms.h"
 #include "server/app/events.h"
 #include "server/json/enumerators.h"
+#include "server/json/problem_codes.h"
 #include "server/json/schemas.h"
 #include "server/json/sentences.h"
 
@@ -17,6 +20,15 @@ Words kind_words() {
   Words words;
   for (std::size_t i = 0; i < app::kAlarmKinds; ++i) words.push_back(app::row_of(static_cast<app::AlarmKind>(i)).name);
   return words;
+}
+
+Schema code_of_problem() {
+  Words codes;
+  for (const ProblemCode& row : problem_codes()) codes.push_back(row.code);
+  Schema schema = one_of(codes, "what it is, for programs; a code keeps its name, status and meaning");
+  for (const ProblemCode& row : problem_codes())
+    schema.meanings.push_back(fmt::format("{}: {}", row.status, row.about));
+  return schema;
 }
 
 Schema alarm() {
@@ -48,6 +60,7 @@ Schemas site_schemas() {
                          {{"type", text("about:blank")},
                           {"title", text("the kind of problem, the same for each of its kind")},
                           {"status", integer(400, 599, "of HTTP")},
+                          {"code", code_of_problem()},
                           {"detail", text("one sentence for a person")},
                           {"said", or_null(reference("Said")), kOptional},
                           {"errors",

@@ -73,7 +73,7 @@ def check(method, path, body, answer):
     route = route_of(method, path)
     if answer.status >= 400:
         if kind == "application/problem+json" and answer.body:
-            require(faults("#/components/schemas/Problem", answer.document), what)
+            require(faults("#/components/schemas/Problem", answer.document) or faults_of_code(answer), what)
         return
     if answer.status == 304:  # what the client has already, RFC 9110, 15.4.5
         require([] if not answer.body and answer.headers.get("ETag") else ["a body, or no tag"], what)
@@ -89,6 +89,17 @@ def check(method, path, body, answer):
     check_content(response.get("content", {}), kind, answer, what, is_head=method == "HEAD")
     check_taken(operation.get("requestBody"), body, what)
     count((method, pattern, answer.status))
+
+
+def faults_of_code(answer):
+    """A code stands for one status, and the answer states when to ask again where that may help."""
+    code = answer.document["code"]
+    about = document()["components"]["schemas"]["Problem"]["properties"]["code"]["x-enumDescriptions"][code]
+    found = [] if about.startswith(f"{answer.status}: ") else [f"the code {code} is of {about}"]
+    wait = answer.headers.get("Retry-After")
+    if answer.status in (429, 503) and not (wait and wait.isdigit() and int(wait) > 0):
+        found.append(f"Retry-After is {wait}")
+    return found
 
 
 def check_content(content, kind, answer, what, is_head):

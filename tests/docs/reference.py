@@ -23,6 +23,15 @@ def _role(route):
     return 'none' if route.get('security') == [] else route['x-role']
 
 
+def problem_table(api):
+    described = api['components']['schemas']['Problem']['properties']['code']['x-enumDescriptions']
+    rows = ['| code | status | means |', '|---|---|---|']
+    for code, meaning in described.items():
+        status, _, about = meaning.partition(': ')
+        rows.append(f'| `{code}` | {status} | {_cell(about)} |')
+    return rows
+
+
 def profile_table(api):
     rows = ['| member | type | means |', '|---|---|---|']
     _members(api['components']['schemas'], api['components']['schemas']['Profile'], '', rows)
@@ -71,7 +80,7 @@ def _printed(dripfeed, *arguments):
 def pages(dripfeed, root):
     """Triples (path, text as it is, text as it should be)."""
     api = json.loads(_printed(dripfeed, 'openapi'))
-    tables = {'routes': lambda: route_table(api), 'profile': lambda: profile_table(api)}
+    tables = {'routes': lambda: route_table(api), 'problems': lambda: problem_table(api), 'profile': lambda: profile_table(api)}
     whole = {'diagnostics.md': lambda: _printed(dripfeed, 'explain', '--all', '--markdown')}
     for path in sorted((root / 'docs').glob('*.md')):
         text = path.read_text(encoding='utf-8')

@@ -26,6 +26,11 @@ class Reference(unittest.TestCase):
         self.assertIn('| `inner.x` | number, 0 to 9 |  |', rows)
         self.assertIn('| `list` | list of string |  |', rows)
 
+    def test_problems(self):
+        meanings = {'exists': '409: the name: taken'}
+        api = {'components': {'schemas': {'Problem': {'properties': {'code': {'x-enumDescriptions': meanings}}}}}}
+        self.assertEqual(reference.problem_table(api)[2:], ['| `exists` | 409 | the name: taken |'])
+
 
 if __name__ == '__main__':
     unittest.main()

@@ -65,7 +65,8 @@ TEST(Records, BytesThatAreNoUtf8AreShownAndStayJson) {
   EXPECT_TRUE(is_json(text)) << text;
   EXPECT_THAT(text, HasSubstr("quote \\\" back\\\\slash \\u0001 "));
   EXPECT_THAT(text, Not(HasSubstr("\xFF")));
-  EXPECT_TRUE(is_json(problem(422, "bad", {app::ErrorCode::invalid, "\xFE", {{.pointer = "\xFE", .text = "\xFE"}}})));
+  const app::Error error{app::ErrorCode::invalid, "\xFE", {{.pointer = "\xFE", .text = "\xFE"}}};
+  EXPECT_TRUE(is_json(problem(problem_code(error), error)));
 }
 
 TEST(Records, AMachineWithAProfileThatCannotBeReadIsListedAllTheSame) {
@@ -181,12 +182,15 @@ TEST(Records, ProblemsNameTheirPlaces) {
   const app::Error error{app::ErrorCode::invalid,
                          "wrong",
                          {{.pointer = "/a/0", .text = "x"}, {.pointer = {}, .line = 3, .column = 4, .text = "y"}}};
-  EXPECT_EQ(problem(422, "invalid", error),
-            R"({"type":"about:blank","title":"invalid","status":422,"detail":"wrong","said":null,)"
+  EXPECT_EQ(problem(problem_code(error), error),
+            R"({"type":"about:blank","title":"invalid","status":422,"code":"invalid","detail":"wrong","said":null,)"
             R"("errors":[{"pointer":"/a/0","text":"x"},{"line":3,"column":4,"text":"y"}]})");
-  EXPECT_EQ(problem(404, "not found", {app::ErrorCode::not_found, "none", {}}),
-            R"({"type":"about:blank","title":"not found","status":404,"detail":"none","said":null})");
-  const std::string said = problem(404, "not found", {app::ErrorCode::not_found, "there is no such thing (9)", {}});
+  const app::Error none{app::ErrorCode::not_found, "none", {}};
+  EXPECT_EQ(
+      problem(problem_code(none), none),
+      R"({"type":"about:blank","title":"not found","status":404,"code":"not_found","detail":"none","said":null})");
+  const app::Error nine{app::ErrorCode::not_found, "there is no such thing (9)", {}};
+  const std::string said = problem(problem_code(nine), nine);
   EXPECT_THAT(said, HasSubstr(R"x("said":{"id":"store_not_found","values":{"detail":{"text":"9","said":null}}}})x"));
 }
 

@@ -1,0 +1,138 @@
+// One row a code.
+#include "server/json/problem_codes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "server/json/sentences.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+constexpr unsigned kSoon_s = 5;
+constexpr unsigned kDiskFull_s = 60;  // a person makes room
+
+constexpr std::array kCodes = {
+    ProblemCode{"malformed", 400, "malformed",
+                "the request cannot be read, or has a query parameter that is not known"},
+    ProblemCode{"not_signed_in", 401, "not signed in", "there is no token and no session, or it has ended"},
+    ProblemCode{"wrong_secret", 401, "wrong secret", "the name, password, PIN or token is wrong", 0,
+                "wrong_secret token_not_valid"},
+    ProblemCode{"not_allowed", 403, "not allowed", "the caller may not do this"},
+    ProblemCode{"role_missing", 403, "role missing", "the caller's role is too low for this, or for this machine", 0,
+                "needs_role approver_needed approver_accepts admin_loads"},
+    ProblemCode{"scope_missing", 403, "scope missing", "the token's scope does not contain this change", 0,
+                "token_scope"},
+    ProblemCode{"not_found", 404, "not found", "there is no such route or thing"},
+    ProblemCode{"method_not_allowed", 405, "method not allowed", "the path has other methods: see Allow"},
+    ProblemCode{"refused", 409, "refused", "the state of things does not allow it now"},
+    ProblemCode{"exists", 409, "exists already", "the name or number is taken", 0, "store_exists"},
+    ProblemCode{"in_progress", 409, "in progress", "the same is being done: ask again when it has ended", 0,
+                "being_answered sweep_runs"},
+    ProblemCode{"other_user", 409, "another user", "the page shows another person than the one who is signed in", 0,
+                "page_shows_other"},
+    ProblemCode{"wrong_state", 409, "wrong state", "this cannot follow the present state", 0,
+                "store_transition no_effect nothing_waits no_torn job_not_on_line"},
+    ProblemCode{"no_verdict", 409, "no verdict", "the text was never checked for this machine and delivery", 0,
+                "store_no_verdict"},
+    ProblemCode{"verdict_not_passed", 409, "verdict not passed", "the newest verdict does not clear the text", 0,
+                "store_not_passed"},
+    ProblemCode{"verdict_stale", 409, "verdict stale", "the machine or family changed after the verdict: check again",
+                0, "store_verdict_stale changed_after_verdict"},
+    ProblemCode{"not_released", 409, "not released", "no release lets this text go to this machine", 0,
+                "store_not_released"},
+    ProblemCode{"transfers_used_up", 409, "transfers used up", "the proving has had its transfers", 0, "store_used_up"},
+    ProblemCode{"sign_off_missing", 409, "sign-off missing", "an approval needs a note of who signs it off", 0,
+                "store_sign_off"},
+    ProblemCode{"four_eyes", 409, "four eyes", "who wrote or released a text may not approve it", 0, "store_four_eyes"},
+    ProblemCode{"machine_busy", 409, "machine busy", "a job has the machine's line", 0,
+                "store_machine_busy job_on_line job_holds_profile job_waits line_busy_settings line_still_used "
+                "line_in_use control_sends line_tested"},
+    ProblemCode{"machine_torn", 409, "block torn", "a block may be torn: a person resets the control and confirms that",
+                0,
+                "store_machine_torn torn_reset_first maybe_torn block_torn_here block_torn_confirm other_session "
+                "line_confirm_first"},
+    ProblemCode{"line_down", 409, "line down", "the machine has no line, or its link is down", 0,
+                "no_line no_line_because link_down link_down_plain nothing_leaves"},
+    ProblemCode{"append_only", 409, "append only", "what is written there never changes", 0, "store_append_only"},
+    ProblemCode{"stale_revision", 412, "stale revision", "another change came first: read it again"},
+    ProblemCode{"too_large", 413, "too large", "the body is too long for this route"},
+    ProblemCode{"no_json", 415, "no JSON", "the body is no JSON, or is encoded"},
+    ProblemCode{"invalid", 422, "invalid", "a value is missing or wrong: see `errors`"},
+    ProblemCode{"key_reused", 422, "key reused", "the idempotency key was used for another request", 0,
+                "store_key_reused"},
+    ProblemCode{"revision_missing", 428, "revision missing", "If-Match with the revision that is changed is needed"},
+    ProblemCode{"too_many", 429, "too many", "too many wrong secrets, or too many who watch", 10},
+    ProblemCode{"header_too_large", 431, "too large", "the header of the request is too large"},
+    ProblemCode{"internal", 500, "internal error", "the request failed inside the server; the log states why"},
+    ProblemCode{"unavailable", 503, "unavailable", "the server cannot do it for now", kSoon_s},
+    ProblemCode{"overloaded", 503, "overloaded", "too many requests wait: send it again", 1,
+                "too_many_large too_many_waiting"},
+    ProblemCode{"disk_full", 503, "disk full", "the disk is full: what runs is brought to its end, nothing new begins",
+                kDiskFull_s, "store_disk_full disk_full_ends"},
+    ProblemCode{"no_room", 507, "no room on the disk", "the body could not be kept on the disk"},
+};
+
+struct ErrorRow {
+  app::ErrorCode error;
+  std::string_view code;
+};
+constexpr std::array kErrors = {
+    ErrorRow{app::ErrorCode::not_found, "not_found"},     ErrorRow{app::ErrorCode::exists, "exists"},
+    ErrorRow{app::ErrorCode::malformed, "malformed"},     ErrorRow{app::ErrorCode::invalid, "invalid"},
+    ErrorRow{app::ErrorCode::stale, "stale_revision"},    ErrorRow{app::ErrorCode::refused, "refused"},
+    ErrorRow{app::ErrorCode::unavailable, "unavailable"}, ErrorRow{app::ErrorCode::internal, "internal"},
+};
+
+bool has_word(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const std::size_t end = words.find(' ');
+    if (words.substr(0, end) == word) return true;
+    words.remove_prefix(end == std::string_view::npos ? words.size() : end + 1);
+  }
+  return false;
+}
+
+const ProblemCode* by_sentence(unsigned status, std::string_view id) {
+  const auto* const row = std::ranges::find_if(
+      kCodes, [&](const ProblemCode& one) { return one.status == status && has_word(one.sentences, id); });
+  return row == kCodes.end() ? nullptr : row;
+}
+
+// By the sentence itself, or by one that it names: "lathe cannot be armed: the disk is full".
+const ProblemCode& refined(const ProblemCode& plain, std::string_view sentence) {
+  const auto found = said(sentence);
+  if (!found) return plain;
+  if (const ProblemCode* row = by_sentence(plain.status, found->id)) return *row;
+  for (const auto& [name, value] : found->values) {
+    const auto inner = said(value);
+    if (!inner) continue;
+    if (const ProblemCode* row = by_sentence(plain.status, inner->id)) return *row;
+  }
+  return plain;
+}
+
+// The first of kCodes that fits; `internal` where none does.
+template <class Fits>
+const ProblemCode& first(const Fits& fits) {
+  const auto* const row = std::ranges::find_if(kCodes, fits);
+  if (row != kCodes.end()) return *row;
+  return *std::ranges::find(kCodes, "internal", &ProblemCode::code);
+}
+
+}  // namespace
+
+std::span<const ProblemCode> problem_codes() { return kCodes; }
+
+const ProblemCode& problem_code(unsigned status, std::string_view sentence) {
+  return refined(first([&](const ProblemCode& one) { return one.status == status; }), sentence);
+}
+
+const ProblemCode& problem_code(const app::Error& error) {
+  const auto* const row = std::ranges::find(kErrors, error.code, &ErrorRow::error);
+  const std::string_view code = row == kErrors.end() ? "internal" : row->code;
+  return refined(first([&](const ProblemCode& one) { return one.code == code; }), error.text);
+}
+
+}  // namespace dripfeed::json
