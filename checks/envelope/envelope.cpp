@@ -45,11 +45,6 @@ void Envelope::say_what_is_not_known() {
   if (machine.tools.empty()) report_.not_checked.add("the machine's tools are not known");
   if (!(machine.feed_limit_mm_min > 0.0)) report_.not_checked.add("the machine's highest feed is not known");
   if (!(machine.spindle_max_rpm > 0.0)) report_.not_checked.add("the machine's highest spindle speed is not known");
-  for (const checks::MachineAxis& axis : machine.axes) {
-    if (axis.min || axis.max) continue;
-    const char letter = kLetters[static_cast<std::size_t>(axis.axis)];
-    report_.not_checked.add(fmt::format("the travel of {} is not known", letter));
-  }
 }
 
 void Envelope::consume(std::span<const ir::Motion> motions) {

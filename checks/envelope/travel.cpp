@@ -155,6 +155,9 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
     return;
   }
   const bool has_limits = known->min || known->max;
+  if (!has_limits)
+    say_once(said_no_travel_, i, move.place.line,
+             [&] { return fmt::format("the travel of {} is not known", kLetters[i]); });
   double at = value;
   if (!move.machine_coordinates) {
     const bool no_zero = (zero_unknown_ >> i & 1U) != 0 || (move.gaps & ir::kZerosChanged) != 0;

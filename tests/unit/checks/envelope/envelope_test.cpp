@@ -107,6 +107,22 @@ TEST(Envelope, SaysWhatTheProfileHasNoAxisFor) {
   EXPECT_FALSE(says(run({move(rapid, 0, 0, 0, 0)}), "the machine's profile has no axis A: its moves were not checked"));
 }
 
+TEST(Envelope, SaysTheTravelThatIsNotKnownOfWhatMoves) {
+  Settings settings{.machine = mill()};
+  settings.machine.axes.push_back({.axis = ir::Axis::c});
+  constexpr std::string_view kSaid = "the travel of C is not known";
+  const ir::Motion straight = move(rapid, 0, 0, 10, 0);
+  EXPECT_FALSE(says(run({}, settings), kSaid));
+  EXPECT_FALSE(says(run({straight}, settings), kSaid));
+  ir::Motion turn = move(rapid, 10, 0, 10, 0);
+  turn.axes_commanded |= 1U << 5U;
+  turn.end[5] = 90;
+  const Report report = run({straight, turn, turn}, settings);
+  EXPECT_TRUE(says(report, kSaid));
+  EXPECT_EQ(std::ranges::count(report.not_checked.list(), kSaid, &checks::NotChecked::text), 1);
+  EXPECT_TRUE(report.findings.empty());
+}
+
 TEST(Envelope, AsksForEqualRadii) {
   ir::Motion arc = move(arc_cw, 100, 0, 100, 40);
   arc.center = {0, 0, 20.005};
