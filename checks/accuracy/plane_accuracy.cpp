@@ -20,6 +20,7 @@ namespace dripfeed::accuracy {
 namespace {
 
 constexpr double kSamePlace_mm = 1e-6;
+constexpr double kJoin_mm = 0.01;  // ends of a contour that are given in hundredths meet
 constexpr double kShort_mm = 0.25;
 constexpr double kPieceLength_mm = 1.0;
 constexpr int kMostPlaces = 128;
@@ -57,6 +58,9 @@ std::vector<std::string> value_place_limit(const curves::Extreme& worst) {
           text::format_shortest(worst.tolerance)};
 }
 
+// Whether ends of the nominal are one place of a contour.
+bool joins(curves::Point a, curves::Point b) { return curves::distance(a, b) < kJoin_mm; }
+
 void include(curves::Deviation& deviation, const curves::Extreme& here) {
   if (deviation.points++ == 0) deviation.highest = deviation.lowest = here;
   if (here.value > deviation.highest.value) deviation.highest = here;
@@ -69,8 +73,14 @@ PlaneAccuracy::PlaneAccuracy(PlaneSettings settings)
     : settings_(std::move(settings)), covered_(settings_.nominal.size()) {
   report_.in_plane = true;
   for (const PlaneNominal& one : settings_.nominal) {
-    const curves::ParametricCurve& curve = one.curve;
-    closed_.push_back(curves::distance(curve.at(curve.t.low).point, curve.at(curve.t.high).point) < kSamePlace_mm);
+    const curves::Point low = one.curve.at(one.curve.t.low).point;
+    const curves::Point high = one.curve.at(one.curve.t.high).point;
+    closed_.push_back(curves::distance(low, high) < kSamePlace_mm);
+    for (const curves::Point end : {low, high}) {
+      const bool again = std::ranges::any_of(ends_, [&](const End& other) { return joins(end, other.at); });
+      for (End& other : ends_) other.joined = other.joined || joins(end, other.at);
+      ends_.push_back({end, again});
+    }
   }
 }
 
@@ -171,7 +181,8 @@ void PlaneAccuracy::add_piece(const ir::Motion& motion, const curves::PathPiece&
   const curves::Point start = curves::point_at(piece, 0.0);
   const bool joins = last_ && curves::distance(last_->at, start) < kSamePlace_mm;
   Place here = joins ? *last_ : place_of(start, nullptr, 0.0);
-  const Place first = here;
+  Place first = here;
+  Visit last{0.0, here};
   const Side side = side_of(motion, settings_.nominal[first.curve]);
   curves::Deviation deviation;
   std::array<double, kMostPlaces + 1> values{};
@@ -181,39 +192,38 @@ void PlaneAccuracy::add_piece(const ir::Motion& motion, const curves::PathPiece&
     Place before = here;
     if (i > 0) here = place_of(curves::point_at(piece, part), &before, step);
     const auto k = static_cast<std::size_t>(i);
-    const PlaneNominal& nominal = settings_.nominal[here.curve];
     const auto measure = [&](const Place& place, double at) {
       const double value = value_of(place, curves::direction_at(piece, at), side);
-      include(deviation, {value, place.at, nominal.tolerance_mm});
+      include(deviation, {value, place.at, settings_.nominal[place.curve].tolerance_mm});
       return value;
     };
     on[k] = here.on;
     if (here.on) values[k] = measure(here, part);
-    if (!here.on) report_.overrun_mm = std::max(report_.overrun_mm, here.foot.overhang);
+    if (!here.on && !is_joined(here)) report_.overrun_mm = std::max(report_.overrun_mm, here.foot.overhang);
     if (i == 0) continue;
+    const Visit from{part - 1.0 / count, before};
+    const Visit to{part, here};
     if (before.on && here.on && before.curve == here.curve) {
-      const auto [low, high] = std::minmax(before.foot.t, here.foot.t);
-      const curves::Range whole = nominal.curve.t;
-      if (closed_[here.curve] && high - low > 0.5 * whole.width()) {  // over the seam
-        cover(here.curve, {whole.low, low});
-        cover(here.curve, {high, whole.high});
-      } else {
-        cover(here.curve, {low, high});
-      }
-    } else if (before.on != here.on) {
-      // The last place on the curve.
-      double in = before.on ? part - 1.0 / count : part;
-      double out = before.on ? part : part - 1.0 / count;
-      Place end = before.on ? before : here;
-      for (int k_step = 0; k_step < kEndSteps; ++k_step) {
-        const double middle = 0.5 * (in + out);
-        const Place tried = place_of(curves::point_at(piece, middle), &end, step);
-        (tried.on ? in : out) = middle;
-        if (tried.on) end = tried;
-      }
-      measure(end, in);
-      const double inner = before.on ? before.foot.t : here.foot.t;
-      cover(here.curve, {std::min(inner, end.foot.t), std::max(inner, end.foot.t)});
+      cover_between(before, here);
+      last = to;
+      continue;
+    }
+    // Over the end of a curve, and perhaps on to another: each as far as the path passes it.
+    if (before.on) {
+      last = last_on(piece, from, part, step);
+      measure(last.place, last.part);
+      cover_between(before, last.place);
+    }
+    if (here.on) {
+      const Visit entered = last_on(piece, to, from.part, step);
+      measure(entered.place, entered.part);
+      cover_between(entered.place, here);
+      // A join at an end of the piece belongs to the curve that the piece follows.
+      if (i == 1 && entered.part * length < kSamePlace_mm) first = entered.place;
+      const bool ends_at_join = i == count && before.on && (1.0 - last.part) * length < kSamePlace_mm;
+      if (!ends_at_join) last = to;
+    } else {
+      last = to;
     }
   }
   for (std::size_t i = 0; i + 2 <= static_cast<std::size_t>(count); i += 2) {
@@ -225,12 +235,43 @@ void PlaneAccuracy::add_piece(const ir::Motion& motion, const curves::PathPiece&
     deviation.integral += 2.0 * step / 6.0 * (a + 4.0 * b + c);
     deviation.integral_square += 2.0 * step / 6.0 * (a * a + 4.0 * b * b + c * c);
   }
-  add_bound(piece, first, here, side, deviation.points > 0 ? deviation.largest() : 0.0);
+  add_bound(piece, first, last.place, side, deviation.points > 0 ? deviation.largest() : 0.0);
   along_ += length;
   last_ = here;
   path_.add(deviation, motion.place.line);
   surface_.add(deviation, motion.place.line);
   judge(deviation, motion.place);
+}
+
+bool PlaneAccuracy::is_joined(const Place& place) const {
+  const curves::Range t = settings_.nominal[place.curve].curve.t;
+  const bool low = std::fabs(place.foot.t - t.low) < std::fabs(t.high - place.foot.t);
+  return place.foot.at_end && ends_[2 * place.curve + (low ? 0 : 1)].joined;
+}
+
+PlaneAccuracy::Visit PlaneAccuracy::last_on(const curves::PathPiece& piece, Visit inside, double outside,
+                                            double step_mm) const {
+  const std::size_t curve = inside.place.curve;
+  for (int i = 0; i < kEndSteps; ++i) {
+    const double middle = 0.5 * (inside.part + outside);
+    const Place tried = place_of(curves::point_at(piece, middle), &inside.place, step_mm);
+    if (tried.on && tried.curve == curve)
+      inside = {middle, tried};
+    else
+      outside = middle;
+  }
+  return inside;
+}
+
+void PlaneAccuracy::cover_between(const Place& a, const Place& b) {
+  const auto [low, high] = std::minmax(a.foot.t, b.foot.t);
+  const curves::Range whole = settings_.nominal[a.curve].curve.t;
+  if (closed_[a.curve] && high - low > 0.5 * whole.width()) {  // over the seam
+    cover(a.curve, {whole.low, low});
+    cover(a.curve, {high, whole.high});
+  } else {
+    cover(a.curve, {low, high});
+  }
 }
 
 void PlaneAccuracy::add_bound(const curves::PathPiece& piece, const Place& first, const Place& last, const Side& side,

@@ -47,6 +47,16 @@ class PlaneAccuracy final : public ir::MotionSink {
     curves::ParametricFoot foot;
     bool on = false;  // on the nominal, not beyond an end
   };
+  // The place at `part` of a piece, 0 at its start, 1 at its end.
+  struct Visit {
+    double part = 0.0;
+    Place place;
+  };
+  // An end of a nominal curve; joined where another curve's end lies on it, or its own.
+  struct End {
+    curves::Point at;
+    bool joined = false;
+  };
   struct Side {
     double offset_mm = 0.0;  // the edge's distance from the path: the radius, or 0
     double left = 1.0;       // what lies to the left of the path is material that is left (1) or missing (-1)
@@ -61,6 +71,12 @@ class PlaneAccuracy final : public ir::MotionSink {
   void add_bound(const curves::PathPiece& piece, const Place& first, const Place& last, const Side& side,
                  double largest);
   void judge(const curves::Deviation& deviation, const ir::Place& place);
+  // Of a place beside an end of its curve: whether the contour goes on there.
+  [[nodiscard]] bool is_joined(const Place& place) const;
+  // The last place on the curve of `inside` on the path towards the part `outside`, where it is on it no more.
+  [[nodiscard]] Visit last_on(const curves::PathPiece& piece, Visit inside, double outside, double step_mm) const;
+  // What lies between two neighbouring places on one curve.
+  void cover_between(const Place& a, const Place& b);
   void cover(std::size_t curve, curves::Range t);
   void find_gaps();
 
@@ -70,7 +86,8 @@ class PlaneAccuracy final : public ir::MotionSink {
   Sums surface_;
   Trace trace_;
   std::vector<std::vector<curves::Range>> covered_;  // by curve, disjoint, in order
-  std::vector<bool> closed_;
+  std::vector<bool> closed_;                         // by curve
+  std::vector<End> ends_;                            // by curve, low and high
   double radius_ = 0.0;
   bool radius_known_ = false;
   bool surface_known_ = true;

@@ -149,6 +149,72 @@ TEST(PlaneAccuracy, RunOutBeyondTheCurveIsReportedApart) {
   EXPECT_TRUE(report.findings.empty());
 }
 
+// A part of the circle as a curve of its own.
+curves::ParametricCurve part_of_circle(double from, double to) {
+  curves::ParametricCurve curve = circle();
+  curve.t = {from, to};
+  return curve;
+}
+curves::ParametricCurve straight(Point from, Point to) { return curves::curve_of({2, {from, to}, {}, {}}); }
+
+PlaneSettings settings_for(const std::vector<curves::ParametricCurve>& curves) {
+  PlaneSettings settings = settings_for(curves.front());
+  settings.nominal.clear();
+  for (const curves::ParametricCurve& one : curves) settings.nominal.push_back({one, 0.02, false});
+  return settings;
+}
+
+TEST(PlaneAccuracy, WhatIsJoinedIsCoveredAsOnePieceIs) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  for (const std::vector<double>& cuts : {std::vector<double>{0, 0.5}, {0.1, 0.35, 0.8}, {0, 0.25, 0.5, 0.75}}) {
+    std::vector<curves::ParametricCurve> parts;
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      parts.push_back(part_of_circle(kTurn * cuts[i], kTurn * (i + 1 < cuts.size() ? cuts[i + 1] : cuts[0] + 1)));
+    for (const bool backwards : {false, true}) {
+      const Report chorded = run(settings_for(parts), chords(circle(), 300, 0, ir::CompSide::right, backwards));
+      EXPECT_TRUE(chorded.covered) << cuts.size() << ": " << (chorded.gaps.empty() ? 0 : chorded.gaps[0].high_mm);
+      EXPECT_EQ(chorded.overrun_mm, 0.0);
+      EXPECT_TRUE(chorded.chord_bound_mm) << cuts.size();
+      EXPECT_EQ(chorded.findings.count(DiagnosticId::nominal_not_covered), 0U);
+    }
+    ir::Motion arc = line({30, 0}, {30, 0}, ir::CompSide::right);
+    arc.kind = ir::MotionKind::arc_ccw;
+    arc.center = {-30, 0, 0};
+    EXPECT_TRUE(run(settings_for(parts), {arc}).covered) << cuts.size();
+  }
+}
+
+TEST(PlaneAccuracy, ACornerBetweenTwoCurvesIsNoEndToRunOut) {
+  const std::vector<Point> corners = {{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}};
+  std::vector<curves::ParametricCurve> sides;
+  std::vector<ir::Motion> on_it;
+  std::vector<ir::Motion> beside_it;  // the centre of a cutter of radius 5, outside
+  const auto beside = [](Point corner) {
+    return Point{corner.z + (corner.z > 20 ? 5 : -5), corner.x + (corner.x > 20 ? 5 : -5)};
+  };
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    sides.push_back(straight(corners[i], corners[i + 1]));
+    on_it.push_back(line(corners[i], corners[i + 1], ir::CompSide::right));
+    beside_it.push_back(line(beside(corners[i]), beside(corners[i + 1])));
+  }
+  const Report compensated = run(settings_for(sides), on_it);
+  EXPECT_TRUE(compensated.covered);
+  EXPECT_EQ(compensated.overrun_mm, 0.0);
+  const Report outside = run(settings_for(sides), beside_it);
+  EXPECT_TRUE(outside.covered);
+  EXPECT_EQ(outside.overrun_mm, 0.0);
+  EXPECT_LT(outside.path.max_mm, 1e-9);
+  // One side is left out: that is still found, and only that.
+  on_it.pop_back();
+  const Report open = run(settings_for(sides), on_it);
+  ASSERT_EQ(open.gaps.size(), 1U);
+  EXPECT_NEAR(open.gaps[0].high_mm, 40.0, 1e-3);
+  // The end of a contour that is open is one.
+  sides.pop_back();
+  on_it.push_back(line({0, 40}, {-8, 40}, ir::CompSide::right));
+  EXPECT_NEAR(run(settings_for(sides), on_it).overrun_mm, 8.0, 1e-6);
+}
+
 TEST(PlaneAccuracy, WhatIsNotKnownIsSaidAndNothingHangs) {
   const Report unknown = run(settings_for(circle()), chords(circle(), 60, 0), 9);
   EXPECT_FALSE(unknown.surface);
