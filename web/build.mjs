@@ -10,6 +10,7 @@ import { promisify } from 'node:util';
 import { brotliCompress, constants, gzip } from 'node:zlib';
 import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
+import { licencesOf } from './licences.mjs';
 
 const root = path.dirname(fileURLToPath(import.meta.url));
 const at = (...parts) => path.join(root, ...parts);
@@ -53,13 +54,14 @@ async function writePage(outputs) {
 }
 
 // The pages of the documentation, with their own sheet and the page's icon.
-async function writeDocPages(outputs) {
+async function writeDocPages({ inputs, outputs }) {
   const address = (wanted) => `/assets/${path.basename(Object.keys(outputs).find(wanted))}`;
   await writeDocs({
     repository: at('..'),
     into: at('dist', 'docs'),
     style: address((file) => /\/docs-[^/]*\.css$/.test(file)),
     icon: address((file) => file.endsWith('.svg')),
+    licences: await licencesOf(root, Object.keys(inputs)),
   });
 }
 
@@ -82,7 +84,7 @@ const finish = {
     build.onEnd(async (result) => {
       if (!result.metafile) return;
       await writePage(result.metafile.outputs);
-      await writeDocPages(result.metafile.outputs);
+      await writeDocPages(result.metafile);
       await compress(at('dist', 'assets'));
       await compress(at('dist', 'docs'));
     });

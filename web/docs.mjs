@@ -7,6 +7,8 @@ import { Marked } from 'marked';
 // The order in which the pages are listed; others follow by name.
 const kFirst = ['getting-started', 'concepts', 'safety', 'families', 'dialects', 'checks', 'diagnostics', 'optimizing', 'connecting', 'profiles', 'page', 'operating', 'api'];
 
+const kLicences = '<!-- bundled packages -->';
+
 const escape = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
 
 // The anchor that GitHub gives a heading, too.
@@ -88,8 +90,9 @@ ${body}</main>
 `;
 }
 
-// `repository`: its root; `into`: dist/docs; `style` and `icon`: addresses of what was built.
-export async function writeDocs({ repository, into, style, icon }) {
+// `repository`: its root; `into`: dist/docs; `style` and `icon`: addresses of what was built; `licences`: of the packages
+// that were bundled, as markdown.
+export async function writeDocs({ repository, into, style, icon, licences }) {
   await mkdir(into, { recursive: true });
   const read = (...parts) => readFile(path.join(repository, ...parts), 'utf8');
   const names = (await readdir(path.join(repository, 'docs'))).filter((name) => name.endsWith('.md')).map((name) => name.slice(0, -3));
@@ -97,6 +100,9 @@ export async function writeDocs({ repository, into, style, icon }) {
   names.sort((a, b) => place(a) - place(b) || a.localeCompare(b));
   const pages = [{ name: 'index', markdown: await read('README.md') }];
   for (const name of names) pages.push({ name, markdown: await read('docs', `${name}.md`) });
+  const shipped = pages.find(({ markdown }) => markdown.includes(kLicences));
+  if (!shipped) throw new Error(`docs: no page has the place ${kLicences}`);
+  shipped.markdown = shipped.markdown.replace(kLicences, () => licences);
   for (const { name, markdown } of pages) {
     const list = pages
       .map((page) => {

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { hrefOf, htmlOf, slugOf, titleOf } from '../docs.mjs';
+import { packageOf, packagesOf, sectionOf } from '../licences.mjs';
 
 test('links between files lead to pages, others stay or become text', () => {
   assert.equal(hrefOf('docs/safety.md'), '/docs/safety');
@@ -24,4 +25,16 @@ test('text stays text', () => {
   assert.doesNotMatch(html, /<script|<b |<!--/);
   assert.match(html, /G1 X&lt;1&gt;/);
   assert.equal(titleOf('# A `b` c\n'), 'A b c');
+});
+
+test('the packages of a bundle are found, each once', () => {
+  assert.equal(packageOf('node_modules/@codemirror/view/dist/index.js'), '@codemirror/view');
+  assert.equal(packageOf('src/main.tsx'), null);
+  assert.deepEqual(packagesOf(['node_modules/three/build/a.js', 'src/a.ts', 'node_modules/preact/x.mjs', 'node_modules/three/b.js']), ['preact', 'three']);
+});
+
+test("a licence's text is shown as its author wrote it", () => {
+  const html = htmlOf(sectionOf({ name: 'a', version: '1.2', license: 'MIT', text: '# MIT\n<b>as is</b>\n```\n' }));
+  assert.match(html, /<h3 [^>]*>.*a 1\.2: MIT/);
+  assert.match(html, /# MIT\n&lt;b&gt;as is&lt;\/b&gt;/);
 });
