@@ -65,4 +65,27 @@ Mention mention_of(std::string_view text, std::string_view target) {
   return found;
 }
 
+// The first argument of each: VAR INT, whether it went well (PGA, "Read lines in the file", "Write file", "Delete
+// file", "Read out file information", "Process DataShare"). What else they give back are texts.
+bool is_given_back(std::string_view text, std::string_view target) {
+  constexpr std::string_view kProcedures[] = {"READ",     "WRITE",    "DELETE",   "EXTOPEN",  "EXTCLOSE",
+                                              "FILEDATE", "FILETIME", "FILESIZE", "FILESTAT", "FILEINFO"};
+  const std::string upper = text::upper_case(text);
+  const auto behind_blanks = [&upper](std::size_t at) {
+    return std::min(upper.find_first_not_of(" \t", at), upper.size());
+  };
+  for (const std::string_view name : kProcedures) {
+    for (std::size_t at = upper.find(name); at != std::string::npos; at = upper.find(name, at + 1)) {
+      const std::size_t open = behind_blanks(at + name.size());
+      if ((at > 0 && is_in_name(upper[at - 1])) || open == upper.size() || upper[open] != '(') continue;
+      const std::size_t argument = behind_blanks(open + 1);
+      if (argument == upper.size()) continue;
+      const auto end = end_of_name(upper, argument, target);
+      const std::size_t next = end ? behind_blanks(*end) : upper.size();
+      if (next < upper.size() && (upper[next] == ',' || upper[next] == ')')) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace dripfeed::compile

@@ -2,11 +2,14 @@
 #include "dialects/compile/native_other_uses.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "dialects/compile/native_mention.h"
 #include "dialects/facts/calls.h"
 #include "dialects/ir/sections.h"
 #include "dialects/passes/walk.h"
+#include "dialects/sinumerik/declared_programs.h"
+#include "dialects/text/upper_case.h"
 
 namespace dripfeed::compile {
 
@@ -31,6 +34,7 @@ class Search {
     if (s.kind == StatementKind::native) return native(i);
     if (s.kind == StatementKind::execute_text) return executed_text(i);
     if (facts::is_call(s.kind) && is_elsewhere(i)) out_.calls.push_back(i);
+    if (facts::is_call(s.kind) && variable_.bank() != ir::Bank::hash) external_call(i);
     bool reads = false;
     bool writes = false;
     for (const passes::VariableUseAt& use : passes::variables_of(program_, s))
@@ -48,7 +52,38 @@ class Search {
   void native(std::uint32_t i) {
     const Mention mention = mention_of(program_.statements[i].span.in(program_.source.text()), target_);
     if (mention == Mention::sets) out_.actions.push_back(i);
-    if (mention == Mention::reads) out_.reads.push_back(i);
+    if (mention != Mention::reads) return;
+    const bool returned = is_given_back(program_.statements[i].span.in(program_.source.text()), target_);
+    (returned ? out_.returns : out_.reads).push_back(i);
+  }
+
+  // A call that hands the variable itself to a program which is not here: EXTERN says whether that gives it back; where
+  // it does not, nobody knows.
+  void external_call(std::uint32_t i) {
+    const ir::Call& call = program_.calls[program_.statements[i].payload];
+    if (call.name == ir::StringId::none || facts::is_standard_cycle(program_, program_.statements[i]) ||
+        procedure_named(program_, call.name) != nullptr)
+      return;
+    const auto declared = declaration_of(program_.strings.at(call.name));
+    for (std::uint32_t k = 0; k < call.argument_count; ++k) {
+      const ir::ExpressionId value = program_.arguments[call.first_argument + k].value;
+      if (value == ir::ExpressionId::none || program_.at(value).op != ir::Operator::variable ||
+          !variable_.is(program_, program_.at(value).variable))
+        continue;
+      if (!declared && variable_.bank() == ir::Bank::named)
+        out_.calls.push_back(i);
+      else if (declared && k < declared->parameters.size() && declared->parameters[k].by_reference)
+        out_.returns.push_back(i);
+    }
+  }
+
+  [[nodiscard]] std::optional<sinumerik::DeclaredProgram> declaration_of(std::string_view name) const {
+    for (const ir::Statement& s : program_.statements) {
+      if (s.kind != StatementKind::declaration) continue;
+      auto declared = sinumerik::declared_program(program_, s);
+      if (declared && declared->name == text::upper_case(name)) return declared;
+    }
+    return std::nullopt;
   }
 
   void executed_text(std::uint32_t i) {

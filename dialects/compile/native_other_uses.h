@@ -17,6 +17,7 @@ struct OtherUses {
   std::vector<std::uint32_t> reads;    // may read it
   std::vector<std::uint32_t> writes;   // may set it where they stand
   std::vector<std::uint32_t> actions;  // set it at any time
+  std::vector<std::uint32_t> returns;  // may give back another value in it, as in an argument
   std::vector<std::uint32_t> calls;    // of programs that are not here and may do both
 };
 

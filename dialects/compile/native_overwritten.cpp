@@ -81,6 +81,12 @@ Overwritten overwritten(const ir::Program& program, const ir::Control& control, 
             fmt::format("{} may set it before it is read, by a computed number or a text that is executed",
                         lines_of(program, writes)),
             writes};
+  const Statements returns = between(program, setting, others.returns, reads);
+  if (!returns.empty())
+    return {true,
+            fmt::format("{} may set it before it is read: a procedure gives back values in its arguments",
+                        lines_of(program, returns)),
+            returns};
   if (calls.empty()) return {};
   return {false,
           fmt::format("programs that the native text does not hold may set it before it is read: {}",
@@ -102,7 +108,9 @@ Overwritten overwritten_parameter(const ir::Program& program, const ir::Structur
     reads[i] = variable.is_read_by(program, i);
   }
   const std::string name = text::upper_case(program.strings.at(program.at(symbol).name));
-  Statements writes = other_uses(program, variable, name, SeenBy::own_program, scope).writes;
+  const OtherUses others = other_uses(program, variable, name, SeenBy::own_program, scope);
+  Statements writes = others.writes;
+  writes.insert(writes.end(), others.returns.begin(), others.returns.end());
   for (const NativeVariable::Setting& one : variable.settings(program)) writes.push_back(one.statement);
   const std::vector<bool> reached = reached_from(program, own.first, reads);
   std::erase_if(writes, [&](std::uint32_t one) { return reads[one] || !reached[one]; });

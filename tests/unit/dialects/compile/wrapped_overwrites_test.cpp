@@ -109,6 +109,39 @@ TEST(WrappedOverwrites, ProgramsThatAreNotHereAreAWarning) {
   EXPECT_EQ(mill("#100", "O1\n#100=5.\nM98P2\nG1X#100\nM30\nO2\nG0Z1.\nM99\n"), "");
 }
 
+// READ(VAR INT error, ...): what a procedure of the control leaves in its argument.
+TEST(WrappedOverwrites, ProceduresGiveBackValues) {
+  for (const char* line : {"READ(R1,\"_N_F_MPF\",1,1,TXT)", "N20 read ( R[1] , \"F\",1,1,TXT)",
+                           "FILEDATE(R1,\"F\",TXT)", "WRITE(R1,\"F\",\"SIZE\")"}) {
+    const std::string text = std::string("DEF STRING[20] TXT\nR1=5\n") + line + "\nG1 X=R1\nM30\n";
+    EXPECT_EQ(turn("R1", text),
+              "error: R1 does not take the value: line 3 of the native program may set it before it is read: a "
+              "procedure gives back values in its arguments\n")
+        << line;
+  }
+  for (const char* line : {"READ(R10,\"F\",1,1,TXT)", "READ(R10,\"F\",R1,1,TXT)", "WRITE(R10,\"F\",\"R1\")",
+                           "READ(R10,\"F\",R1+1,1,TXT)"}) {
+    const std::string text = std::string("DEF STRING[20] TXT\nR1=5\n") + line + "\nG1 X=R1\nM30\n";
+    EXPECT_EQ(turn("R1", text), "") << line;
+  }
+  EXPECT_EQ(turn("R1", "DEF STRING[20] TXT\nR1=5\nG1 X=R1\nREAD(R1,\"F\",1,1,TXT)\nM30\n"), "");
+}
+
+TEST(WrappedOverwrites, AProgramThatIsNotHereMayGiveBackItsArguments) {
+  const auto native = [](const std::string& external, const std::string& call) {
+    return external + "DEF REAL DIA=5\n" + call + "\nG1 X=DIA\nM30\n";
+  };
+  EXPECT_EQ(
+      turn("DIA", native("EXTERN GROOVE(REAL, VAR REAL)\n", "GROOVE(1,DIA)")),
+      "error: DIA does not take the value: line 3 of the native program may set it before it is read: a procedure "
+      "gives back values in its arguments\n");
+  EXPECT_TRUE(has(turn("R1", "EXTERN GROOVE(VAR REAL)\nR1=5\nGROOVE(R1)\nG1 X=R1\nM30\n"), "error: R1 does not"));
+  EXPECT_TRUE(has(turn("DIA", native("", "GROOVE(1,DIA)")), "warning: DIA may lose the value"));
+  EXPECT_EQ(turn("DIA", native("EXTERN GROOVE(REAL, VAR REAL)\n", "GROOVE(DIA,R1)")), "");
+  EXPECT_EQ(turn("DIA", native("EXTERN GROOVE(REAL, REAL)\n", "GROOVE(1,DIA)")), "");
+  EXPECT_EQ(turn("DIA", native("", "GROOVE(1,DIA+0)")), "");
+}
+
 TEST(WrappedOverwrites, VariablesOfOtherProgramsAreOthers) {
   const std::string two =
       "%_N_MAIN_MPF\nEXTERN SUBP\nDEF REAL A1=5\nSUBP\nG1 X=A1\nM30\n%_N_SUBP_SPF\nPROC SUBP\n"
