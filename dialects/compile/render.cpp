@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <set>
 #include <utility>
@@ -10,11 +11,13 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/annotate.h"
+#include "dialects/compile/cone_leads.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/index_places.h"
 #include "dialects/compile/print_for.h"
 #include "dialects/compile/printed_lines.h"
+#include "dialects/compile/thread_leads.h"
 #include "dialects/compile/try_out.h"
 #include "dialects/compile/wrap.h"
 #include "dialects/compile/wrapped_family.h"
@@ -148,6 +151,7 @@ class Renderer {
     try_lists();
     if (text::has_error(result_.diagnostics)) return;
     ir::RaiseResult raised = raise(built_, control_);
+    settle_cones(raised);
     if (request_.delivery == ir::Delivery::drip && jumps(raised.program)) {
       raised.diagnostics.push_back(ir::diagnose(request_.target, text::DiagnosticId::not_in_drip_mode, {}, {"a loop"}));
     }
@@ -167,6 +171,23 @@ class Renderer {
       return explicit_blocks(fmt::format("as a macro a block has {} bytes, the control takes {}", longest, most));
     report({ir::diagnose(request_.target, text::DiagnosticId::block_too_long, {},
                          {std::to_string(longest), std::to_string(most)})});
+  }
+
+  void settle_cones(ir::RaiseResult& raised) {
+    const auto threads = [](const family::Step& one) { return one.kind == family::StepKind::thread; };
+    const bool has_threads =
+        std::ranges::any_of(family_->steps, threads) || std::ranges::any_of(family_->subprograms, [&](const auto& sub) {
+          return std::ranges::any_of(sub.steps, threads);
+        });
+    if (!has_threads || !leads_by_letters(request_.target)) return;
+    const std::map<std::uint32_t, ConeLead> leads = cone_leads(built_, control_);
+    for (const auto& [line, lead] : leads) {
+      if (lead != ConeLead::either) continue;
+      raised.diagnostics.push_back(
+          ir::diagnose(request_.target, text::DiagnosticId::cannot_translate, span_of_line(line),
+                       {"a thread that is now longer along X and now along Z", request_.target.title}));
+    }
+    name_cone_leads(raised.program, leads);
   }
 
   static std::size_t longest_line(std::string_view text) {

@@ -41,10 +41,14 @@ ir::Program with_unknown_lists(std::span<const family::List> lists, const ir::Pr
 }  // namespace
 
 interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control) {
+  NoMotions none;
+  return try_out(program, control, none);
+}
+
+interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control, ir::MotionSink& motions) {
   interpreter::RunOptions options;
   options.limits.blocks = options.limits.loop_passes = kMostTried;
-  NoMotions none;
-  return execute(program, control, nullptr, none, options);
+  return execute(program, control, nullptr, motions, options);
 }
 
 std::set<std::uint32_t> lines_of_unset_numbers(std::span<const family::List> lists, const ir::Program& built,

@@ -8,12 +8,15 @@
 #include "dialects/family/model.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
+#include "dialects/ir/motion.h"
 #include "dialects/ir/program.h"
 
 namespace dripfeed::compile {
 
 // What a program does that calls no other; a long one is not tried to its end.
 interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control);
+// The same, with its motions.
+interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control, ir::MotionSink& motions);
 
 // Lines of the family that take a number of a list before a step has set it: here it is a zero, at the control whatever
 // was left there.

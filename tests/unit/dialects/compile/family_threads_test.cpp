@@ -55,5 +55,36 @@ TEST(FamilyThreads, TheFeedBehindAThreadIsTheOneBefore) {
                               {linear, 0.8}}));
 }
 
+// The letter of the lead names the axis that the cone is longer along, also where the control computes its end.
+TEST(FamilyThreads, TheLeadOfASteepConeCountsAlongX) {
+  const text::Source steep = lathe(
+      "  rapid x 20 mm z 3 mm\n  let far = 50 mm + n*10 mm\n  thread x far z 0 mm pitch p\n  thread x far + 10 mm z "
+      "-20 mm pitch p\n"
+      "  rapid x 20 mm z 3 mm\n  thread x 40 mm z -8 mm pitch 2*p\n");
+  EXPECT_EQ(cuts_of(steep).size(), 3U);
+  for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
+    const std::string text = rendered(steep, "sinumerik-840d", mode, {}).text;
+    std::string letters;
+    for (std::size_t at = text.find("G33"); at != std::string::npos && at < text.size(); at = text.find('\n', at) + 1) {
+      const std::string line = text.substr(at, text.find('\n', at) - at);
+      if (line.contains(" I")) letters += 'I';
+      if (line.contains(" K")) letters += 'K';
+    }
+    EXPECT_EQ(letters, "IKK") << text;
+  }
+}
+
+// Which letter it is, no macro can choose.
+TEST(FamilyThreads, AConeThatIsNowSteepAndNowNotIsPlainBlocks) {
+  const text::Source both = lathe(
+      "  for q from 1 to 3 step 1\n    rapid x 20 mm z 3 mm\n    thread x 20 mm + q*20 mm z -22 mm pitch p\n  end\n");
+  const RenderResult made = rendered(both, "sinumerik-840d", RenderMode::automatic, {});
+  EXPECT_EQ(made.mode, RenderMode::explicit_blocks);
+  EXPECT_TRUE(made.because.contains("now longer along X")) << made.because;
+  EXPECT_TRUE(made.text.contains(" K1.5") && made.text.contains(" I1.5")) << made.text;
+  EXPECT_TRUE(text::has_error(rendered(both, "sinumerik-840d", RenderMode::macro, {}).diagnostics));
+  EXPECT_FALSE(text::has_error(rendered(both, "fanuc", RenderMode::macro, {}).diagnostics));
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
