@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string_view>
@@ -156,7 +157,36 @@ class Binder {
     return std::nullopt;
   }
 
+  // The points of every interpolation in it: two or more, from left to right, which no step changes.
+  bool check_points(ir::ExpressionId id) {
+    if (id == ir::ExpressionId::none) return true;
+    const ir::Expression& e = family_.arena.at(id);
+    const int operands = ir::operand_count(e.op);
+    if (e.op != kAlong) return operands == 0 || (check_points(e.a) && (operands == 1 || check_points(e.b)));
+    if (!check_points(e.a)) return false;
+    const std::string fault = fault_of_points(points_of(family_.arena, e));
+    if (!fault.empty()) report(DiagnosticId::family_syntax, e.span, {fault});
+    return fault.empty();
+  }
+
+  [[nodiscard]] std::string fault_of_points(const PointLists& lists) const {
+    const auto name_of = [this](ir::SymbolId list) { return family_.arena.strings.at(family_.arena.at(list).name); };
+    for (const ir::SymbolId list : {lists.x, lists.y})
+      if (!known_[static_cast<std::size_t>(list)])
+        return fmt::format("the program changes {}: an interpolation takes lists that stay", name_of(list));
+    const auto xs = list_in(result_.bound.values, lists.x);
+    const auto ys = list_in(result_.bound.values, lists.y);
+    if (xs.size() != ys.size())
+      return fmt::format("{} has {} numbers and {} has {}", name_of(lists.x), xs.size(), name_of(lists.y), ys.size());
+    if (xs.size() < 2) return fmt::format("{} has one number: an interpolation takes two or more", name_of(lists.x));
+    const auto back = std::ranges::adjacent_find(xs, std::greater_equal<>());
+    if (back == xs.end()) return {};
+    return fmt::format("{} must increase: {} follows {}", name_of(lists.x), text::format_shortest(*(back + 1)),
+                       text::format_shortest(*back));
+  }
+
   void define(const Definition& definition) {
+    if (!check_points(definition.value)) return;
     if (const std::optional<double> value = compute(definition.value)) know(definition.symbol, *value);
   }
 
@@ -181,6 +211,7 @@ class Binder {
   }
 
   void check(const Requirement& requirement) {
+    if (!check_points(requirement.condition)) return;
     const std::optional<double> holds = compute(requirement.condition);
     if (!holds || *holds != 0.0) return;
     std::string condition(requirement.span.in(family_.source.text()));
@@ -213,6 +244,7 @@ class Binder {
     const int operands = ir::operand_count(e.op);
     if (operands > 0) check_indices(e.a);
     if (operands > 1) check_indices(e.b);
+    if (e.op == kAlong) (void)check_points(id);
     if (e.op != ir::Operator::variable) return;
     const ir::Variable& v = family_.arena.at(e.variable);
     if (v.index == ir::ExpressionId::none) return;

@@ -89,6 +89,17 @@ constexpr auto kBinary = std::to_array<BinaryRow>({
     {Operator::greater_equal, [](Dual a, Dual b) { return Dual{truth(a.value >= b.value)}; }},
 });
 
+// As ValueWriter has it computed.
+Dual along(std::span<const double> xs, std::span<const double> ys, Dual x) {
+  if (xs.size() < 2 || ys.size() != xs.size() || !(x.value == x.value)) return {kUndefined};
+  if (x.value <= xs.front()) return {ys.front()};
+  if (x.value >= xs.back()) return {ys.back()};
+  std::size_t n = 1;
+  while (n + 1 < xs.size() && xs[n] < x.value) ++n;
+  const double slope = (ys[n] - ys[n - 1]) / (xs[n] - xs[n - 1]);
+  return {ys[n - 1] + (x.value - xs[n - 1]) * slope, slope * x.slope};
+}
+
 Dual leaf(const ir::Program& arena, const ir::Expression& e, std::span<const double> values, ir::SymbolId by) {
   if (e.op == Operator::constant) return {e.value};
   if (e.op != Operator::variable) return {kUndefined};
@@ -111,6 +122,12 @@ double value_of(const ir::Program& arena, const ir::Variable& variable, std::spa
   return is_one ? list[static_cast<std::size_t>(index)] : kUndefined;
 }
 
+PointLists points_of(const ir::Program& arena, const ir::Expression& along) {
+  const ir::Expression& points = arena.at(along.b);
+  const auto list = [&arena](ir::ExpressionId id) { return arena.at(arena.at(id).variable).symbol; };
+  return {list(points.a), list(points.b)};
+}
+
 std::uint32_t uses_of(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol) {
   const ir::Expression& e = arena.at(expression);
   const int operands = ir::operand_count(e.op);
@@ -123,6 +140,13 @@ std::uint32_t uses_of(const ir::Program& arena, ir::ExpressionId expression, ir:
 
 bool names(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol) {
   return uses_of(arena, expression, symbol) > 0;
+}
+
+bool interpolates_by(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol) {
+  const ir::Expression& e = arena.at(expression);
+  if (e.op == kAlong) return names(arena, expression, symbol);
+  const int operands = ir::operand_count(e.op);
+  return operands > 0 && (interpolates_by(arena, e.a, symbol) || (operands > 1 && interpolates_by(arena, e.b, symbol)));
 }
 
 UnaryRule unary_rule(Operator op) {
@@ -144,6 +168,10 @@ Dual evaluate(const ir::Program& arena, ir::ExpressionId expression, std::span<c
     const UnaryRule rule = unary_rule(e.op);
     return rule == nullptr ? Dual{kUndefined} : rule(a);
   }
+  if (e.op == kAlong) {
+    const PointLists points = points_of(arena, e);
+    return along(list_in(values, points.x), list_in(values, points.y), a);
+  }
   const BinaryRule rule = binary_rule(e.op);
   return rule == nullptr ? Dual{kUndefined} : rule(a, evaluate(arena, e.b, values, by));
 }
@@ -155,7 +183,7 @@ ir::ExpressionId first_undefined(const ir::Program& arena, ir::ExpressionId expr
   if (operands > 0) {
     if (const ir::ExpressionId in_a = first_undefined(arena, e.a, values); in_a != ir::ExpressionId::none) return in_a;
   }
-  if (operands > 1) {
+  if (operands > 1 && e.op != kAlong) {
     if (const ir::ExpressionId in_b = first_undefined(arena, e.b, values); in_b != ir::ExpressionId::none) return in_b;
   }
   return std::isfinite(evaluate(arena, expression, values).value) ? ir::ExpressionId::none : expression;

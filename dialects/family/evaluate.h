@@ -21,6 +21,19 @@ using BinaryRule = Dual (*)(Dual a, Dual b);
 UnaryRule unary_rule(ir::Operator op);
 BinaryRule binary_rule(ir::Operator op);
 
+// interpolate(xs, ys, x) in an arena of families, whose texts have no operators: kAlong(x, kPoints(xs, ys)), the lists
+// as variables without an index. Straight between neighbouring points; before the first and behind the last point its
+// value.
+inline constexpr ir::Operator kAlong = ir::Operator::find_text;
+inline constexpr ir::Operator kPoints = ir::Operator::concatenate;
+
+// The lists of a kAlong.
+struct PointLists {
+  ir::SymbolId x = ir::SymbolId::none;
+  ir::SymbolId y = ir::SymbolId::none;
+};
+PointLists points_of(const ir::Program& arena, const ir::Expression& along);
+
 // The numbers of a list in `values`. They lie after those of the symbols: at the list's symbol stands where the first
 // is, and one before that how many there are.
 std::span<const double> list_in(std::span<const double> values, ir::SymbolId list);
@@ -38,6 +51,9 @@ bool names(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId s
 
 // How often the expression, taken as a tree, names the symbol.
 std::uint32_t uses_of(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol);
+
+// Whether it interpolates at places that depend on the symbol.
+bool interpolates_by(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol);
 
 // The first node in evaluation order whose operands are finite and whose value is not; none when there is none.
 ir::ExpressionId first_undefined(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values);

@@ -103,6 +103,8 @@ class ExpressionReader {
   ir::ExpressionId index_of(const Scope::Name& list);
   Typed function();
   Typed count();
+  Typed interpolate(text::Span span);
+  const Scope::Name* list_name();
   Typed built_in(std::string_view name, text::Span span);
   Typed user_function(const UserFunction& function, text::Span span);
   std::vector<Typed> arguments(std::size_t count);

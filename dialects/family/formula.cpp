@@ -43,6 +43,8 @@ std::uint32_t Formula::add(const ir::Program& arena, ir::ExpressionId id, std::s
       return static_cast<std::uint32_t>(nodes_.size() - 1);
     }
     node.constant = evaluate(arena, id, values);
+  } else if (e.op == kAlong) {
+    node.constant = is_free_of(arena, id) ? evaluate(arena, id, values) : Dual{kNoNumber};
   } else {
     node.a = add(arena, e.a, values);
     node.b = operands > 1 ? add(arena, e.b, values) : node.a;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/family/evaluate.h"
 #include "dialects/family/expression_reader.h"
 
 namespace dripfeed::family {
@@ -51,6 +52,8 @@ const FunctionRow* find_function(std::string_view name) {
 constexpr std::int8_t half(std::int8_t exponent) { return static_cast<std::int8_t>(exponent / 2); }
 
 constexpr std::string_view kCount = "count";
+constexpr std::string_view kInterpolate = "interpolate";
+constexpr std::uint32_t kInterpolationSize = 30;  // nodes, as the control computes it
 
 // Copies of a tree in its own arena with expressions in place of symbols. What was one node stays one: a power
 // multiplies a node with itself.
@@ -92,7 +95,7 @@ Typed ExpressionReader::function() {
   const text::Span at = cursor_.peek().span;
   const std::string name(cursor_.word());
   const UserFunction* own = family_.find_function(name);
-  if (name != kCount && own == nullptr && find_function(name) == nullptr) {
+  if (name != kCount && name != kInterpolate && own == nullptr && find_function(name) == nullptr) {
     cursor_.report(text::DiagnosticId::family_unknown_name, at, {name});
     return {.span = at};
   }
@@ -100,7 +103,10 @@ Typed ExpressionReader::function() {
   cursor_.advance();
   cursor_.expect_symbol("(");
   if (cursor_.line_failed()) return {.span = at};
-  Typed out = name == kCount ? count() : own != nullptr ? user_function(*own, at) : built_in(name, at);
+  Typed out = name == kCount         ? count()
+              : name == kInterpolate ? interpolate(at)
+              : own != nullptr       ? user_function(*own, at)
+                                     : built_in(name, at);
   out.span = {at.begin, cursor_.last_span().end};
   return out;
 }
@@ -117,13 +123,47 @@ std::vector<Typed> ExpressionReader::arguments(std::size_t count) {
   return out;
 }
 
+// The list whose name stands here, without an index; nullptr, and a fault, where none does. The cursor stays.
+const Scope::Name* ExpressionReader::list_name() {
+  const Scope::Name* known = cursor_.peek().kind == LexemeKind::word ? scope_.find(cursor_.word()) : nullptr;
+  if (known != nullptr && known->kind == NameKind::list) return known;
+  cursor_.expected("the name of a list");
+  return nullptr;
+}
+
+// interpolate(xs, ys, x)
+Typed ExpressionReader::interpolate(text::Span span) {
+  Typed out{.size = kInterpolationSize, .span = span};
+  ir::ExpressionId lists[2] = {ir::ExpressionId::none, ir::ExpressionId::none};
+  Dimension dimensions[2];
+  for (int i = 0; i < 2; ++i) {
+    const Scope::Name* list = list_name();
+    if (list == nullptr) return out;
+    ir::Variable variable;
+    variable.bank = ir::Bank::named;
+    variable.symbol = list->symbol;
+    variable.span = cursor_.peek().span;
+    dimensions[i] = list->dimension;
+    lists[i] = arena_.add_variable(variable);
+    cursor_.advance();
+    cursor_.expect_symbol(",");
+    if (cursor_.line_failed()) return out;
+  }
+  const Typed x = sum();
+  if (!is_value(x) || !require_dimension(x, dimensions[0])) return out;
+  cursor_.expect_symbol(")");
+  if (cursor_.line_failed()) return out;
+  const text::Span whole{span.begin, cursor_.last_span().end};
+  out.size += x.size;
+  out.dimension = dimensions[1];
+  out.id = arena_.add_operator(kAlong, x.id, arena_.add_operator(kPoints, lists[0], lists[1], whole), whole);
+  return out;
+}
+
 // count(list): how many numbers it has.
 Typed ExpressionReader::count() {
-  const Scope::Name* known = scope_.find(cursor_.word());
-  if (known == nullptr || known->kind != NameKind::list) {
-    cursor_.expected("the name of a list");
-    return {};
-  }
+  const Scope::Name* known = list_name();
+  if (known == nullptr) return {};
   ir::Variable variable;
   variable.bank = ir::Bank::named;
   variable.symbol = family_.find_list(known->symbol)->count;

@@ -2,10 +2,12 @@
 // block.
 #include "dialects/family/nominal_reader.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "dialects/curves/bezier.h"
+#include "dialects/family/evaluate.h"
 #include "dialects/family/naming.h"
 
 namespace dripfeed::family {
@@ -32,12 +34,21 @@ void NominalReader::tolerance(ir::ExpressionId& out) {
   if (!cursor_.line_failed() && cursor_.expect_word("tolerance")) out = expressions_.value_of(kLength).id;
 }
 
+ir::ExpressionId NominalReader::formula_by(std::initializer_list<ir::SymbolId> names) {
+  const Typed value = expressions_.value_of(kLength);
+  if (cursor_.line_failed()) return value.id;
+  const auto interpolates = [&](ir::SymbolId name) { return interpolates_by(family_.arena, value.id, name); };
+  if (std::ranges::any_of(names, interpolates))
+    cursor_.syntax(value.span, "a nominal is no interpolation: what lies beside its corners would not be measured");
+  return value.id;
+}
+
 void NominalReader::profile() {
   NominalShape out{.line = cursor_.peek().line};
   cursor_.expect_word("x");
   cursor_.expect_symbol("=");
   expressions_.set_axis_variables({{"z", axis(family_.z_variable, "z")}});
-  out.x = expressions_.value_of(kLength).id;
+  out.x = formula_by({family_.z_variable});
   expressions_.set_axis_variables({});
   if (!cursor_.line_failed() && cursor_.expect_word("for") && cursor_.expect_word("z")) out.z = range(kLength);
   tolerance(out.tolerance);
@@ -69,7 +80,7 @@ void NominalReader::surface() {
   const ExpressionReader::AxisVariable x{"x", axis(family_.x_variable, "x")};
   const ExpressionReader::AxisVariable y{"y", axis(family_.y_variable, "y")};
   expressions_.set_axis_variables({x, y});
-  out.z = expressions_.value_of(kLength).id;
+  out.z = formula_by({x.symbol, y.symbol});
   expressions_.set_axis_variables({});
   if (!cursor_.line_failed() && cursor_.expect_word("for") && cursor_.expect_word("x")) out.x = range(kLength);
   if (!cursor_.line_failed() && cursor_.expect_word("y")) {
@@ -92,8 +103,8 @@ void NominalReader::formula_curve(CurveShape out) {
   out.t = {low.id, expressions_.value_of(low.dimension).id};
   scope_.open();
   out.parameter = scope_.define(family_.arena, name->name, low.dimension, name->span);
-  if (!cursor_.line_failed() && cursor_.expect_word("x")) out.x = expressions_.value_of(kLength).id;
-  if (!cursor_.line_failed() && cursor_.expect_word("y")) out.y = expressions_.value_of(kLength).id;
+  if (!cursor_.line_failed() && cursor_.expect_word("x")) out.x = formula_by({out.parameter});
+  if (!cursor_.line_failed() && cursor_.expect_word("y")) out.y = formula_by({out.parameter});
   scope_.close();
   tolerance(out.tolerance);
   if (!cursor_.line_failed()) out.of_center = cursor_.accept_word("center");

@@ -1,6 +1,7 @@
 // Declarations of nominal geometry: profiles of lathes, surfaces and plane curves of mills.
 #pragma once
 
+#include <initializer_list>
 #include <string_view>
 
 #include "dialects/family/cursor.h"
@@ -29,6 +30,8 @@ class NominalReader {
   // "in" a ".." b, both of that dimension.
   ExpressionRange range(Dimension dimension);
   void tolerance(ir::ExpressionId& out);
+  // A length that is calculated without interpolating by the name: places are measured between its corners.
+  ir::ExpressionId formula_by(std::initializer_list<ir::SymbolId> names);
   void add(CurveShape out, text::Span head);
   ir::SymbolId axis(ir::SymbolId& known, std::string_view name);
 

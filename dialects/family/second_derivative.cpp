@@ -146,6 +146,7 @@ class Enclosure {
     const ir::Expression& e = arena_.at(id);
     const int operands = ir::operand_count(e.op);
     if (operands == 0) return leaf(e);
+    if (e.op == kAlong) return along(id);
     const Jet a = of(e.a);
     if (operands == 1) return unary(e.op, a);
     // A power multiplies a node with itself: its square is never negative.
@@ -154,6 +155,12 @@ class Enclosure {
   }
 
  private:
+  [[nodiscard]] Jet along(ir::ExpressionId id) const {
+    if (names(arena_, id, by_)) return kUnknown;
+    const double value = evaluate(arena_, id, values_).value;
+    return {{value, value}, {}, {}};
+  }
+
   [[nodiscard]] Jet leaf(const ir::Expression& e) const {
     if (e.op == Operator::constant) return {{e.value, e.value}, {}, {}};
     if (e.op != Operator::variable) return kUnknown;

@@ -14,6 +14,7 @@ using ir::Operator;
 using ir::StatementKind;
 
 bool chooses(Operator op) { return op == Operator::minimum || op == Operator::maximum; }
+bool takes_statements(Operator op) { return chooses(op) || op == kAlong; }
 
 // The value where people would write it: with four decimals at most.
 std::optional<double> folded(Operator op, double a, double b) {
@@ -39,6 +40,7 @@ ExpressionId ValueWriter::copy(ExpressionId id) {
   const ir::Expression& e = family_.arena.at(id);
   if (e.op == Operator::constant) return program_.add_constant(e.value, e.span);
   if (e.op == Operator::variable) return copy_variable(family_.arena.at(e.variable));
+  if (e.op == kAlong) return interpolate(e);
   const ExpressionId a = copy(e.a);
   if (e.op == Operator::negate && number(a)) return emit_.constant(-*number(a));
   if (ir::operand_count(e.op) == 1) return program_.add_operator(e.op, a, ExpressionId::none, e.span);
@@ -66,9 +68,47 @@ ExpressionId ValueWriter::choose(Operator op, ExpressionId a, ExpressionId b) {
   return emit_.variable(chosen);
 }
 
+// place = x, within the points; point = 1; while there is a next one and xs[point] < place: point = point + 1. The
+// value lies between point - 1 and point.
+ExpressionId ValueWriter::interpolate(const ir::Expression& along) {
+  const PointLists lists = points_of(family_.arena, along);
+  const auto last = static_cast<double>(list_in(names_.values(), lists.x).size() - 1);
+  const ExpressionId x = copy(along.a);
+  const ir::SymbolId place = emit_.new_symbol("place");
+  const ir::SymbolId point = emit_.new_symbol("point");
+  emit_.assign(place, x);
+  limit(place, Operator::less, lists.x, 0.0);
+  limit(place, Operator::greater, lists.x, last);
+  emit_.assign(point, emit_.constant(1.0));
+  const auto at = [&](ir::SymbolId list) { return emit_.variable(list, emit_.variable(point)); };
+  const auto before = [&](ir::SymbolId list) {
+    return emit_.variable(list, emit_.binary(Operator::subtract, emit_.variable(point), whole(1.0)));
+  };
+  emit_.open(
+      StatementKind::while_begin,
+      emit_.binary(Operator::logic_and, emit_.binary(Operator::less, emit_.variable(point), emit_.constant(last)),
+                   emit_.binary(Operator::less, at(lists.x), emit_.variable(place))));
+  emit_.assign(point, emit_.binary(Operator::add, emit_.variable(point), emit_.constant(1.0)));
+  emit_.close(StatementKind::while_end);
+  const ExpressionId way = emit_.binary(Operator::subtract, emit_.variable(place), before(lists.x));
+  const ExpressionId rise = emit_.binary(Operator::subtract, at(lists.y), before(lists.y));
+  const ExpressionId run = emit_.binary(Operator::subtract, at(lists.x), before(lists.x));
+  const ir::SymbolId value = emit_.new_symbol("between");
+  const ExpressionId gained = emit_.binary(Operator::divide, emit_.binary(Operator::multiply, way, rise), run);
+  emit_.assign(value, emit_.binary(Operator::add, before(lists.y), gained));
+  return emit_.variable(value);
+}
+
+void ValueWriter::limit(ir::SymbolId value, Operator beyond, ir::SymbolId list, double index) {
+  const auto end = [&] { return emit_.variable(list, whole(index)); };
+  emit_.open(StatementKind::if_begin, emit_.binary(beyond, emit_.variable(value), end()));
+  emit_.assign(value, end());
+  emit_.close(StatementKind::if_end);
+}
+
 bool ValueWriter::needs_statements(ExpressionId id) const {
   const ir::Expression& e = family_.arena.at(id);
-  if (chooses(e.op)) return true;
+  if (takes_statements(e.op)) return true;
   const int operands = ir::operand_count(e.op);
   if (operands > 0) return needs_statements(e.a) || (operands > 1 && needs_statements(e.b));
   if (e.op != Operator::variable) return false;

@@ -1,5 +1,6 @@
 // A family's expressions in its program. They are copied node by node, because passes rewrite a statement's expression
-// in place; minimum and maximum, which not every control has, become an assignment and an IF before the statement.
+// in place; minimum and maximum, which not every control has, become an assignment and an IF before the statement, and
+// an interpolation the search for its two points.
 #pragma once
 
 #include <optional>
@@ -42,6 +43,8 @@ class ValueWriter {
 
  private:
   ir::ExpressionId copy_variable(const ir::Variable& v);
+  ir::ExpressionId interpolate(const ir::Expression& along);
+  void limit(ir::SymbolId value, ir::Operator beyond, ir::SymbolId list, double index);
   ir::ExpressionId choose(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
 
   const Family& family_;
