@@ -31,6 +31,7 @@ void add_compare(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);
 void add_restart(CLI::App& app, int& exit_code);
+void add_renumber(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_time(CLI::App& app, int& exit_code);
 void add_accuracy(CLI::App& app, int& exit_code);

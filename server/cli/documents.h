@@ -10,6 +10,7 @@
 #include "dialects/compile/execute.h"
 #include "dialects/compile/optimized.h"
 #include "dialects/compile/render.h"
+#include "dialects/compile/renumber.h"
 #include "dialects/compile/restart.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
@@ -26,6 +27,8 @@ struct WireHashes {
 };
 
 std::string run_document(const interpreter::RunResult& result);
+// {"text","numbers","references","assumptions","refused":[{"line","text"}]}: the text is null where it is refused.
+std::string renumber_document(const compile::Renumbered& made);
 // {"text","preamble_line","rest_line","assumptions","compared_moves","safe_before","safe_after","diagnostics"}: the
 // text is null where it is refused, the safe lines where none was looked for or found.
 std::string restart_document(const compile::Restart& made, const text::Source& source);
