@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "server/http/api.h"
+#include "server/http/rights.h"
 #include "server/json/openapi.h"
 
 namespace dripfeed::http {
@@ -11,13 +12,16 @@ namespace dripfeed::http {
 std::string describe_api(std::string_view version) {
   std::vector<json::OpenApiRoute> described;
   for (const Route& route : routes()) {
+    const bool is_change = route.method != Method::get && route.right != Right::anybody;
     described.push_back({.method = name_of(route.method),
                          .path = route.pattern,
                          .summary = route.summary,
                          .right = name_of(route.right),
+                         .scope = is_change ? scope_of(route) : std::string_view(),
                          .open = route.right == Right::anybody,
                          .paged = route.takes == Takes::page,
                          .if_match = route.takes == Takes::if_match,
+                         .once = is_change && route.weight != Weight::secret,
                          .query = own_query(route),
                          .body = route.body.schema,
                          .needs_body = route.body.needed,

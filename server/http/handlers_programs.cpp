@@ -215,7 +215,7 @@ Response waive_check(const Call& call) {
   app::Application& app = call.api.application();
   const auto verdict = app.store().verdicts().waive(*id, body->reason, {std::string(call.user), app.clock().wall_ms()});
   if (!verdict) return problem_response(app::from_store(verdict.error()));
-  return json_response(201, json::verdict(*verdict));
+  return created(fmt::format("/api/v1/checks/{}", verdict->id), json::verdict(*verdict));
 }
 
 }  // namespace dripfeed::http

@@ -7,7 +7,10 @@
 #include <fmt/format.h>
 
 #include "server/app/event_types.h"
+#include "server/json/api_examples.h"
+#include "server/json/api_words.h"
 #include "server/json/object_reader.h"
+#include "server/json/openapi_problems.h"
 #include "server/json/query_words.h"
 #include "server/json/schemas.h"
 
@@ -37,38 +40,45 @@ std::string operation_id(const OpenApiRoute& route) {
   return id == "get" ? "get_page" : id;
 }
 
-Document text_parameter(std::string_view name, std::string_view in, bool required) {
-  return {{"name", name}, {"in", in}, {"required", required}, {"schema", {{"type", "string"}}}};
+// A parameter of this route with what it means.
+Document parameter(const OpenApiRoute& route, std::string_view name, std::string_view in, bool required,
+                   Document schema) {
+  return {{"name", name},
+          {"in", in},
+          {"required", required},
+          {"description", parameter_about(route.path, name)},
+          {"schema", std::move(schema)}};
 }
 
-Document query_parameter(std::string_view path, std::string_view name) {
+Document query_schema(std::string_view path, std::string_view name) {
   Document schema = {{"type", is_query_number(name) ? "integer" : "string"}};
   if (is_query_number(name)) schema["minimum"] = 0;
   if (const auto words = query_words(path, name); !words.empty()) schema["enum"] = words;
-  return {{"name", name}, {"in", "query"}, {"required", false}, {"schema", std::move(schema)}};
+  return schema;
 }
 
 Document parameters_of(const OpenApiRoute& route) {
+  const Document text = {{"type", "string"}};
   Document parameters = Document::array();
   const std::string_view path = route.path;
   for (std::size_t open = path.find('{'); open != std::string_view::npos; open = path.find('{', open + 1)) {
     const std::size_t close = path.find('}', open);
-    parameters.push_back(text_parameter(path.substr(open + 1, close - open - 1), "path", true));
+    parameters.push_back(parameter(route, path.substr(open + 1, close - open - 1), "path", true, text));
   }
   if (route.paged) {
-    parameters.push_back({{"name", "limit"},
-                          {"in", "query"},
-                          {"required", false},
-                          {"schema", {{"type", "integer"}, {"minimum", 1}, {"maximum", 200}}}});
-    parameters.push_back(text_parameter("after", "query", false));
+    const Document limit = {{"type", "integer"}, {"minimum", 1}, {"maximum", 200}};
+    parameters.push_back(parameter(route, "limit", "query", false, limit));
+    parameters.push_back(parameter(route, "after", "query", false, text));
   }
-  for (const std::string_view name : route.query) parameters.push_back(query_parameter(path, name));
-  if (route.if_match) parameters.push_back(text_parameter("If-Match", "header", true));
-  if (route.method != "GET" && !route.open) parameters.push_back(text_parameter("Idempotency-Key", "header", false));
+  for (const std::string_view name : route.query)
+    parameters.push_back(parameter(route, name, "query", false, query_schema(path, name)));
+  if (route.if_match) parameters.push_back(parameter(route, "If-Match", "header", true, text));
+  if (route.once) parameters.push_back(parameter(route, "Idempotency-Key", "header", false, text));
   return parameters;
 }
 
 constexpr std::string_view kJson = "application/json";
+constexpr std::string_view kEventStream = "text/event-stream";
 
 Document to_reference(std::string_view name) { return {{"$ref", fmt::format("#/components/schemas/{}", name)}}; }
 
@@ -159,6 +169,8 @@ Document schemas_of(std::span<const OpenApiRoute> routes) {
   for (const NamedSchema& one : all_schemas()) schemas[one.name] = write(one.schema);
   for (const OpenApiRoute& route : routes)
     if (route.lists) schemas[page_name(route.answer)] = page_of(route.answer);
+  for (const ApiExample& example : api_examples())
+    schemas[std::string(example.schema)]["examples"].push_back(Document::parse(example.document));
   return schemas;
 }
 
@@ -166,28 +178,80 @@ Document content(std::string_view type, Document schema) {
   return {{std::string(type), {{"schema", std::move(schema)}}}};
 }
 
+// The events of a stream, each with its data: EventWire belongs to the wire of one machine, all others to the events.
+Document event_stream(std::string_view path) {
+  Document events = Document::array();
+  for (const NamedSchema& one : all_schemas()) {
+    constexpr std::string_view kEvent = "Event";
+    if (!one.name.starts_with(kEvent) || (one.name == "EventWire") != path.ends_with("/wire")) continue;
+    events.push_back(
+        {{"type", "object"},
+         {"required", {"event", "data"}},
+         {"properties",
+          {{"event", {{"const", lower(one.name.substr(kEvent.size()))}}}, {"data", to_reference(one.name)}}}});
+  }
+  Document items = events.size() == 1 ? std::move(events[0]) : Document{{"oneOf", std::move(events)}};
+  return {{"type", "string"},
+          {"description", "Server-Sent Events: `event` names the kind, `data` is one line of JSON"},
+          {"contentMediaType", kEventStream},
+          {"contentSchema", {{"type", "array"}, {"items", std::move(items)}}}};
+}
+
 Document answer_of(const OpenApiRoute& route) {
   Document answer = {{"description", route.summary}};
+  if (route.status == 201)
+    answer["headers"]["Location"] = {
+        {"description", "the path of what was made"}, {"required", true}, {"schema", {{"type", "string"}}}};
   Document types = Document::object();
   if (!route.answer.empty())
     types = content(kJson, to_reference(route.lists ? page_name(route.answer) : std::string(route.answer)));
-  for (const std::string_view type : route.types) types.update(content(type, {{"type", "string"}}));
+  for (const std::string_view type : route.types)
+    types.update(content(type, type == kEventStream ? event_stream(route.path) : Document{{"type", "string"}}));
   if (!types.empty()) answer["content"] = std::move(types);
   return answer;
 }
 
+// What its row says of a route besides its summary, in sentences.
+std::string about(const OpenApiRoute& route) {
+  std::string text = route.open ? "Needs no token." : fmt::format("Needs the role `{}`.", route.right);
+  if (!route.scope.empty()) text += fmt::format(" A token with scopes needs `{}`.", route.scope);
+  if (route.once) text += " Takes effect once under an `Idempotency-Key`.";
+  if (route.if_match) text += " Changes the revision that `If-Match` names.";
+  if (route.lists && route.paged) text += " The next page is `after` the `next` of this one.";
+  return text;
+}
+
 Document operation_of(const OpenApiRoute& route) {
-  Document operation = {
-      {"operationId", operation_id(route)}, {"summary", route.summary}, {"parameters", parameters_of(route)}};
+  Document operation = {{"operationId", operation_id(route)},
+                        {"summary", route.summary},
+                        {"description", about(route)},
+                        {"tags", {tag_of(route.path)}},
+                        {"parameters", parameters_of(route)}};
   if (!route.body.empty())
     operation["requestBody"] = {{"required", route.needs_body}, {"content", content(kJson, to_reference(route.body))}};
   operation["x-role"] = route.right;
   if (route.open) operation["security"] = Document::array();
-  operation["responses"] = {
-      {std::to_string(route.status), answer_of(route)},
-      {"default",
-       {{"description", "a problem"}, {"content", content("application/problem+json", to_reference("Problem"))}}}};
+  Document responses = {{std::to_string(route.status), answer_of(route)}};
+  add_problems(route, responses);
+  operation["responses"] = std::move(responses);
   return operation;
+}
+
+Document tags() {
+  Document all = Document::array();
+  for (const ApiTag& tag : api_tags()) all.push_back({{"name", tag.name}, {"description", tag.about}});
+  return all;
+}
+
+Document info(std::string_view version) {
+  return {
+      {"title", "dripfeed"},
+      {"version", version},
+      {"description",
+       "Program distribution and DNC for CNC machine tools. Times are in milliseconds since 1970, UTC. Whoever reads "
+       "an answer bears members and words of enums that are not listed here: new ones come without a new version."},
+      {"contact", {{"name", "the developers of dripfeed"}}},
+      {"license", {{"name", "Apache-2.0"}, {"identifier", "Apache-2.0"}}}};
 }
 
 // What we post to others: one entry a type of event.
@@ -195,7 +259,10 @@ Document webhooks_of(std::span<const app::EventType> types) {
   Document all = Document::object();
   for (const app::EventType& type : types)
     all[std::string(type.name)]["post"] = {
+        {"operationId", operation_id({.method = "webhook", .path = type.name, .summary = {}, .right = {}})},
         {"summary", type.when},
+        {"description", "Posted to webhooks that want this type, until it is taken."},
+        {"tags", {"Webhooks"}},
         {"requestBody",
          {{"required", true}, {"content", content("application/cloudevents+json", to_reference(type.schema))}}},
         {"responses",
@@ -216,12 +283,15 @@ std::string openapi(std::span<const OpenApiRoute> routes, std::string_view versi
   Document paths = Document::object();
   for (const OpenApiRoute& route : routes) paths[std::string(route.path)][lower(route.method)] = operation_of(route);
   return dump({{"openapi", "3.1.0"},
-               {"info", {{"title", "dripfeed"}, {"version", version}}},
+               {"info", info(version)},
+               {"servers", Document::array({{{"url", "/"}, {"description", "this server"}}})},
+               {"tags", tags()},
                {"security", Document::array({{{"token", Document::array()}}, {{"session", Document::array()}}})},
                {"paths", std::move(paths)},
                {"webhooks", webhooks_of(app::event_types())},
                {"components",
                 {{"schemas", schemas_of(routes)},
+                 {"responses", problem_responses()},
                  {"securitySchemes",
                   {{"token", {{"type", "http"}, {"scheme", "bearer"}}},
                    {"session", {{"type", "apiKey"}, {"in", "cookie"}, {"name", "dripfeed_session"}}}}}}}});

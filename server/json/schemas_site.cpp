@@ -81,6 +81,8 @@ Schemas site_schemas() {
        object("the server is alive", {{"status", one_of(well, "of the server")}, {"version", text("of the server")}})},
       {"OpenApi", object("the API's description (OpenAPI 3.1)", {{"openapi", text("its version")},
                                                                  {"info", any("as OpenAPI has it")},
+                                                                 {"servers", any("as OpenAPI has it")},
+                                                                 {"tags", any("groups of routes")},
                                                                  {"security", any("as OpenAPI has it")},
                                                                  {"paths", any("by path")},
                                                                  {"webhooks", any("what is posted to others, by type")},

@@ -10,9 +10,13 @@ import sys
 
 from jsonschema import Draft202012Validator
 
+from openapi_shape import closed
 from rig import binary
 
 validated = {}  # (method, path of the route, status): how often; ("event", its name): how often
+
+
+OF_NO_ROUTE = {405, 431}  # another method; a header that is too long for any route
 
 
 class Drift(AssertionError):
@@ -22,18 +26,6 @@ class Drift(AssertionError):
 @functools.cache
 def document():
     return json.loads(subprocess.run([str(binary()), "openapi"], capture_output=True, check=True, timeout=30).stdout)
-
-
-def closed(node):
-    """The same schemas, where an object has no member but those that are named."""
-    if isinstance(node, list):
-        return [closed(one) for one in node]
-    if not isinstance(node, dict):
-        return node
-    found = {key: closed(value) for key, value in node.items()}
-    if isinstance(node.get("properties"), dict) and "additionalProperties" not in node and node.get("type") is not None:
-        found["additionalProperties"] = False
-    return found
 
 
 @functools.cache
@@ -74,6 +66,8 @@ def check(method, path, body, answer):
     if answer.status >= 400:
         if kind == "application/problem+json" and answer.body:
             require(faults("#/components/schemas/Problem", answer.document) or faults_of_code(answer), what)
+        if route and str(answer.status) not in route[1]["responses"] and answer.status not in OF_NO_ROUTE:
+            raise Drift(f"{what}: the route is described with {', '.join(route[1]['responses'])}")
         return
     if answer.status == 304:  # what the client has already, RFC 9110, 15.4.5
         require([] if not answer.body and answer.headers.get("ETag") else ["a body, or no tag"], what)
@@ -86,6 +80,7 @@ def check(method, path, body, answer):
     response = operation["responses"].get(str(answer.status))
     if response is None:
         raise Drift(f"{what}: openapi.json says {', '.join(operation['responses'])}")
+    require([f"no {name}" for name, header in response.get("headers", {}).items() if header["required"] and not answer.headers.get(name)], what)
     check_content(response.get("content", {}), kind, answer, what, is_head=method == "HEAD")
     check_taken(operation.get("requestBody"), body, what)
     count((method, pattern, answer.status))

@@ -2,7 +2,11 @@
 
 import re
 
+from jsonschema import Draft202012Validator
+
 METHODS = {"get", "post", "put", "delete", "patch"}
+WITH_EXAMPLES = ["NewOrder", "Order", "NewProgram", "Program", "CheckOrder", "VerdictSummary", "NewRelease", "ReleaseMove", "Release", "NewJob", "ArmOrder", "Job",
+                 "PartsReport", "Problem"]
 
 
 def shape_faults(document):
@@ -25,6 +29,7 @@ def shape_faults(document):
             seen.add(name)
     for name, schema in document.get("components", {}).get("schemas", {}).items():
         found += members_without_meaning(schema, name)
+    found += examples_that_are_none(document)
     found += [f"{reference} leads nowhere" for reference in references(document) if not resolves(document, reference)]
     return found
 
@@ -36,9 +41,13 @@ def operation_faults(path, method, operation, schemes, default_security):
     for member in ("operationId", "summary"):
         if not isinstance(operation.get(member), str) or not operation[member]:
             found.append(f"no {member}")
+    if not all(operation.get("tags") or [""]):
+        found.append("belongs to no group")
     if not operation.get("responses"):
         found.append("no responses")
     for status, response in operation.get("responses", {}).items():
+        if "$ref" in response:  # of the components; references() follows it
+            continue
         if not re.fullmatch(r"default|[1-5](XX|\d\d)", status) or not response.get("description"):
             found.append(f"response {status} is none, or is not described")
     security = operation.get("security", default_security)
@@ -51,6 +60,8 @@ def operation_faults(path, method, operation, schemes, default_security):
     for parameter in operation.get("parameters", []):
         if parameter.get("in") not in ("path", "query", "header") or "schema" not in parameter:
             found.append(f"the parameter {parameter.get('name')} has no place or no schema")
+        if not parameter.get("description"):
+            found.append(f"the parameter {parameter.get('name')} has no meaning")
         if parameter.get("in") == "path" and parameter.get("required") is not True:
             found.append(f"the parameter {parameter.get('name')} of the path is not required")
     if "requestBody" in operation and "$ref" not in operation["requestBody"].get("content", {}).get("application/json", {}).get("schema", {}):
@@ -59,6 +70,29 @@ def operation_faults(path, method, operation, schemes, default_security):
         found.append("no success is described")
     for response in operation.get("responses", {}).values():
         found += [f"{kind} is not described by a schema" for kind, content in response.get("content", {}).items() if not content.get("schema")]
+    return found
+
+
+def examples_that_are_none(document):
+    """Examples that are not what their schema says, and documents of the path of an order that have none."""
+    schemas = document.get("components", {}).get("schemas", {})
+    found = [f"the schema {name} has no example" for name in WITH_EXAMPLES if name in schemas and not schemas[name].get("examples")]
+    for name, schema in schemas.items():
+        valid = Draft202012Validator({"$ref": f"#/components/schemas/{name}", "components": closed({"schemas": schemas})})
+        for example in schema.get("examples", []):
+            found += [f"an example of {name}: {'/'.join(map(str, fault.absolute_path))}: {fault.message}" for fault in valid.iter_errors(example)]
+    return found
+
+
+def closed(node):
+    """The same schemas, where an object has no member but those that are named."""
+    if isinstance(node, list):
+        return [closed(one) for one in node]
+    if not isinstance(node, dict):
+        return node
+    found = {key: value if key == "examples" else closed(value) for key, value in node.items()}
+    if isinstance(node.get("properties"), dict) and "additionalProperties" not in node and node.get("type") is not None:
+        found["additionalProperties"] = False
     return found
 
 

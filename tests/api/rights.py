@@ -172,7 +172,7 @@ class Stage:
         endless = "%\nO7001\n#100=0\nWHILE[#100GE0]DO1\n#1=" + "+".join(["SIN[#1]"] * 40) + "\nEND1\nM30\n%\n"
         program = self.client.post("/programs", {"name": "O7001", "dialect": "fanuc", "text": endless})["id"]
         threading.Thread(target=self.client.call, args=("POST", "/checks", {"program": program, "machine": "lathe"}, "programmer"), daemon=True).start()
-        self.made["work"] = shop.wait_for("a check to run", lambda: [one["id"] for one in self.client.get("/work")["items"]])[0]
+        self.made["work"] = shop.wait_for("a check to run", lambda: [one["id"] for one in self.client.get("/work")["items"] if one["actor"] != "dripfeed"])[0]
 
     def alarmed(self):
         self.made["alarm"] = shop.wait_for("an alarm", lambda: next((one["id"] for one in self.client.get("/alarms")["items"] if one["kind"] == "quarantined"), None))
@@ -296,6 +296,8 @@ def the_shape_can_fail(document):
     broken("no responses", lambda d, o: o.pop("responses"))
     broken("response 99", lambda d, o: o["responses"].update({"99": {"description": "x"}}))
     broken("not those of the path", lambda d, o: o.update(parameters=[]))
+    broken("has no meaning", lambda d, o: o["parameters"][0].pop("description"))
+    broken("no group", lambda d, o: o.update(tags=[""]))
     broken("is not required", lambda d, o: o["parameters"][0].update(required=False))
     broken("scheme nobody", lambda d, o: o.update(security=[{"nobody": []}]))
     broken("leads nowhere", lambda d, o: d["components"]["schemas"].pop("Problem"))
@@ -304,6 +306,8 @@ def the_shape_can_fail(document):
     broken("no body", lambda d, o: d["paths"]["/api/v1/jobs"]["post"]["requestBody"].pop("content"))
     broken("no success", lambda d, o: o["responses"].pop("200"))
     broken("not described by a schema", lambda d, o: o["responses"]["200"]["content"]["application/json"].pop("schema"))
+    broken("an example of NewJob", lambda d, o: d["components"]["schemas"]["NewJob"]["examples"][0].update(release="17"))
+    broken("no example", lambda d, o: d["components"]["schemas"]["Job"].pop("examples"))
     broken("no meaning", lambda d, o: d["components"]["schemas"]["Job"]["properties"]["state"].pop("description"))
 
 

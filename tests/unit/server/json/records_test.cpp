@@ -250,11 +250,14 @@ TEST(Records, ListsAndOpenApi) {
   EXPECT_TRUE(is_json(text));
   EXPECT_THAT(text, HasSubstr(R"("openapi":"3.1.0")"));
   EXPECT_THAT(text, HasSubstr(R"({"name":"id","in":"path","required":true)"));
-  EXPECT_THAT(text, HasSubstr(R"("post":{"operationId":"post_a_id_b_name","summary":"t")"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(R"("post":{"operationId":"post_a_id_b_name","summary":"t","description":"Needs the role `admin`.")"));
   EXPECT_THAT(text, HasSubstr(R"("requestBody":{"required":false,"content":{"application/json":)"
                               R"({"schema":{"$ref":"#/components/schemas/ArmOrder"}}}})"));
   EXPECT_THAT(text,
-              HasSubstr(R"("201":{"description":"t","content":{"application/json":{"schema":)"
+              HasSubstr(R"("201":{"description":"t","headers":{"Location":{"description":"the path of what was made",)"
+                        R"("required":true,"schema":{"type":"string"}}},"content":{"application/json":{"schema":)"
                         R"({"$ref":"#/components/schemas/JobPage"}},"image/svg+xml":{"schema":{"type":"string"}}}})"));
   EXPECT_THAT(text, HasSubstr(R"("JobPage":{"type":"object",)"));
   EXPECT_THAT(text,
@@ -264,7 +267,8 @@ TEST(Records, ListsAndOpenApi) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          R"("/open":{"get":{"operationId":"get_open","summary":"u","parameters":[],"x-role":"anybody","security":[])"));
+          R"("/open":{"get":{"operationId":"get_open","summary":"u","description":"Needs no token.","tags":["Server"],)"
+          R"("parameters":[],"x-role":"anybody","security":[])"));
 }
 
 }  // namespace
