@@ -19,6 +19,8 @@ namespace dripfeed::http {
 
 namespace {
 
+constexpr store::Id kMostId = INT64_MAX;  // of a row
+
 template <class Number>
 bool read_number(std::string_view text, Number& into) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), into);
@@ -125,8 +127,11 @@ std::expected<std::uint64_t, Response> number_of(const Request& request, const s
   return number;
 }
 
+std::expected<store::Id, Response> id_in(const Request& request, const std::string& name) {
+  return number_of(request, name, 0, 1, kMostId);
+}
+
 std::expected<store::Id, Response> id_of(std::string_view text) {
-  constexpr store::Id kMostId = INT64_MAX;  // of a row
   store::Id id = 0;
   if (!read_number(text, id) || id == 0 || id > kMostId)
     return std::unexpected(problem_response(404, fmt::format("\"{}\" is no id", text)));

@@ -115,5 +115,7 @@ std::expected<std::uint64_t, Response> number_of(const Request& request, const s
                                                  std::uint64_t standard, std::uint64_t low, std::uint64_t high);
 // An id in the path; or 404.
 std::expected<store::Id, Response> id_of(std::string_view text);
+// Of a query; 0 where it is not given.
+std::expected<store::Id, Response> id_in(const Request& request, const std::string& name);
 
 }  // namespace dripfeed::http

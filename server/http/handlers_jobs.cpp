@@ -43,12 +43,9 @@ bool hands_in(const store::Release& release, const store::ReleaseMove& move) {
 Response list_releases(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
-  store::ReleaseFilter filter{.program = 0, .machine = query_text(call.request, "machine")};
-  if (const std::string program = query_text(call.request, "program"); !program.empty()) {
-    const auto id = id_of(program);
-    if (!id) return id.error();
-    filter.program = *id;
-  }
+  const auto program = id_in(call.request, "program");
+  if (!program) return program.error();
+  const store::ReleaseFilter filter{.program = *program, .machine = query_text(call.request, "machine")};
   return list_response(call.api.application().store().releases().list(*page, filter),
                        [](const store::Release& r) { return json::release(r); });
 }
@@ -91,12 +88,10 @@ Response move_release(const Call& call) {
 Response list_jobs(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
+  const auto order = id_in(call.request, "order");
+  if (!order) return order.error();
   store::JobFilter filter{.machine = query_text(call.request, "machine"), .state = std::nullopt};
-  if (const std::string order = query_text(call.request, "order"); !order.empty()) {
-    const auto id = id_of(order);
-    if (!id) return id.error();
-    filter.order = *id;
-  }
+  filter.order = *order;
   if (const std::string state = query_text(call.request, "state"); !state.empty()) {
     filter.state = job_state_named(state);
     if (!filter.state) return problem_response(422, fmt::format("\"{}\" is no state of a job", state));

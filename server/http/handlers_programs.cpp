@@ -178,12 +178,10 @@ Response preview(const Call& call) {
 Response list_checks(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
+  const auto program = id_in(call.request, "program");
+  if (!program) return program.error();
   store::VerdictFilter filter;
-  if (const auto program = call.request.query.find("program"); program != call.request.query.end()) {
-    const auto id = id_of(program->second);
-    if (!id) return id.error();
-    filter.program = *id;
-  }
+  filter.program = *program;
   if (const auto machine = call.request.query.find("machine"); machine != call.request.query.end())
     filter.machine = machine->second;
   return list_response(call.api.application().store().verdicts().list(*page, filter),

@@ -17,6 +17,9 @@ namespace {
 // No route's own: its path with another method, and a header before the route is known.
 constexpr std::array kOfNoRoute = {405U, 431U};
 
+// A body that may name the revision that it changes.
+constexpr std::string_view kNamesRevision = "AcceptOrder";
+
 std::string name_of(unsigned status) { return fmt::format("Problem{}", status); }
 
 Document problem_content() {
@@ -47,6 +50,7 @@ std::set<unsigned> statuses_of(const OpenApiRoute& route) {
   add(has_body, {413, 415, 507});
   add(has_body || route.once || route.paged || !route.query.empty() || has_type(route, "text/event-stream"), {422});
   add(route.if_match, {412, 428});
+  add(route.body == kNamesRevision, {412});
   add((route.open && has_body) || has_type(route, "text/event-stream"), {429});
   return all;
 }

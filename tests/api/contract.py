@@ -136,7 +136,7 @@ def count(key):
 
 def never_validated():
     """Routes and their statuses of success that openapi.json has and no answer was held against."""
-    described = {(method, path, int(status)) for method, path, _, operation in routes() for status in operation["responses"] if status != "default"}
+    described = {(method, path, int(status)) for method, path, _, operation in routes() for status in operation["responses"] if status.startswith("2")}
     return sorted(described - validated.keys())
 
 

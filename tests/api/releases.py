@@ -82,7 +82,7 @@ def a_programmer_hands_in(client):
     own = texts.release_in("draft")
     of = client.get(f"/releases/{own}")["program"]
     expect([one["id"] for one in client.get(f"/releases?program={of}")["items"]] == [own], "the list of one program's releases has others")
-    client.refuse(404, "GET", "/releases?program=x")
+    client.refuse(422, "GET", "/releases?program=x", words=["program must be"])
 
 
 def fail_is_never_released(client):

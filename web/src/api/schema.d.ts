@@ -7,7 +7,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** is the server alive */
+        /**
+         * is the server alive
+         * @description Needs no token.
+         */
         get: operations["get_healthz"];
         put?: never;
         post?: never;
@@ -24,7 +27,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** what lines and server do, for Prometheus (text format 0.0.4) */
+        /**
+         * what lines and server do, for Prometheus (text format 0.0.4)
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_metrics"];
         put?: never;
         post?: never;
@@ -41,7 +47,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** this description */
+        /**
+         * this description
+         * @description Needs no token.
+         */
         get: operations["get_api_openapi_json"];
         put?: never;
         post?: never;
@@ -58,7 +67,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** the page */
+        /**
+         * the page
+         * @description Needs no token.
+         */
         get: operations["get_page"];
         put?: never;
         post?: never;
@@ -75,7 +87,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** a file of the page */
+        /**
+         * a file of the page
+         * @description Needs no token.
+         */
         get: operations["get_assets_name"];
         put?: never;
         post?: never;
@@ -92,7 +107,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** the documentation */
+        /**
+         * the documentation
+         * @description Needs no token.
+         */
         get: operations["get_docs"];
         put?: never;
         post?: never;
@@ -109,7 +127,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** a page of the documentation, or its picture */
+        /**
+         * a page of the documentation, or its picture
+         * @description Needs no token.
+         */
         get: operations["get_docs_name"];
         put?: never;
         post?: never;
@@ -126,12 +147,21 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** who am I */
+        /**
+         * who am I
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_session"];
         put?: never;
-        /** sign in with a token, or a name with a password or PIN; get a cookie */
+        /**
+         * sign in with a token, or a name with a password or PIN; get a cookie
+         * @description Needs no token.
+         */
         post: operations["post_session"];
-        /** sign out */
+        /**
+         * sign out
+         * @description Needs the role `viewer`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         delete: operations["delete_session"];
         options?: never;
         head?: never;
@@ -146,7 +176,10 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** a new password of one's own */
+        /**
+         * a new password of one's own
+         * @description Needs the role `viewer`. A token with scopes needs `line`.
+         */
         put: operations["put_session_password"];
         post?: never;
         delete?: never;
@@ -162,7 +195,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** live events, resumable (text/event-stream) */
+        /**
+         * live events, resumable (text/event-stream)
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_events"];
         put?: never;
         post?: never;
@@ -179,7 +215,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** machines with their data items, for MTConnect (2.0) */
+        /**
+         * machines with their data items, for MTConnect (2.0)
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_mtconnect_probe"];
         put?: never;
         post?: never;
@@ -196,7 +235,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** the newest value of each data item */
+        /**
+         * the newest value of each data item
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_mtconnect_current"];
         put?: never;
         post?: never;
@@ -213,7 +255,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** changes of data items, from a number on */
+        /**
+         * changes of data items, from a number on
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_mtconnect_sample"];
         put?: never;
         post?: never;
@@ -230,7 +275,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** released programs as files */
+        /**
+         * released programs as files
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_mtconnect_assets"];
         put?: never;
         post?: never;
@@ -247,7 +295,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one machine with its data items */
+        /**
+         * one machine with its data items
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_mtconnect_name_probe"];
         put?: never;
         post?: never;
@@ -264,7 +315,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** the newest values of one machine */
+        /**
+         * the newest values of one machine
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_mtconnect_name_current"];
         put?: never;
         post?: never;
@@ -281,7 +335,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** changes of one machine, from a number on */
+        /**
+         * changes of one machine, from a number on
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_mtconnect_name_sample"];
         put?: never;
         post?: never;
@@ -298,10 +355,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** machines with the state of their lines */
+        /**
+         * machines with the state of their lines
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_machines"];
         put?: never;
-        /** add a machine by its profile */
+        /**
+         * add a machine by its profile
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_machines"];
         delete?: never;
         options?: never;
@@ -316,9 +379,15 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one machine with its profile */
+        /**
+         * one machine with its profile
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_machines_name"];
-        /** change a profile */
+        /**
+         * change a profile
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`. Changes the revision that `If-Match` names.
+         */
         put: operations["put_machines_name"];
         post?: never;
         delete?: never;
@@ -334,7 +403,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** how its line was used, by days */
+        /**
+         * how its line was used, by days
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_machines_name_utilisation"];
         put?: never;
         post?: never;
@@ -351,7 +423,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** what passes on its line from now on, in both directions (text/event-stream, events `wire`) */
+        /**
+         * what passes on its line from now on, in both directions (text/event-stream, events `wire`)
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_machines_name_wire"];
         put?: never;
         post?: never;
@@ -370,7 +445,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** measure its line with a loopback plug in the control's place; nothing is armed on it meanwhile */
+        /**
+         * measure its line with a loopback plug in the control's place; nothing is armed on it meanwhile
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_machines_name_line_test"];
         delete?: never;
         options?: never;
@@ -387,7 +465,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a person confirms that the control was reset */
+        /**
+         * a person confirms that the control was reset
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_machines_name_confirm_reset"];
         delete?: never;
         options?: never;
@@ -402,7 +483,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** groups of machines */
+        /**
+         * groups of machines
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_groups"];
         put?: never;
         post?: never;
@@ -420,10 +504,16 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** make a group of machines, or change it as a whole */
+        /**
+         * make a group of machines, or change it as a whole
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         put: operations["put_groups_name"];
         post?: never;
-        /** remove a group and what was granted in it */
+        /**
+         * remove a group and what was granted in it
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         delete: operations["delete_groups_name"];
         options?: never;
         head?: never;
@@ -437,10 +527,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** people */
+        /**
+         * people
+         * @description Needs the role `admin`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_users"];
         put?: never;
-        /** add a person */
+        /**
+         * add a person
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_users"];
         delete?: never;
         options?: never;
@@ -455,9 +551,15 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one person */
+        /**
+         * one person
+         * @description Needs the role `admin`.
+         */
         get: operations["get_users_name"];
-        /** change roles, disable or enable */
+        /**
+         * change roles, disable or enable
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`. Changes the revision that `If-Match` names.
+         */
         put: operations["put_users_name"];
         post?: never;
         delete?: never;
@@ -475,7 +577,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** end the lock after too many wrong secrets */
+        /**
+         * end the lock after too many wrong secrets
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_users_name_unlock"];
         delete?: never;
         options?: never;
@@ -491,10 +596,16 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** give a person a new password; ends sessions */
+        /**
+         * give a person a new password; ends sessions
+         * @description Needs the role `admin`. A token with scopes needs `setup`.
+         */
         put: operations["put_users_name_password"];
         post?: never;
-        /** take a password away; ends sessions */
+        /**
+         * take a password away; ends sessions
+         * @description Needs the role `admin`. A token with scopes needs `setup`.
+         */
         delete: operations["delete_users_name_password"];
         options?: never;
         head?: never;
@@ -509,10 +620,16 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** give a person a new PIN for the shop floor; ends sessions */
+        /**
+         * give a person a new PIN for the shop floor; ends sessions
+         * @description Needs the role `admin`. A token with scopes needs `setup`.
+         */
         put: operations["put_users_name_pin"];
         post?: never;
-        /** take a PIN away; ends sessions */
+        /**
+         * take a PIN away; ends sessions
+         * @description Needs the role `admin`. A token with scopes needs `setup`.
+         */
         delete: operations["delete_users_name_pin"];
         options?: never;
         head?: never;
@@ -526,10 +643,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** tokens, newest first, without their secrets */
+        /**
+         * tokens, newest first, without their secrets
+         * @description Needs the role `admin`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_tokens"];
         put?: never;
-        /** make a token; its secret is shown this once */
+        /**
+         * make a token; its secret is shown this once
+         * @description Needs the role `admin`. A token with scopes needs `setup`.
+         */
         post: operations["post_tokens"];
         delete?: never;
         options?: never;
@@ -544,11 +667,17 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one token, without its secret */
+        /**
+         * one token, without its secret
+         * @description Needs the role `admin`.
+         */
         get: operations["get_tokens_id"];
         put?: never;
         post?: never;
-        /** end a token and its sessions */
+        /**
+         * end a token and its sessions
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         delete: operations["delete_tokens_id"];
         options?: never;
         head?: never;
@@ -562,7 +691,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** who did what, newest first */
+        /**
+         * who did what, newest first
+         * @description Needs the role `approver`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_audit"];
         put?: never;
         post?: never;
@@ -579,10 +711,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** part families */
+        /**
+         * part families
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_families"];
         put?: never;
-        /** add a family by its text */
+        /**
+         * add a family by its text
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_families"];
         delete?: never;
         options?: never;
@@ -597,9 +735,15 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one family with its text and parameters */
+        /**
+         * one family with its text and parameters
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_families_name"];
-        /** a new revision of a family */
+        /**
+         * a new revision of a family
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`. Changes the revision that `If-Match` names.
+         */
         put: operations["put_families_name"];
         post?: never;
         delete?: never;
@@ -615,10 +759,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** parts: families with values */
+        /**
+         * parts: families with values
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_parts"];
         put?: never;
-        /** add a part */
+        /**
+         * add a part
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_parts"];
         delete?: never;
         options?: never;
@@ -633,9 +783,15 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one part */
+        /**
+         * one part
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_parts_number"];
-        /** a new revision of a part's values */
+        /**
+         * a new revision of a part's values
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`. Changes the revision that `If-Match` names.
+         */
         put: operations["put_parts_number"];
         post?: never;
         delete?: never;
@@ -651,10 +807,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** programs */
+        /**
+         * programs
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_programs"];
         put?: never;
-        /** add a program by its text */
+        /**
+         * add a program by its text
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_programs"];
         delete?: never;
         options?: never;
@@ -669,14 +831,20 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one program */
+        /**
+         * one program
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_programs_id"];
         put?: never;
         post?: never;
         delete?: never;
         options?: never;
         head?: never;
-        /** give a program tags and a folder */
+        /**
+         * give a program tags and a folder
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         patch: operations["patch_programs_id"];
         trace?: never;
     };
@@ -687,7 +855,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** the text of a revision */
+        /**
+         * the text of a revision
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_programs_id_text"];
         put?: never;
         post?: never;
@@ -704,7 +875,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** some lines of a revision, each with the family's line and values that it was rendered from */
+        /**
+         * some lines of a revision, each with the family's line and values that it was rendered from
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_programs_id_lines"];
         put?: never;
         post?: never;
@@ -721,10 +895,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** revisions, newest first */
+        /**
+         * revisions, newest first
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_programs_id_revisions"];
         put?: never;
-        /** a new revision of the text */
+        /**
+         * a new revision of the text
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`. Changes the revision that `If-Match` names.
+         */
         post: operations["post_programs_id_revisions"];
         delete?: never;
         options?: never;
@@ -739,7 +919,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** hold a revision against another one, or another program's: text, meaning, motions */
+        /**
+         * hold a revision against another one, or another program's: text, meaning, motions
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_programs_id_compare"];
         put?: never;
         post?: never;
@@ -756,7 +939,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** the toolpath of a revision, as points, and what is not known of it */
+        /**
+         * the toolpath of a revision, as points, and what is not known of it
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_programs_id_path"];
         put?: never;
         post?: never;
@@ -775,7 +961,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** put a program aside, with a reason: it takes no revision and no release */
+        /**
+         * put a program aside, with a reason: it takes no revision and no release
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_programs_id_archive"];
         delete?: never;
         options?: never;
@@ -792,7 +981,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** use an archived program again, with a reason */
+        /**
+         * use an archived program again, with a reason
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_programs_id_fetch_back"];
         delete?: never;
         options?: never;
@@ -807,7 +999,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** which parts, releases, jobs, machines and other programs use a program, and which ones it calls */
+        /**
+         * which parts, releases, jobs, machines and other programs use a program, and which ones it calls
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_programs_id_uses"];
         put?: never;
         post?: never;
@@ -824,7 +1019,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** programs by words: names, numbers, tags, part, machine, comments, text; best first */
+        /**
+         * programs by words: names, numbers, tags, part, machine, comments, text; best first
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_search"];
         put?: never;
         post?: never;
@@ -843,7 +1041,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** what the reader and the validator find in a text that is being written; it is neither run nor stored */
+        /**
+         * what the reader and the validator find in a text that is being written; it is neither run nor stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_diagnose"];
         delete?: never;
         options?: never;
@@ -860,7 +1061,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** the programs of a text that holds several, as controls dump their memory; they are not stored */
+        /**
+         * the programs of a text that holds several, as controls dump their memory; they are not stored
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_split"];
         delete?: never;
         options?: never;
@@ -877,7 +1081,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a text or stored program in another control's language, run on both sides where it can be; it is not stored */
+        /**
+         * a text or stored program in another control's language, run on both sides where it can be; it is not stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_convert"];
         delete?: never;
         options?: never;
@@ -894,7 +1101,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** the toolpath of a text that is being written; it is not stored */
+        /**
+         * the toolpath of a text that is being written; it is not stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_path"];
         delete?: never;
         options?: never;
@@ -909,7 +1119,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** codes, keywords, functions, cycles and system variables of a dialect, each with a few words on it */
+        /**
+         * codes, keywords, functions, cycles and system variables of a dialect, each with a few words on it
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_dialects_name_words"];
         put?: never;
         post?: never;
@@ -928,7 +1141,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** render a part or family for a machine and store the program */
+        /**
+         * render a part or family for a machine and store the program
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_render"];
         delete?: never;
         options?: never;
@@ -945,7 +1161,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** what rendering would give, stored nowhere */
+        /**
+         * what rendering would give, stored nowhere
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_preview"];
         delete?: never;
         options?: never;
@@ -960,10 +1179,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** verdicts, newest first */
+        /**
+         * verdicts, newest first
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_checks"];
         put?: never;
-        /** check a program for a machine and store the verdict */
+        /**
+         * check a program for a machine and store the verdict
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_checks"];
         delete?: never;
         options?: never;
@@ -978,7 +1203,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one verdict with its report */
+        /**
+         * one verdict with its report
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_checks_id"];
         put?: never;
         post?: never;
@@ -997,7 +1225,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** waive a verdict, with a reason */
+        /**
+         * waive a verdict, with a reason
+         * @description Needs the role `approver`. A token with scopes needs `releases`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_checks_id_waivers"];
         delete?: never;
         options?: never;
@@ -1014,7 +1245,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** how far a program's surface lies from the nominal, and measured points; with plot=deviation as SVG */
+        /**
+         * how far a program's surface lies from the nominal, and measured points; with plot=deviation as SVG
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_accuracy"];
         delete?: never;
         options?: never;
@@ -1031,7 +1265,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a program's rapids into stock or part and cuts below the nominal; with plot=stock as SVG */
+        /**
+         * a program's rapids into stock or part and cuts below the nominal; with plot=stock as SVG
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_gouge"];
         delete?: never;
         options?: never;
@@ -1048,7 +1285,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** how long a program takes on a machine and its line; with plot=feed or plot=buffer as SVG */
+        /**
+         * how long a program takes on a machine and its line; with plot=feed or plot=buffer as SVG
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_timing"];
         delete?: never;
         options?: never;
@@ -1065,7 +1305,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** for which values a family passes on a machine, and the smallest failure; with plot=region as SVG */
+        /**
+         * for which values a family passes on a machine, and the smallest failure; with plot=region as SVG
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_sweep"];
         delete?: never;
         options?: never;
@@ -1080,7 +1323,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** heavy work that waits or runs now, in the order in which it came */
+        /**
+         * heavy work that waits or runs now, in the order in which it came
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_work"];
         put?: never;
         post?: never;
@@ -1100,7 +1346,10 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        /** cancel it: who asked for it, or an admin */
+        /**
+         * cancel it: who asked for it, or an admin
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
         delete: operations["delete_work_id"];
         options?: never;
         head?: never;
@@ -1114,10 +1363,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** releases, newest first */
+        /**
+         * releases, newest first
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_releases"];
         put?: never;
-        /** a draft that binds text, machine and delivery */
+        /**
+         * a draft that binds text, machine and delivery
+         * @description Needs the role `programmer`. A token with scopes needs `releases`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_releases"];
         delete?: never;
         options?: never;
@@ -1132,7 +1387,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one release */
+        /**
+         * one release
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_releases_id"];
         put?: never;
         post?: never;
@@ -1151,7 +1409,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** move a release on; a programmer hands it in for review, all else is an approver's */
+        /**
+         * move a release on; a programmer hands it in for review, all else is an approver's
+         * @description Needs the role `programmer`. A token with scopes needs `releases`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_releases_id_transitions"];
         delete?: never;
         options?: never;
@@ -1168,7 +1429,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** the restart of the released text at a line, and what it assumes; stored nowhere */
+        /**
+         * the restart of the released text at a line, and what it assumes; stored nowhere
+         * @description Needs the role `operator`. A token with scopes needs `releases`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_releases_id_restart_preview"];
         delete?: never;
         options?: never;
@@ -1185,7 +1449,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a release in review of the restart that was shown; an approver releases it for one transfer */
+        /**
+         * a release in review of the restart that was shown; an approver releases it for one transfer
+         * @description Needs the role `programmer`. A token with scopes needs `releases`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_releases_id_restarts"];
         delete?: never;
         options?: never;
@@ -1200,10 +1467,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** what is to be made, newest first */
+        /**
+         * what is to be made, newest first
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_orders"];
         put?: never;
-        /** add an order; the same number, operation and plan again is the same order */
+        /**
+         * add an order; the same number, operation and plan again is the same order
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_orders"];
         delete?: never;
         options?: never;
@@ -1218,9 +1491,15 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one order */
+        /**
+         * one order
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_orders_id"];
-        /** change the plan of an order */
+        /**
+         * change the plan of an order
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`. Changes the revision that `If-Match` names.
+         */
         put: operations["put_orders_id"];
         post?: never;
         delete?: never;
@@ -1238,7 +1517,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
+        /**
+         * hold, open, close or cancel an order; while it is not open, none of its jobs is armed
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_orders_id_move"];
         delete?: never;
         options?: never;
@@ -1255,7 +1537,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** report parts that were made */
+        /**
+         * report parts that were made
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_orders_id_parts"];
         delete?: never;
         options?: never;
@@ -1270,10 +1555,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** transfers, newest first */
+        /**
+         * transfers, newest first
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_jobs"];
         put?: never;
-        /** queue a released program */
+        /**
+         * queue a released program
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_jobs"];
         delete?: never;
         options?: never;
@@ -1288,7 +1579,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one job */
+        /**
+         * one job
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_jobs_id"];
         put?: never;
         post?: never;
@@ -1305,7 +1599,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** how long its program takes by its verdict, line by line, and what the control's buffer holds */
+        /**
+         * how long its program takes by its verdict, line by line, and what the control's buffer holds
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_jobs_id_forecast"];
         put?: never;
         post?: never;
@@ -1324,7 +1621,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a person arms the job for its machine's line */
+        /**
+         * a person arms the job for its machine's line
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_jobs_id_arm"];
         delete?: never;
         options?: never;
@@ -1341,7 +1641,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** move a queued job before another one, or to the end */
+        /**
+         * move a queued job before another one, or to the end
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_jobs_id_move"];
         delete?: never;
         options?: never;
@@ -1358,7 +1661,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** stop at a block end */
+        /**
+         * stop at a block end
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_jobs_id_stop"];
         delete?: never;
         options?: never;
@@ -1375,7 +1681,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** end at a block end */
+        /**
+         * end at a block end
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_jobs_id_cancel"];
         delete?: never;
         options?: never;
@@ -1392,7 +1701,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** go on; as if DC1 had come, with a reason */
+        /**
+         * go on; as if DC1 had come, with a reason
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_jobs_id_resume"];
         delete?: never;
         options?: never;
@@ -1407,7 +1719,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** alarms, newest first; with state=open those that ask for a person */
+        /**
+         * alarms, newest first; with state=open those that ask for a person
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_alarms"];
         put?: never;
         post?: never;
@@ -1424,7 +1739,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one alarm */
+        /**
+         * one alarm
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_alarms_id"];
         put?: never;
         post?: never;
@@ -1443,7 +1761,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a person acknowledges it */
+        /**
+         * a person acknowledges it
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_alarms_id_acknowledge"];
         delete?: never;
         options?: never;
@@ -1460,7 +1781,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** it asks for no person for some minutes, with a reason; not a critical one */
+        /**
+         * it asks for no person for some minutes, with a reason; not a critical one
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_alarms_id_shelve"];
         delete?: never;
         options?: never;
@@ -1477,7 +1801,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** it asks again */
+        /**
+         * it asks again
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_alarms_id_unshelve"];
         delete?: never;
         options?: never;
@@ -1492,7 +1819,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** events that are sent to other systems by webhooks and MQTT */
+        /**
+         * events that are sent to other systems by webhooks and MQTT
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_event_types"];
         put?: never;
         post?: never;
@@ -1509,10 +1839,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** who receives events by HTTP, newest first */
+        /**
+         * who receives events by HTTP, newest first
+         * @description Needs the role `admin`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_webhooks"];
         put?: never;
-        /** post events to a URL from now on (Standard Webhooks 1.0); its secret is shown here and never again */
+        /**
+         * post events to a URL from now on (Standard Webhooks 1.0); its secret is shown here and never again
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_webhooks"];
         delete?: never;
         options?: never;
@@ -1527,15 +1863,24 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one webhook, without its secret */
+        /**
+         * one webhook, without its secret
+         * @description Needs the role `admin`.
+         */
         get: operations["get_webhooks_id"];
         put?: never;
         post?: never;
-        /** remove a webhook with its deliveries */
+        /**
+         * remove a webhook with its deliveries
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         delete: operations["delete_webhooks_id"];
         options?: never;
         head?: never;
-        /** change what is given of a webhook */
+        /**
+         * change what is given of a webhook
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         patch: operations["patch_webhooks_id"];
         trace?: never;
     };
@@ -1548,7 +1893,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a new secret, shown once; the one before signs as well for some hours */
+        /**
+         * a new secret, shown once; the one before signs as well for some hours
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_webhooks_id_rotate"];
         delete?: never;
         options?: never;
@@ -1565,7 +1913,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** send it an event webhook.ping, to try it */
+        /**
+         * send it an event webhook.ping, to try it
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_webhooks_id_ping"];
         delete?: never;
         options?: never;
@@ -1580,7 +1931,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** events that are being delivered to it, newest first */
+        /**
+         * events that are being delivered to it, newest first
+         * @description Needs the role `admin`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_webhooks_id_deliveries"];
         put?: never;
         post?: never;
@@ -1599,7 +1953,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** send one again, with the same webhook-id */
+        /**
+         * send one again, with the same webhook-id
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_webhooks_id_deliveries_delivery_replay"];
         delete?: never;
         options?: never;
@@ -1616,7 +1973,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** send all dead ones again whose event is not older */
+        /**
+         * send all dead ones again whose event is not older
+         * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_webhooks_id_replay"];
         delete?: never;
         options?: never;
@@ -1631,7 +1991,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** what controls punched, newest first */
+        /**
+         * what controls punched, newest first
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_receipts"];
         put?: never;
         post?: never;
@@ -1648,7 +2011,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** one receipt, held against the stored program of its name */
+        /**
+         * one receipt, held against the stored program of its name
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_receipts_id"];
         put?: never;
         post?: never;
@@ -1665,7 +2031,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** its text; of one in quarantine the bytes, or with form=read their text */
+        /**
+         * its text; of one in quarantine the bytes, or with form=read their text
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_receipts_id_text"];
         put?: never;
         post?: never;
@@ -1684,7 +2053,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** make it a program's revision; one in quarantine by an approver, with a reason */
+        /**
+         * make it a program's revision; one in quarantine by an approver, with a reason
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_receipts_id_accept"];
         delete?: never;
         options?: never;
@@ -1701,7 +2073,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** it is not wanted, with a reason */
+        /**
+         * it is not wanted, with a reason
+         * @description Needs the role `approver`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
         post: operations["post_receipts_id_discard"];
         delete?: never;
         options?: never;
@@ -1716,7 +2091,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** what operators asked for, newest first */
+        /**
+         * what operators asked for, newest first
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
         get: operations["get_requests"];
         put?: never;
         post?: never;
@@ -1733,7 +2111,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** what is known of a transfer */
+        /**
+         * what is known of a transfer
+         * @description Needs the role `viewer`.
+         */
         get: operations["get_jobs_id_ledger"];
         put?: never;
         post?: never;
@@ -1754,36 +2135,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a program is new */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a program is new
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_program_added"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1799,36 +2155,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a program has a new revision of its text */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a program has a new revision of its text
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_program_revised"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1844,36 +2175,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a program is out of use */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a program is out of use
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_program_archived"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1889,36 +2195,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an archived program is in use again */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * an archived program is in use again
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_program_fetched_back"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1934,36 +2215,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an order is new */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * an order is new
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_order_added"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1979,36 +2235,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the plan of an order changed */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the plan of an order changed
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_order_changed"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2024,36 +2255,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** parts were reported to an order */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * parts were reported to an order
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_order_parts"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2069,36 +2275,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** jobs of an order may be queued and armed again */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * jobs of an order may be queued and armed again
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_order_open"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2114,36 +2295,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** no job of an order may be queued or armed */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * no job of an order may be queued or armed
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_order_held"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2159,36 +2315,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a person or the MES closed an order */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a person or the MES closed an order
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_order_done"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2204,36 +2335,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an order is not wanted any more */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * an order is not wanted any more
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_order_cancelled"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2249,36 +2355,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a release was made */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a release was made
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_release_draft"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2294,36 +2375,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a release waits for its review */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a release waits for its review
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_release_in_review"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2339,36 +2395,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a release may be transferred some times, to prove it at the machine */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a release may be transferred some times, to prove it at the machine
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_release_proving"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2384,36 +2415,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a release was signed off */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a release was signed off
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_release_approved"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2429,36 +2435,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a release may not be transferred any more */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a release may not be transferred any more
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_release_obsolete"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2474,36 +2455,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a job was queued, or it is no more armed and back in the queue */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["JobEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a job was queued, or it is no more armed and back in the queue
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_queued"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2519,36 +2475,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a person armed the job: it waits for the control's start */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["JobEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a person armed the job: it waits for the control's start
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_armed"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2564,36 +2495,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the control asked and the transfer began */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["JobEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the control asked and the transfer began
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_feeding"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2609,36 +2515,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** all was sent and the end was seen; it does not say that a part was made */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["JobEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * all was sent and the end was seen; it does not say that a part was made
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_done"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2654,36 +2535,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the transfer broke off */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["JobEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the transfer broke off
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_failed"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2699,36 +2555,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a person ended the job */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["JobEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a person ended the job
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_cancelled"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2744,36 +2575,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the server ended while the job had its line */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["JobEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the server ended while the job had its line
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_interrupted"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2789,36 +2595,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the link to the control is not up */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the link to the control is not up
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_disconnected"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2834,36 +2615,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the link is up and nothing is armed */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the link is up and nothing is armed
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_idle"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2879,36 +2635,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a job waits for the control's start */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a job waits for the control's start
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_armed"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2924,36 +2655,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** blocks go out */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * blocks go out
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_feeding"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2969,36 +2675,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the control, or a person, holds the feed */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the control, or a person, holds the feed
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_held"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3014,36 +2695,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** all was handed over, the end is not seen */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * all was handed over, the end is not seen
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_draining"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3059,36 +2715,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a block broke off: a person must confirm that the control was reset */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a block broke off: a person must confirm that the control was reset
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_torn"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3104,36 +2735,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the control punches */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the control punches
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_receiving"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3149,36 +2755,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an answer to the operator waits for the control, or is sent */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["LineEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * an answer to the operator waits for the control, or is sent
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_line_answering"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3194,36 +2775,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an alarm is new, or is on again */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * an alarm is new, or is on again
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_alarm_raised"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3239,36 +2795,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** the condition of an alarm is over */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * the condition of an alarm is over
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_alarm_cleared"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3284,36 +2815,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a person knows of an alarm */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a person knows of an alarm
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_alarm_acknowledged"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3329,36 +2835,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a person put an alarm off */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a person put an alarm off
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_alarm_shelved"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3374,36 +2855,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an alarm asks for a person again */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * an alarm asks for a person again
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_alarm_unshelved"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3419,36 +2875,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a control punched a program */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a control punched a program
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_receipt_stored"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3464,36 +2895,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a control punched something that is broken */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a control punched something that is broken
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_receipt_quarantined"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3509,36 +2915,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a receipt became a program's revision */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a receipt became a program's revision
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_receipt_accepted"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3554,36 +2935,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a receipt is not wanted */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a receipt is not wanted
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_receipt_discarded"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3599,36 +2955,11 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** a person tries a webhook; it alone gets this */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["WebhookEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
+        /**
+         * a person tries a webhook; it alone gets this
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_webhook_ping"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3638,7 +2969,20 @@ export interface webhooks {
 }
 export interface components {
     schemas: {
-        /** @description why a request was not answered (RFC 9457) */
+        /**
+         * @description why a request was not answered (RFC 9457)
+         * @example {
+         *       "type": "about:blank",
+         *       "title": "no verdict",
+         *       "status": 409,
+         *       "code": "no_verdict",
+         *       "detail": "the text was never checked for this machine and delivery",
+         *       "said": {
+         *         "id": "store_no_verdict",
+         *         "values": {}
+         *       }
+         *     }
+         */
         Problem: {
             /** @description about:blank */
             type: string;
@@ -3698,6 +3042,10 @@ export interface components {
             openapi: string;
             /** @description as OpenAPI has it */
             info: unknown;
+            /** @description as OpenAPI has it */
+            servers: unknown;
+            /** @description groups of routes */
+            tags: unknown;
             /** @description as OpenAPI has it */
             security: unknown;
             /** @description by path */
@@ -3801,7 +3149,14 @@ export interface components {
             /** @description the whole text */
             text: string;
         };
-        /** @description a program by its text */
+        /**
+         * @description a program by its text
+         * @example {
+         *       "name": "O0042",
+         *       "dialect": "fanuc",
+         *       "text": "%\nO0042\nG0X80.Z2.\nM30\n%\n"
+         *     }
+         */
         NewProgram: {
             /** @description under which the control calls it */
             name: string;
@@ -3817,7 +3172,17 @@ export interface components {
             /** @description names with slashes between: "customer/pumps"; empty: in none */
             folder?: string | null;
         };
-        /** @description a part: a family with values */
+        /**
+         * @description a part: a family with values
+         * @example {
+         *       "number": "HUB-12",
+         *       "family": "hub",
+         *       "values": {
+         *         "bore": "42 mm",
+         *         "length": "60 mm"
+         *       }
+         *     }
+         */
         NewPart: {
             /** @description of the part, its name */
             number: string;
@@ -3835,7 +3200,14 @@ export interface components {
                 [key: string]: string | number;
             } | null;
         };
-        /** @description what is rendered, and for which machine */
+        /**
+         * @description what is rendered, and for which machine
+         * @example {
+         *       "part": "HUB-12",
+         *       "machine": "lathe-1",
+         *       "delivery": "drip"
+         *     }
+         */
         RenderOrder: {
             /** @description number of the part; or family and values */
             part?: string | null;
@@ -3862,7 +3234,14 @@ export interface components {
             /** @description whether a macro is rewritten so that the control computes it faster; not given: false */
             optimize?: boolean | null;
         };
-        /** @description what is checked, and for which machine */
+        /**
+         * @description what is checked, and for which machine
+         * @example {
+         *       "program": 77,
+         *       "machine": "lathe-1",
+         *       "delivery": "drip"
+         *     }
+         */
         CheckOrder: {
             /** @description id of the program */
             program: number;
@@ -4029,7 +3408,14 @@ export interface components {
             /** @description how many random values are tried */
             samples?: number | null;
         };
-        /** @description what a release binds */
+        /**
+         * @description what a release binds
+         * @example {
+         *       "program": 77,
+         *       "machine": "lathe-1",
+         *       "delivery": "drip"
+         *     }
+         */
         NewRelease: {
             /** @description id of the program */
             program: number;
@@ -4043,7 +3429,13 @@ export interface components {
              */
             delivery?: "drip" | "memory" | null;
         };
-        /** @description one step of a release */
+        /**
+         * @description one step of a release
+         * @example {
+         *       "to": "proving",
+         *       "transfers": 3
+         *     }
+         */
         ReleaseMove: {
             /**
              * @description state of the release after this step
@@ -4073,14 +3465,25 @@ export interface components {
             /** @description of the text that was shown */
             shown_sha256: string;
         };
-        /** @description which release is transferred */
+        /**
+         * @description which release is transferred
+         * @example {
+         *       "release": 17,
+         *       "order": 31
+         *     }
+         */
         NewJob: {
             /** @description id of the release */
             release: number;
             /** @description id of the order that it belongs to; not given: none */
             order?: number | null;
         };
-        /** @description how a job is armed */
+        /**
+         * @description how a job is armed
+         * @example {
+         *       "minutes": 10
+         *     }
+         */
         ArmOrder: {
             /** @description until the arming ends by itself; not given: the profile's */
             minutes?: number | null;
@@ -4099,7 +3502,12 @@ export interface components {
             /** @description for the record */
             reason: string;
         };
-        /** @description why a person does it */
+        /**
+         * @description why a person does it
+         * @example {
+         *       "reason": "the control was reset"
+         *     }
+         */
         Reason: {
             /** @description for the record */
             reason: string;
@@ -4109,7 +3517,17 @@ export interface components {
             /** @description for the record */
             reason?: string | null;
         };
-        /** @description who receives which events */
+        /**
+         * @description who receives which events
+         * @example {
+         *       "url": "https://mes.shop/dripfeed",
+         *       "types": [
+         *         "job.*",
+         *         "alarm.raised"
+         *       ],
+         *       "description": "the MES"
+         *     }
+         */
         NewWebhook: {
             /** @description where events are posted: https, or http where it is local */
             url: string;
@@ -4219,7 +3637,16 @@ export interface components {
             /** @description the new password (10 bytes or more) or PIN (4 to 12 digits) */
             secret: string;
         };
-        /** @description a token: of a user or of a program; "scope" limits what it may change */
+        /**
+         * @description a token: of a user or of a program; "scope" limits what it may change
+         * @example {
+         *       "name": "the MES",
+         *       "role": "operator",
+         *       "scope": [
+         *         "queue"
+         *       ]
+         *     }
+         */
         NewToken: {
             /** @description of the program or station that gets it */
             name: string;
@@ -4242,7 +3669,21 @@ export interface components {
             /** @description whether who wrote or released a text may not approve it on these machines; not given: false */
             four_eyes?: boolean | null;
         };
-        /** @description what is to be made */
+        /**
+         * @description what is to be made
+         * @example {
+         *       "number": "4711",
+         *       "operation": "20",
+         *       "part": "HUB-12",
+         *       "quantity": 50,
+         *       "machine": "lathe-1",
+         *       "due_at_ms": 1795600800000,
+         *       "priority": 10,
+         *       "metadata": {
+         *         "cost_center": "A7"
+         *       }
+         *     }
+         */
         NewOrder: {
             /** @description of the planner */
             number: string;
@@ -4280,7 +3721,13 @@ export interface components {
                 [key: string]: unknown;
             } | null;
         };
-        /** @description one step of an order */
+        /**
+         * @description one step of an order
+         * @example {
+         *       "to": "held",
+         *       "reason": "the material is late"
+         *     }
+         */
         OrderMove: {
             /**
              * @description the state
@@ -4290,7 +3737,14 @@ export interface components {
             /** @description needed to hold and to cancel */
             reason?: string | null;
         };
-        /** @description parts that were made since the last report */
+        /**
+         * @description parts that were made since the last report
+         * @example {
+         *       "good": 12,
+         *       "scrap": 1,
+         *       "note": "one had a burr"
+         *     }
+         */
         PartsReport: {
             /** @description parts; not given: 0 */
             good?: number | null;
@@ -5126,7 +4580,28 @@ export interface components {
             /** @description when it was made; milliseconds since 1970, UTC */
             changed_at_ms: number;
         };
-        /** @description a program with its newest revision */
+        /**
+         * @description a program with its newest revision
+         * @example {
+         *       "id": 77,
+         *       "name": "O0042",
+         *       "dialect": "fanuc",
+         *       "tags": [
+         *         "hub"
+         *       ],
+         *       "folder": null,
+         *       "archived": null,
+         *       "revision": 1,
+         *       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *       "bytes": 24,
+         *       "blocks": 3,
+         *       "origin": {
+         *         "kind": "uploaded"
+         *       },
+         *       "created_by": "the MES",
+         *       "created_at_ms": 1795500100000
+         *     }
+         */
         Program: {
             /** @description of the program */
             id: number;
@@ -5335,7 +4810,24 @@ export interface components {
                 alarm: string | null;
             }[];
         };
-        /** @description what the checks found in a program, without their report */
+        /**
+         * @description what the checks found in a program, without their report
+         * @example {
+         *       "id": 140,
+         *       "program": 77,
+         *       "revision": 1,
+         *       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *       "machine": "lathe-1",
+         *       "machine_revision": 4,
+         *       "delivery": "drip",
+         *       "verdict": "pass",
+         *       "stale": false,
+         *       "created_by": "the MES",
+         *       "created_at_ms": 1795500200000,
+         *       "calls": [],
+         *       "waivers": []
+         *     }
+         */
         VerdictSummary: {
             /** @description of the verdict */
             id: number;
@@ -6628,7 +6120,26 @@ export interface components {
             /** @description of its process; null: not known yet */
             budget_s: number | null;
         };
-        /** @description a text that may go to one machine by one delivery */
+        /**
+         * @description a text that may go to one machine by one delivery
+         * @example {
+         *       "id": 17,
+         *       "state": "approved",
+         *       "program": 77,
+         *       "revision": 1,
+         *       "machine": "lathe-1",
+         *       "delivery": "drip",
+         *       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *       "restart": null,
+         *       "transfers_allowed": 3,
+         *       "transfers_done": 1,
+         *       "created_by": "paula",
+         *       "created_at_ms": 1795500300000,
+         *       "approved_by": "anna",
+         *       "sign_off": "first part measured",
+         *       "changed_at_ms": 1795507200000
+         *     }
+         */
         Release: {
             /** @description of the release */
             id: number;
@@ -6729,7 +6240,40 @@ export interface components {
                 alarm: string | null;
             }[];
         };
-        /** @description one transfer of a released text to a machine */
+        /**
+         * @description one transfer of a released text to a machine
+         * @example {
+         *       "id": 412,
+         *       "state": "feeding",
+         *       "machine": "lathe-1",
+         *       "release": 17,
+         *       "order": 31,
+         *       "restart": null,
+         *       "program": 77,
+         *       "revision": 1,
+         *       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *       "delivery": "drip",
+         *       "link": "tcp://10.0.0.21:4001",
+         *       "bytes": 24,
+         *       "reason": "",
+         *       "reason_id": null,
+         *       "reason_said": null,
+         *       "rank": 1,
+         *       "created_by": "the MES",
+         *       "created_at_ms": 1795500400000,
+         *       "armed_by": "olga",
+         *       "armed_at_ms": 1795500500000,
+         *       "expires_at_ms": 1795501100000,
+         *       "started_at_ms": 1795500512000,
+         *       "ended_at_ms": null,
+         *       "torn": false,
+         *       "needs_confirmation": false,
+         *       "confirmed_by": null,
+         *       "confirm_reason": null,
+         *       "read_back": null,
+         *       "read_back_state": null
+         *     }
+         */
         Job: {
             /** @description of the job */
             id: number;
@@ -7527,7 +7071,33 @@ export interface components {
             /** @description deliveries */
             replayed: number;
         };
-        /** @description what is to be made, as a MES or a planner says */
+        /**
+         * @description what is to be made, as a MES or a planner says
+         * @example {
+         *       "id": 31,
+         *       "number": "4711",
+         *       "operation": "20",
+         *       "part": "HUB-12",
+         *       "quantity": 50,
+         *       "machine": "lathe-1",
+         *       "due_at_ms": 1795600800000,
+         *       "priority": 10,
+         *       "metadata": {
+         *         "cost_center": "A7"
+         *       },
+         *       "state": "open",
+         *       "reason": null,
+         *       "good": 12,
+         *       "scrap": 1,
+         *       "open": 38,
+         *       "transfers": 1,
+         *       "waiting": 0,
+         *       "revision": 3,
+         *       "created_by": "the MES",
+         *       "created_at_ms": 1795500000000,
+         *       "changed_at_ms": 1795503600000
+         *     }
+         */
         Order: {
             /** @description of the order */
             id: number;
@@ -7716,7 +7286,138 @@ export interface components {
             next: string | null;
         };
     };
-    responses: never;
+    responses: {
+        /** @description `malformed`: the request cannot be read, or has a query parameter that is not known */
+        Problem400: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `not_signed_in`: there is no token and no session, or it has ended; `wrong_secret`: the name, password, PIN or token is wrong */
+        Problem401: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `not_allowed`: the caller may not do this; `role_missing`: the caller's role is too low for this, or for this machine; `scope_missing`: the token's scope does not contain this change */
+        Problem403: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `not_found`: there is no such route or thing */
+        Problem404: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
+        Problem409: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `stale_revision`: another change came first: read it again */
+        Problem412: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `too_large`: the body is too long for this route */
+        Problem413: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `no_json`: the body is no JSON, or is encoded */
+        Problem415: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `invalid`: a value is missing or wrong: see `errors`; `key_reused`: the idempotency key was used for another request */
+        Problem422: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `revision_missing`: If-Match with the revision that is changed is needed */
+        Problem428: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `too_many`: too many wrong secrets, or too many who watch */
+        Problem429: {
+            headers: {
+                /** @description seconds after which asking again may help */
+                "Retry-After": number;
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `internal`: the request failed inside the server; the log states why */
+        Problem500: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `unavailable`: the server cannot do it for now; `overloaded`: too many requests wait: send it again; `disk_full`: the disk is full: what runs is brought to its end, nothing new begins */
+        Problem503: {
+            headers: {
+                /** @description seconds after which asking again may help */
+                "Retry-After": number;
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description `no_room`: the body could not be kept on the disk */
+        Problem507: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+    };
     parameters: never;
     requestBodies: never;
     headers: never;
@@ -7742,7 +7443,10 @@ export interface operations {
                     "application/json": components["schemas"]["Health"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7771,7 +7475,12 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7800,7 +7509,10 @@ export interface operations {
                     "application/json": components["schemas"]["OpenApi"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7829,7 +7541,10 @@ export interface operations {
                     "text/html": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7845,6 +7560,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the file */
                 name: string;
             };
             cookie?: never;
@@ -7868,7 +7584,11 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7897,7 +7617,10 @@ export interface operations {
                     "text/html": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7913,6 +7636,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the page */
                 name: string;
             };
             cookie?: never;
@@ -7929,7 +7653,11 @@ export interface operations {
                     "image/png": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7958,7 +7686,12 @@ export interface operations {
                     "application/json": components["schemas"]["Session"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7989,7 +7722,18 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            429: components["responses"]["Problem429"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8004,6 +7748,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -8018,7 +7763,16 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8032,9 +7786,7 @@ export interface operations {
     put_session_password: {
         parameters: {
             query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
+            header?: never;
             path?: never;
             cookie?: never;
         };
@@ -8051,7 +7803,18 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8080,7 +7843,14 @@ export interface operations {
                     "text/event-stream": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            429: components["responses"]["Problem429"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8109,13 +7879,19 @@ export interface operations {
                     "application/xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                    "application/xml": string;
                 };
             };
         };
@@ -8123,11 +7899,17 @@ export interface operations {
     get_mtconnect_current: {
         parameters: {
             query?: {
+                /** @description the number of the first change */
                 from?: string;
+                /** @description how many changes at most */
                 count?: number;
+                /** @description an XPath; not taken, and refused as MTConnect has it */
                 path?: string;
+                /** @description a number in the past; not taken, and refused as MTConnect has it */
                 at?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 interval?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 heartbeat?: string;
             };
             header?: never;
@@ -8145,13 +7927,19 @@ export interface operations {
                     "application/xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                    "application/xml": string;
                 };
             };
         };
@@ -8159,11 +7947,17 @@ export interface operations {
     get_mtconnect_sample: {
         parameters: {
             query?: {
+                /** @description the number of the first change */
                 from?: string;
+                /** @description how many changes at most */
                 count?: number;
+                /** @description an XPath; not taken, and refused as MTConnect has it */
                 path?: string;
+                /** @description a number in the past; not taken, and refused as MTConnect has it */
                 at?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 interval?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 heartbeat?: string;
             };
             header?: never;
@@ -8181,13 +7975,19 @@ export interface operations {
                     "application/xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                    "application/xml": string;
                 };
             };
         };
@@ -8210,13 +8010,19 @@ export interface operations {
                     "application/xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                    "application/xml": string;
                 };
             };
         };
@@ -8226,6 +8032,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8241,13 +8048,19 @@ export interface operations {
                     "application/xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                    "application/xml": string;
                 };
             };
         };
@@ -8255,15 +8068,22 @@ export interface operations {
     get_mtconnect_name_current: {
         parameters: {
             query?: {
+                /** @description the number of the first change */
                 from?: string;
+                /** @description how many changes at most */
                 count?: number;
+                /** @description an XPath; not taken, and refused as MTConnect has it */
                 path?: string;
+                /** @description a number in the past; not taken, and refused as MTConnect has it */
                 at?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 interval?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 heartbeat?: string;
             };
             header?: never;
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8279,13 +8099,19 @@ export interface operations {
                     "application/xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                    "application/xml": string;
                 };
             };
         };
@@ -8293,15 +8119,22 @@ export interface operations {
     get_mtconnect_name_sample: {
         parameters: {
             query?: {
+                /** @description the number of the first change */
                 from?: string;
+                /** @description how many changes at most */
                 count?: number;
+                /** @description an XPath; not taken, and refused as MTConnect has it */
                 path?: string;
+                /** @description a number in the past; not taken, and refused as MTConnect has it */
                 at?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 interval?: string;
+                /** @description of a stream; not taken, and refused as MTConnect has it */
                 heartbeat?: string;
             };
             header?: never;
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8317,13 +8150,19 @@ export interface operations {
                     "application/xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                    "application/xml": string;
                 };
             };
         };
@@ -8331,7 +8170,9 @@ export interface operations {
     get_machines: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
             };
             header?: never;
@@ -8349,7 +8190,13 @@ export interface operations {
                     "application/json": components["schemas"]["MachineSummaryPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8364,6 +8211,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -8378,13 +8226,26 @@ export interface operations {
             /** @description add a machine by its profile */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Machine"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8400,6 +8261,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8415,7 +8277,13 @@ export interface operations {
                     "application/json": components["schemas"]["Machine"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8430,10 +8298,13 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                /** @description the revision that is changed: the ETag of what was read */
                 "If-Match": string;
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8453,7 +8324,20 @@ export interface operations {
                     "application/json": components["schemas"]["Machine"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            412: components["responses"]["Problem412"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            428: components["responses"]["Problem428"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8467,10 +8351,12 @@ export interface operations {
     get_machines_name_utilisation: {
         parameters: {
             query?: {
+                /** @description how many, back from now */
                 days?: number;
             };
             header?: never;
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8486,7 +8372,14 @@ export interface operations {
                     "application/json": components["schemas"]["Utilisation"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8502,6 +8395,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8517,7 +8411,15 @@ export interface operations {
                     "text/event-stream": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            429: components["responses"]["Problem429"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8532,9 +8434,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8550,7 +8454,17 @@ export interface operations {
                     "application/json": components["schemas"]["LineTest"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8565,9 +8479,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the machine */
                 name: string;
             };
             cookie?: never;
@@ -8587,7 +8503,18 @@ export interface operations {
                     "application/json": components["schemas"]["MachineStatus"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8616,7 +8543,12 @@ export interface operations {
                     "application/json": components["schemas"]["MachineGroupPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8631,9 +8563,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the group */
                 name: string;
             };
             cookie?: never;
@@ -8653,7 +8587,18 @@ export interface operations {
                     "application/json": components["schemas"]["MachineGroup"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8668,9 +8613,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the group */
                 name: string;
             };
             cookie?: never;
@@ -8684,7 +8631,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8698,7 +8655,9 @@ export interface operations {
     get_users: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
             };
             header?: never;
@@ -8716,7 +8675,13 @@ export interface operations {
                     "application/json": components["schemas"]["UserPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8731,6 +8696,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -8745,13 +8711,26 @@ export interface operations {
             /** @description add a person */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["User"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8767,6 +8746,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the person */
                 name: string;
             };
             cookie?: never;
@@ -8782,7 +8762,13 @@ export interface operations {
                     "application/json": components["schemas"]["User"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8797,10 +8783,13 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                /** @description the revision that is changed: the ETag of what was read */
                 "If-Match": string;
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the person */
                 name: string;
             };
             cookie?: never;
@@ -8820,7 +8809,20 @@ export interface operations {
                     "application/json": components["schemas"]["User"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            412: components["responses"]["Problem412"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            428: components["responses"]["Problem428"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8835,9 +8837,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the person */
                 name: string;
             };
             cookie?: never;
@@ -8853,7 +8857,17 @@ export interface operations {
                     "application/json": components["schemas"]["User"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8867,10 +8881,9 @@ export interface operations {
     put_users_name_password: {
         parameters: {
             query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
+            header?: never;
             path: {
+                /** @description of the person */
                 name: string;
             };
             cookie?: never;
@@ -8888,7 +8901,18 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8902,10 +8926,9 @@ export interface operations {
     delete_users_name_password: {
         parameters: {
             query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
+            header?: never;
             path: {
+                /** @description of the person */
                 name: string;
             };
             cookie?: never;
@@ -8919,7 +8942,16 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8933,10 +8965,9 @@ export interface operations {
     put_users_name_pin: {
         parameters: {
             query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
+            header?: never;
             path: {
+                /** @description of the person */
                 name: string;
             };
             cookie?: never;
@@ -8954,7 +8985,18 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8968,10 +9010,9 @@ export interface operations {
     delete_users_name_pin: {
         parameters: {
             query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
+            header?: never;
             path: {
+                /** @description of the person */
                 name: string;
             };
             cookie?: never;
@@ -8985,7 +9026,16 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8999,7 +9049,9 @@ export interface operations {
     get_tokens: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
             };
             header?: never;
@@ -9017,7 +9069,13 @@ export interface operations {
                     "application/json": components["schemas"]["TokenPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9031,9 +9089,7 @@ export interface operations {
     post_tokens: {
         parameters: {
             query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
+            header?: never;
             path?: never;
             cookie?: never;
         };
@@ -9046,13 +9102,26 @@ export interface operations {
             /** @description make a token; its secret is shown this once */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["TokenMade"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9068,6 +9137,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9083,7 +9153,13 @@ export interface operations {
                     "application/json": components["schemas"]["Token"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9098,9 +9174,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9114,7 +9192,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9128,12 +9216,19 @@ export interface operations {
     get_audit: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only rows about this thing: "program/7" */
                 subject?: string;
+                /** @description only what this person or token did */
                 actor?: string;
+                /** @description only this kind of act */
                 action?: string;
+                /** @description from this time on, in ms since 1970, UTC */
                 from_ms?: number;
+                /** @description before this time, in ms since 1970, UTC */
                 to_ms?: number;
             };
             header?: never;
@@ -9151,7 +9246,13 @@ export interface operations {
                     "application/json": components["schemas"]["AuditRowPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9165,7 +9266,9 @@ export interface operations {
     get_families: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
             };
             header?: never;
@@ -9183,7 +9286,13 @@ export interface operations {
                     "application/json": components["schemas"]["FamilySummaryPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9198,6 +9307,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -9212,13 +9322,26 @@ export interface operations {
             /** @description add a family by its text */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Family"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9234,6 +9357,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the family */
                 name: string;
             };
             cookie?: never;
@@ -9249,7 +9373,13 @@ export interface operations {
                     "application/json": components["schemas"]["Family"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9264,10 +9394,13 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                /** @description the revision that is changed: the ETag of what was read */
                 "If-Match": string;
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the family */
                 name: string;
             };
             cookie?: never;
@@ -9287,7 +9420,20 @@ export interface operations {
                     "application/json": components["schemas"]["Family"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            412: components["responses"]["Problem412"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            428: components["responses"]["Problem428"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9301,8 +9447,11 @@ export interface operations {
     get_parts: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those of this family, by its name */
                 family?: string;
             };
             header?: never;
@@ -9320,7 +9469,13 @@ export interface operations {
                     "application/json": components["schemas"]["PartPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9335,6 +9490,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -9349,13 +9505,26 @@ export interface operations {
             /** @description add a part */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Part"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9371,6 +9540,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the part */
                 number: string;
             };
             cookie?: never;
@@ -9386,7 +9556,13 @@ export interface operations {
                     "application/json": components["schemas"]["Part"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9401,10 +9577,13 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                /** @description the revision that is changed: the ETag of what was read */
                 "If-Match": string;
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the part */
                 number: string;
             };
             cookie?: never;
@@ -9424,7 +9603,20 @@ export interface operations {
                     "application/json": components["schemas"]["Part"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            412: components["responses"]["Problem412"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            428: components["responses"]["Problem428"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9438,12 +9630,19 @@ export interface operations {
     get_programs: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only programs with this name */
                 name?: string;
+                /** @description only those of this part, by its number */
                 part?: string;
+                /** @description only programs with this tag */
                 tag?: string;
+                /** @description only programs in this folder */
                 folder?: string;
+                /** @description programs in use, archived ones, or both */
                 shelf?: "in_use" | "archived" | "all";
             };
             header?: never;
@@ -9461,7 +9660,13 @@ export interface operations {
                     "application/json": components["schemas"]["ProgramPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9476,6 +9681,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -9490,13 +9696,26 @@ export interface operations {
             /** @description add a program by its text */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Program"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9512,6 +9731,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9527,7 +9747,13 @@ export interface operations {
                     "application/json": components["schemas"]["Program"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9542,9 +9768,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9564,7 +9792,18 @@ export interface operations {
                     "application/json": components["schemas"]["Program"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9578,10 +9817,12 @@ export interface operations {
     get_programs_id_text: {
         parameters: {
             query?: {
+                /** @description of the text; the newest without */
                 revision?: number;
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9597,7 +9838,14 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9611,12 +9859,16 @@ export interface operations {
     get_programs_id_lines: {
         parameters: {
             query?: {
+                /** @description of the text; the newest without */
                 revision?: number;
+                /** @description the first line, from 1 */
                 from?: string;
+                /** @description how many lines */
                 count?: number;
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9632,7 +9884,14 @@ export interface operations {
                     "application/json": components["schemas"]["ProgramLines"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9646,11 +9905,14 @@ export interface operations {
     get_programs_id_revisions: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9666,7 +9928,14 @@ export interface operations {
                     "application/json": components["schemas"]["ProgramRevisionPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9681,10 +9950,13 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                /** @description the revision that is changed: the ETag of what was read */
                 "If-Match": string;
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9698,13 +9970,28 @@ export interface operations {
             /** @description a new revision of the text */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Program"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            412: components["responses"]["Problem412"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            428: components["responses"]["Problem428"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9718,13 +10005,18 @@ export interface operations {
     get_programs_id_compare: {
         parameters: {
             query?: {
+                /** @description id of the program that it is compared with; the same one without */
                 with?: number;
+                /** @description of the text; the newest without */
                 revision?: number;
+                /** @description of the text that it is compared with; the newest without */
                 with_revision?: number;
+                /** @description for which the motions are computed */
                 machine?: string;
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9740,7 +10032,14 @@ export interface operations {
                     "application/json": components["schemas"]["Comparison"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9754,11 +10053,14 @@ export interface operations {
     get_programs_id_path: {
         parameters: {
             query?: {
+                /** @description of the text; the newest without */
                 revision?: number;
+                /** @description for which the motions are computed */
                 machine?: string;
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9774,7 +10076,14 @@ export interface operations {
                     "application/json": components["schemas"]["ToolPath"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9789,9 +10098,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9811,7 +10122,18 @@ export interface operations {
                     "application/json": components["schemas"]["Program"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9826,9 +10148,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9848,7 +10172,18 @@ export interface operations {
                     "application/json": components["schemas"]["Program"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9864,6 +10199,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -9879,7 +10215,13 @@ export interface operations {
                     "application/json": components["schemas"]["ProgramUses"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9893,9 +10235,13 @@ export interface operations {
     get_search: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description the words that are looked for, or a "phrase" */
                 q?: string;
+                /** @description programs in use, archived ones, or both */
                 shelf?: "in_use" | "all";
             };
             header?: never;
@@ -9913,7 +10259,13 @@ export interface operations {
                     "application/json": components["schemas"]["SearchResult"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9928,6 +10280,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -9948,7 +10301,18 @@ export interface operations {
                     "application/json": components["schemas"]["Diagnosed"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9963,6 +10327,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -9983,7 +10348,18 @@ export interface operations {
                     "application/json": components["schemas"]["SplitText"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -9998,6 +10374,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10018,7 +10395,18 @@ export interface operations {
                     "application/json": components["schemas"]["Converted"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10033,6 +10421,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10053,7 +10442,18 @@ export interface operations {
                     "application/json": components["schemas"]["ToolPath"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10067,11 +10467,14 @@ export interface operations {
     get_dialects_name_words: {
         parameters: {
             query?: {
+                /** @description of the machine: some words are of one kind alone */
                 kind?: "mill" | "lathe" | "mill-turn";
+                /** @description the G-code system of a lathe */
                 g_system?: "A" | "B" | "C";
             };
             header?: never;
             path: {
+                /** @description of the dialect */
                 name: string;
             };
             cookie?: never;
@@ -10087,7 +10490,14 @@ export interface operations {
                     "application/json": components["schemas"]["DialectWords"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10102,6 +10512,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10116,13 +10527,26 @@ export interface operations {
             /** @description render a part or family for a machine and store the program */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Rendered"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10137,6 +10561,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10157,7 +10582,18 @@ export interface operations {
                     "application/json": components["schemas"]["Preview"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10171,9 +10607,13 @@ export interface operations {
     get_checks: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those of this program, by its id */
                 program?: number;
+                /** @description only those of this machine */
                 machine?: string;
             };
             header?: never;
@@ -10191,7 +10631,13 @@ export interface operations {
                     "application/json": components["schemas"]["VerdictSummaryPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10206,6 +10652,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10220,13 +10667,26 @@ export interface operations {
             /** @description check a program for a machine and store the verdict */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Verdict"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10242,6 +10702,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10257,7 +10718,13 @@ export interface operations {
                     "application/json": components["schemas"]["Verdict"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10272,9 +10739,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10288,13 +10757,26 @@ export interface operations {
             /** @description waive a verdict, with a reason */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Verdict"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10308,9 +10790,11 @@ export interface operations {
     post_accuracy: {
         parameters: {
             query?: {
+                /** @description the answer is this picture, as SVG */
                 plot?: "deviation";
             };
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10332,7 +10816,18 @@ export interface operations {
                     "image/svg+xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10346,9 +10841,11 @@ export interface operations {
     post_gouge: {
         parameters: {
             query?: {
+                /** @description the answer is this picture, as SVG */
                 plot?: "stock";
             };
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10370,7 +10867,18 @@ export interface operations {
                     "image/svg+xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10384,9 +10892,11 @@ export interface operations {
     post_timing: {
         parameters: {
             query?: {
+                /** @description the answer is this picture, as SVG */
                 plot?: "feed" | "buffer";
             };
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10408,7 +10918,18 @@ export interface operations {
                     "image/svg+xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10422,9 +10943,11 @@ export interface operations {
     post_sweep: {
         parameters: {
             query?: {
+                /** @description the answer is this picture, as SVG */
                 plot?: "region";
             };
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10446,7 +10969,18 @@ export interface operations {
                     "image/svg+xml": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10475,7 +11009,12 @@ export interface operations {
                     "application/json": components["schemas"]["WorkPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10490,9 +11029,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10506,7 +11047,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10520,9 +11071,13 @@ export interface operations {
     get_releases: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those of this program, by its id */
                 program?: number;
+                /** @description only those of this machine */
                 machine?: string;
             };
             header?: never;
@@ -10540,7 +11095,13 @@ export interface operations {
                     "application/json": components["schemas"]["ReleasePage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10555,6 +11116,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10569,13 +11131,26 @@ export interface operations {
             /** @description a draft that binds text, machine and delivery */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Release"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10591,6 +11166,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10606,7 +11182,13 @@ export interface operations {
                     "application/json": components["schemas"]["Release"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10621,9 +11203,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10643,7 +11227,18 @@ export interface operations {
                     "application/json": components["schemas"]["Release"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10658,9 +11253,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10680,7 +11277,18 @@ export interface operations {
                     "application/json": components["schemas"]["RestartPreview"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10695,9 +11303,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10711,13 +11321,26 @@ export interface operations {
             /** @description a release in review of the restart that was shown; an approver releases it for one transfer */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Release"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10731,11 +11354,17 @@ export interface operations {
     get_orders: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only orders with this number */
                 number?: string;
+                /** @description only those of this part, by its number */
                 part?: string;
+                /** @description only those of this machine */
                 machine?: string;
+                /** @description only those in this state */
                 state?: "open" | "held" | "done" | "cancelled";
             };
             header?: never;
@@ -10753,7 +11382,13 @@ export interface operations {
                     "application/json": components["schemas"]["OrderPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10768,6 +11403,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10782,13 +11418,26 @@ export interface operations {
             /** @description add an order; the same number, operation and plan again is the same order */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Order"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10804,6 +11453,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10819,7 +11469,13 @@ export interface operations {
                     "application/json": components["schemas"]["Order"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10834,10 +11490,13 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                /** @description the revision that is changed: the ETag of what was read */
                 "If-Match": string;
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10857,7 +11516,20 @@ export interface operations {
                     "application/json": components["schemas"]["Order"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            412: components["responses"]["Problem412"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            428: components["responses"]["Problem428"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10872,9 +11544,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10894,7 +11568,18 @@ export interface operations {
                     "application/json": components["schemas"]["Order"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10909,9 +11594,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -10931,7 +11618,18 @@ export interface operations {
                     "application/json": components["schemas"]["Order"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10945,10 +11643,15 @@ export interface operations {
     get_jobs: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those of this machine */
                 machine?: string;
+                /** @description only those in this state */
                 state?: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
+                /** @description only those of this order, by its id */
                 order?: number;
             };
             header?: never;
@@ -10966,7 +11669,13 @@ export interface operations {
                     "application/json": components["schemas"]["JobPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -10981,6 +11690,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -10995,13 +11705,26 @@ export interface operations {
             /** @description queue a released program */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11017,6 +11740,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11032,7 +11756,13 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11048,6 +11778,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11063,7 +11794,13 @@ export interface operations {
                     "application/json": components["schemas"]["JobForecast"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11078,9 +11815,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11100,7 +11839,18 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11115,9 +11865,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11137,7 +11889,18 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11152,9 +11915,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11170,7 +11935,17 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11185,9 +11960,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11203,7 +11980,17 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11218,9 +12005,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11240,7 +12029,18 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11254,9 +12054,13 @@ export interface operations {
     get_alarms: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those in this state */
                 state?: "open" | "all";
+                /** @description only those of this machine */
                 machine?: string;
             };
             header?: never;
@@ -11274,7 +12078,13 @@ export interface operations {
                     "application/json": components["schemas"]["AlarmPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11290,6 +12100,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11305,7 +12116,13 @@ export interface operations {
                     "application/json": components["schemas"]["Alarm"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11320,9 +12137,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11338,7 +12157,17 @@ export interface operations {
                     "application/json": components["schemas"]["Alarm"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11353,9 +12182,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11375,7 +12206,18 @@ export interface operations {
                     "application/json": components["schemas"]["Alarm"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11390,9 +12232,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11408,7 +12252,17 @@ export interface operations {
                     "application/json": components["schemas"]["Alarm"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11437,7 +12291,12 @@ export interface operations {
                     "application/json": components["schemas"]["OutboundTypePage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11451,7 +12310,9 @@ export interface operations {
     get_webhooks: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
             };
             header?: never;
@@ -11469,7 +12330,13 @@ export interface operations {
                     "application/json": components["schemas"]["WebhookPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11484,6 +12351,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -11498,13 +12366,26 @@ export interface operations {
             /** @description post events to a URL from now on (Standard Webhooks 1.0); its secret is shown here and never again */
             201: {
                 headers: {
+                    /** @description the path of what was made */
+                    Location: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["WebhookSecret"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11520,6 +12401,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11535,7 +12417,13 @@ export interface operations {
                     "application/json": components["schemas"]["Webhook"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11550,9 +12438,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11566,7 +12456,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11581,9 +12481,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11603,7 +12505,18 @@ export interface operations {
                     "application/json": components["schemas"]["Webhook"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11618,9 +12531,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11640,7 +12555,18 @@ export interface operations {
                     "application/json": components["schemas"]["WebhookSecret"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11655,9 +12581,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11673,7 +12601,17 @@ export interface operations {
                     "application/json": components["schemas"]["WebhookDelivery"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11687,12 +12625,16 @@ export interface operations {
     get_webhooks_id_deliveries: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those in this state */
                 state?: "pending" | "delivered" | "dead";
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11708,7 +12650,14 @@ export interface operations {
                     "application/json": components["schemas"]["WebhookDeliveryPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11723,10 +12672,13 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
+                /** @description id of the delivery */
                 delivery: string;
             };
             cookie?: never;
@@ -11742,7 +12694,17 @@ export interface operations {
                     "application/json": components["schemas"]["WebhookDelivery"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11757,9 +12719,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11779,7 +12743,18 @@ export interface operations {
                     "application/json": components["schemas"]["Replayed"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11793,9 +12768,13 @@ export interface operations {
     get_receipts: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those of this machine */
                 machine?: string;
+                /** @description only those in this state */
                 state?: "stored" | "quarantined" | "accepted" | "discarded";
             };
             header?: never;
@@ -11813,7 +12792,13 @@ export interface operations {
                     "application/json": components["schemas"]["ReceiptPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11829,6 +12814,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11844,7 +12830,13 @@ export interface operations {
                     "application/json": components["schemas"]["Receipt"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11858,10 +12850,12 @@ export interface operations {
     get_receipts_id_text: {
         parameters: {
             query?: {
+                /** @description `read`: what can be read of the bytes, as text */
                 form?: "read";
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11878,7 +12872,14 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11893,9 +12894,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11915,7 +12918,19 @@ export interface operations {
                     "application/json": components["schemas"]["Receipt"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            412: components["responses"]["Problem412"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11930,9 +12945,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
                 "Idempotency-Key"?: string;
             };
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -11952,7 +12969,18 @@ export interface operations {
                     "application/json": components["schemas"]["Receipt"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11966,8 +12994,11 @@ export interface operations {
     get_requests: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
+                /** @description only those of this machine */
                 machine?: string;
             };
             header?: never;
@@ -11985,7 +13016,13 @@ export interface operations {
                     "application/json": components["schemas"]["OperatorRequestPage"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -11999,11 +13036,14 @@ export interface operations {
     get_jobs_id_ledger: {
         parameters: {
             query?: {
+                /** @description how many a page has at most; 50 without */
                 limit?: number;
+                /** @description `next` of the page before */
                 after?: string;
             };
             header?: never;
             path: {
+                /** @description of the thing, as its list states it */
                 id: string;
             };
             cookie?: never;
@@ -12019,7 +13059,14 @@ export interface operations {
                     "application/json": components["schemas"]["Ledger"];
                 };
             };
-            /** @description a problem */
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -12027,6 +13074,1224 @@ export interface operations {
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
+            };
+        };
+    };
+    webhook_program_added: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_program_revised: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_program_archived: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_program_fetched_back: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_order_added: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["OrderEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_order_changed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["OrderEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_order_parts: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["OrderEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_order_open: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["OrderEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_order_held: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["OrderEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_order_done: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["OrderEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_order_cancelled: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["OrderEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_release_draft: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_release_in_review: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_release_proving: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_release_approved: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_release_obsolete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_queued: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_armed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_feeding: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_done: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_failed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_cancelled: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_interrupted: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_disconnected: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_idle: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_armed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_feeding: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_held: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_draining: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_torn: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_receiving: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_line_answering: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["LineEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_alarm_raised: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_alarm_cleared: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_alarm_acknowledged: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_alarm_shelved: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_alarm_unshelved: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_receipt_stored: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_receipt_quarantined: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_receipt_accepted: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_receipt_discarded: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_webhook_ping: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["WebhookEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
         };
     };
