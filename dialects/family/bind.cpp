@@ -58,6 +58,7 @@ class Binder {
       if (step.kind == StepKind::tool) check_tool(step);
       if (step.kind == StepKind::drill_begin) check_holes(step);
       if (step.kind == StepKind::thread) check_thread(step);
+      if (step.kind == StepKind::message) check_message(step);
       check_indices(step);
     }
     return std::move(result_);
@@ -302,6 +303,18 @@ class Binder {
     const std::optional<double> value = compute(pitch);
     if (value && *value <= 0.0)
       report(DiagnosticId::thread_invalid, step.span, {fmt::format("its pitch is {}", text::format_shortest(*value))});
+  }
+
+  // No control can write what it computes into a message.
+  void check_message(const Step& step) {
+    for (std::uint32_t i = 0; i < step.word_count; ++i) {
+      const ir::ExpressionId value = family_.words[step.first_word + i].value;
+      if (names_unknown(family_.arena, value, known_))
+        report(DiagnosticId::family_syntax, family_.arena.at(value).span,
+               {"a message takes values of parameters, which stand in its text, and none that the program computes"});
+      else
+        (void)compute(value);
+    }
   }
 
   // Levels that depend on the body are the control's to find; a dwell and a pitch are numbers in the text.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/family/message_text.h"
 #include "dialects/family/naming.h"
 #include "dialects/ir/motion.h"
 #include "dialects/text/number.h"
@@ -322,11 +323,21 @@ void BodyReader::retract() {
   } while (!cursor_.line_failed() && cursor_.accept_word("then"));
 }
 
+// message TEXT VALUE TEXT ...
 void BodyReader::message() {
   Step out = step(StepKind::message);
-  auto text = cursor_.accept_string();
-  if (!text) return cursor_.expected("a text in quotes");
-  out.text = std::move(*text);
+  if (cursor_.at_line_end()) return cursor_.expected("a text in quotes or a value");
+  do {
+    if (auto text = cursor_.accept_string()) {
+      std::erase(*text, kValueMark);
+      out.text += *text;
+      continue;
+    }
+    const Typed value = expressions_.value();
+    word(out, ir::Address::n, value);  // of the words only the values count
+    out.text += kValueMark;
+    if (const std::string_view unit = stored_unit(value.dimension); !unit.empty()) out.text.append(" ").append(unit);
+  } while (!cursor_.line_failed() && !cursor_.at_line_end());
   add(std::move(out));
 }
 

@@ -10,6 +10,7 @@
 #include "dialects/family/emitter.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/loop_writer.h"
+#include "dialects/family/message_text.h"
 #include "dialects/family/value_writer.h"
 #include "dialects/ir/motion.h"
 
@@ -156,7 +157,7 @@ class Builder {
       case StepKind::if_end: if_end(); break;
       case StepKind::let: values_.assign(step.target, step.values[0]); break;
       case StepKind::set: set(step); break;
-      case StepKind::message: emit_.message(step.text); break;
+      case StepKind::message: emit_.message(message_text(family_, step, bound_.values)); break;
       case StepKind::dwell: dwell(step); break;
       case StepKind::stop: emit_.block({Function::program_stop}, {}); break;
       case StepKind::optional_stop: emit_.block({Function::optional_stop}, {}); break;

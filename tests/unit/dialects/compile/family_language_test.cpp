@@ -201,6 +201,26 @@ TEST(FamilyLanguage, MessagesAreShortAndPlain) {
   }
 }
 
+// As they are when it is rendered; a value that only the message names is no variable.
+TEST(FamilyLanguage, MessagesHaveTheValuesOfParameters) {
+  const text::Source family = with(
+      "param depth length 5 mm in 0..20\nparam alone length 0.5 in in 0..2\nparam n count 3 in 1..9\nlet third = "
+      "depth/n\n",
+      "  message \"layers \" n \" of \" third \", \" alone \"wide\"\n  cut x depth\n");
+  for (const std::string& dialect : dialect_names()) {
+    for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
+      const std::string text = rendered(family, dialect, mode, {{"depth", "10 mm"}}).text;
+      const bool as_written = dialect.starts_with("sinumerik");
+      EXPECT_TRUE(
+          text.contains(as_written ? "layers 3 of 3.3333 mm, 12.7 mmwide" : "LAYERS 3 OF 3.3333 MM, 12.7 MMWIDE"))
+          << dialect << "\n"
+          << text;
+      EXPECT_FALSE(mode == RenderMode::macro && text.contains("=12.7")) << dialect << "\n" << text;
+    }
+  }
+  EXPECT_EQ(one_trace(family).size(), 1U);
+}
+
 // The spindle's block does not change the feed mode of a lathe, on no path.
 TEST(FamilyLanguage, ASpindleKeepsTheFeedModeOfALathe) {
   const text::Source family(
