@@ -14,6 +14,7 @@
 #include "dialects/compile/cone_leads.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
+#include "dialects/compile/family_lines.h"
 #include "dialects/compile/index_places.h"
 #include "dialects/compile/print_for.h"
 #include "dialects/compile/printed_lines.h"
@@ -22,6 +23,7 @@
 #include "dialects/compile/wrap.h"
 #include "dialects/compile/wrapped_family.h"
 #include "dialects/family/build.h"
+#include "dialects/family/native_text.h"
 #include "dialects/family/read.h"
 #include "dialects/ir/axis_letters.h"
 #include "dialects/passes/rigid_taps.h"
@@ -77,6 +79,9 @@ class Renderer {
     if (!text::has_error(result_.diagnostics)) describe_text();
     return std::move(result_);
   }
+
+  // After render() of a family that is written anew: by line of the text, the family's.
+  [[nodiscard]] std::vector<std::uint32_t> take_lines() { return std::move(printed_.origin_lines); }
 
  private:
   void report(const std::vector<text::Diagnostic>& diagnostics) {
@@ -288,6 +293,37 @@ std::optional<text::Diagnostic> fault_of_machine(ir::MachineKind wanted, const i
   if (ir::serves(control.kind, wanted)) return std::nullopt;
   return text::make_diagnostic(text::DiagnosticId::family_other_machine, {},
                                {std::string(ir::name_of(wanted)), std::string(ir::name_of(control.kind))});
+}
+
+namespace {
+
+// The native program is kept line by line behind the family's declarations.
+std::vector<std::uint32_t> lines_of_kept(const text::Source& family, std::string_view text) {
+  const std::uint32_t head = family.position(family::native_begin(family.text())).line - 1;
+  std::vector<std::uint32_t> lines;
+  for_each_line(text, [&](const PrintedLine& line) { lines.push_back(head + line.number); });
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> family_lines(const RenderRequest& request, const RenderResult& made) {
+  if (made.is_kept) return lines_of_kept(request.family, made.text);
+  std::vector<std::uint32_t> lines;
+  if (made.mode == RenderMode::explicit_blocks) {
+    for (const PlaceEntry& one : made.places.entries) {
+      lines.resize(std::max<std::size_t>(lines.size(), one.line), 0);
+      lines[one.line - 1] = one.origin;
+    }
+    return lines;
+  }
+  const Dialect* dialect = find_dialect(request.target.dialect);
+  if (dialect == nullptr) return lines;
+  RenderRequest as_macro = request;
+  as_macro.mode = RenderMode::macro;
+  Renderer renderer(as_macro, *dialect);
+  (void)renderer.render();
+  return renderer.take_lines();
 }
 
 RenderResult render(const RenderRequest& request) {

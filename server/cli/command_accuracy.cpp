@@ -65,10 +65,7 @@ int accuracy_of(const AccuracyOptions& options) {
     return kWrongUse;
   }
   const app::CheckReport& report = measured->report;
-  if (!report.checks.accuracy || !report.ran) {
-    print_not_measured(report);
-    return kFailed;
-  }
+  if (!report.checks.accuracy || !report.ran) return not_measured(options.measure, report);
   std::optional<accuracy::CmmReport> cmm;
   if (!options.cmm.empty()) {
     const auto points = cmm_of(options, *measured);

@@ -21,13 +21,11 @@ int gouge_of(const MeasureOptions& options) {
     return kWrongUse;
   }
   const app::CheckReport& report = measured->report;
-  if (!report.checks.gouge || !report.ran) {
-    print_not_measured(report);
-    return kFailed;
-  }
+  if (!report.checks.gouge || !report.ran) return not_measured(options, report);
   const gouge::Report& g = *report.checks.gouge;
+  const std::string name = report.source.name().empty() ? options.family.file : report.source.name();
   for (const checks::Finding& one : g.findings.kept()) {
-    fmt::print(stderr, "{}:{}: {}[{}]: {}\n", options.family.file, one.place.line, text::name_of(one.severity),
+    fmt::print(stderr, "{}:{}: {}[{}]: {}\n", name, one.place.line, text::name_of(one.severity),
                text::row_of(one.id).name, one.text);
   }
   for (const checks::NotChecked& one : g.not_checked.list()) fmt::print(stderr, "not checked: {}\n", one.text);

@@ -37,9 +37,13 @@ int render(const Options& asked) {
     return rendered.error().code == app::ErrorCode::refused ? kFailed : kWrongUse;
   }
   const compile::RenderResult& result = rendered->result;
-  if (text::has_error(result.diagnostics)) return kFailed;
+  if (text::has_error(result.diagnostics)) {
+    if (!options.text.json) return kFailed;
+    return write_output(options.text.output, render_document(result, rendered->source)) ? kFailed : kWrongUse;
+  }
   if (asked.optimize) optimize(*rendered);
-  if (options.text.json) return write_output(options.text.output, render_document(result)) ? kDone : kWrongUse;
+  if (options.text.json)
+    return write_output(options.text.output, render_document(result, rendered->source)) ? kDone : kWrongUse;
   fmt::print(stderr, "{}: {}; {} blocks, {} bytes, {} variables\n", compile::name_of(result.mode), result.because,
              result.blocks, result.bytes, result.variables);
   return write_output(options.text.output, result.text) ? kDone : kWrongUse;

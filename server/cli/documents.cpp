@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/json/diagnostics.h"
+#include "server/json/reports.h"
 #include "store/hash/hash.h"
 
 namespace dripfeed::cli {
@@ -122,13 +123,56 @@ std::string optimize_document(const compile::OptimizeResult& result, const ir::C
                {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, source))}});
 }
 
-std::string render_document(const compile::RenderResult& result) {
-  return dump({{"text", result.text},
-               {"mode", compile::name_of(result.mode)},
-               {"because", result.because},
+std::string render_document(const compile::RenderResult& result, const text::Source& family) {
+  const bool refused = text::has_error(result.diagnostics);
+  return dump({{"text", refused ? Document(nullptr) : Document(result.text)},
+               {"mode", refused ? Document(nullptr) : Document(compile::name_of(result.mode))},
+               {"because", text_or_null(result.because)},
                {"blocks", result.blocks},
                {"bytes", result.bytes},
-               {"variables", result.variables}});
+               {"variables", result.variables},
+               {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, family))}});
+}
+
+namespace {
+
+// Beside each line of the program the family's.
+void add_family_lines(Document& list, const RenderedFrom& from) {
+  for (Document& one : list) {
+    const auto line = one.at("line").get<std::size_t>();
+    one["family_line"] = line_or_null(line > 0 && line <= from.lines.size() ? from.lines[line - 1] : 0);
+  }
+}
+
+void add_family(Document& file, const RenderedFrom& from) {
+  file["file"] = from.file;
+  if (from.mode.empty()) return;
+  file["rendered"] = {{"mode", from.mode}, {"because", from.because}};
+  add_family_lines(file.at("diagnostics"), from);
+  for (const char* name : {"envelope", "gouge", "accuracy", "timing"}) {
+    Document& check = file.at(name);
+    if (check.is_object() && check.contains("findings")) add_family_lines(check.at("findings"), from);
+  }
+}
+
+}  // namespace
+
+std::string check_document(std::span<const app::CheckReport> reports,
+                           std::span<const std::optional<RenderedFrom>> families) {
+  Document document = Document::parse(json::check_files(reports));
+  Document& files = document.at("files");
+  for (std::size_t i = 0; i < families.size(); ++i)
+    if (families[i]) add_family(files.at(i), *families[i]);
+  return dump(document);
+}
+
+std::string not_measured_document(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
+                                  bool ran, bool validated, const std::vector<checks::NotChecked>& not_checked) {
+  return dump({{"measured", false},
+               {"ran", ran},
+               {"validated", validated},
+               {"diagnostics", Document::parse(json::diagnostics(diagnostics, source))},
+               {"not_checked", json::not_checked_sentences(not_checked)}});
 }
 
 namespace {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "dialects/compile/restart.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
+#include "server/app/report.h"
 #include "server/cli/doctor.h"
 #include "server/io/line_record.h"
 #include "server/simulator/fleet.h"
@@ -36,7 +39,24 @@ std::string restart_document(const compile::Restart& made, const text::Source& s
 // null where the program was not run before and after, `left_because` is why it is as it was.
 std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
                               const text::Source& source);
-std::string render_document(const compile::RenderResult& result);
+// {"text","mode","because","blocks","bytes","variables","diagnostics"}: the text is null where it is refused.
+std::string render_document(const compile::RenderResult& result, const text::Source& family);
+
+// Where the program of a report was rendered from.
+struct RenderedFrom {
+  std::string file;
+  std::string mode;  // "macro"; "" where the family has faults: then the report is about its own text
+  std::string because;
+  std::vector<std::uint32_t> lines;  // by line of the program: the family's; 0: none
+};
+// json::check_files of these reports, with "rendered" and each "family_line" where a program comes from a family;
+// `families` has one for each report.
+std::string check_document(std::span<const app::CheckReport> reports,
+                           std::span<const std::optional<RenderedFrom>> families);
+
+// Of a command that found nothing to measure: {"measured": false, …} with what kept it from it.
+std::string not_measured_document(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
+                                  bool ran, bool validated, const std::vector<checks::NotChecked>& not_checked);
 // `read_back`: what came of it; empty: none was due. `line`: the record of the line after it.
 std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back,
                           const io::LineRecord& line);

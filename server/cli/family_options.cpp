@@ -1,11 +1,14 @@
 // A family is named by its file, or by its name among the shipped ones.
 #include "server/cli/family_options.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "dialects/compile/family_lines.h"
 #include "dialects/compile/list_table.h"
 #include "server/app/timed_rendering.h"
 #include "server/cli/output.h"
@@ -53,44 +56,94 @@ app::Result<std::vector<family::Override>> overrides_of(const std::vector<std::s
   return values;
 }
 
-void add_family_options(CLI::App& command, FamilyOptions& options) {
-  command.add_option("FAMILY", options.file, "family file, or the name of a shipped one")->required();
-  command.add_option("--set", options.values,
+void add_value_options(CLI::App& command, std::vector<std::string>& values, std::string& mode) {
+  command.add_option("--set", values,
                      "parameter: roll_length=\"200 mm\"; a list from a table: xs=@points.csv:x (may be repeated)");
-  command.add_option("--mode", options.mode, "macro: the control computes; explicit: dripfeed does")
+  command.add_option("--mode", mode, "of a family, macro: the control computes; explicit: dripfeed does")
       ->check(CLI::IsMember({"macro", "explicit", "auto"}))
       ->capture_default_str();
+}
+
+void add_family_options(CLI::App& command, FamilyOptions& options) {
+  command.add_option("FAMILY", options.file, "family file, or the name of a shipped one")->required();
+  add_value_options(command, options.values, options.mode);
   command.add_option("--name", options.name, "program name at the control, such as O0100");
   command.add_flag("--drip", options.drip, "for feeding block by block");
   add_text_options(command, options.text);
 }
 
-app::Result<RenderedFamily> render_family(const FamilyOptions& options) {
-  auto source = read_source(find_family(options.file));
-  if (!source) return std::unexpected(source.error());
+bool is_family(const text::Source& source) {
+  std::string_view text = source.text();
+  constexpr std::string_view kBlanks = " \t\r\n";
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    if (!text.starts_with('#')) break;
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+  constexpr std::string_view kWord = "family";
+  return text.starts_with(kWord) && text.size() > kWord.size() && kBlanks.contains(text[kWord.size()]);
+}
+
+namespace {
+
+app::Result<RenderedFamily> render_text(const FamilyOptions& options, text::Source family, bool wants_lines) {
   TextOptions text = options.text;
   // The family says what kind of machine it is for.
-  if (text.machine.empty() && text.control.empty() &&
-      compile::describe_family(*source).machine != ir::MachineKind::mill)
+  if (text.machine.empty() && text.control.empty() && compile::describe_family(family).machine != ir::MachineKind::mill)
     text.control = "kind=lathe";
   auto chosen = choose_control(text);
   if (!chosen) return std::unexpected(chosen.error());
-  auto values = overrides_of(options.values, *source);
+  auto values = overrides_of(options.values, family);
   if (!values) return std::unexpected(values.error());
-  compile::RenderResult result =
-      app::render_for({.family = *source,
-                       .values = *values,
-                       .target = chosen->control,
-                       .mode = compile::find_render_mode(options.mode).value_or(compile::RenderMode::automatic),
-                       .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
-                       .program_name = options.name,
-                       .heading = {}},
-                      chosen->profile ? &*chosen->profile : nullptr);
-  print_diagnostics(result.diagnostics, *source, chosen->control.title);
-  return RenderedFamily{.source = std::move(*source),
-                        .chosen = std::move(*chosen),
-                        .values = std::move(*values),
-                        .result = std::move(result)};
+  const compile::RenderRequest request{
+      .family = family,
+      .values = *values,
+      .target = chosen->control,
+      .mode = compile::find_render_mode(options.mode).value_or(compile::RenderMode::automatic),
+      .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
+      .program_name = options.name,
+      .heading = {}};
+  RenderedFamily out{
+      .source = std::move(family), .chosen = std::move(*chosen), .values = std::move(*values), .result = {}};
+  out.result = app::render_for(request, out.chosen.profile ? &*out.chosen.profile : nullptr);
+  if (wants_lines && !text::has_error(out.result.diagnostics)) out.lines = compile::family_lines(request, out.result);
+  return out;
+}
+
+}  // namespace
+
+app::Result<RenderedFamily> render_family(const FamilyOptions& options) {
+  auto source = read_source(find_family(options.file));
+  if (!source) return std::unexpected(source.error());
+  auto rendered = render_text(options, std::move(*source), false);
+  if (rendered) print_diagnostics(rendered->result.diagnostics, rendered->source, rendered->chosen.control.title);
+  return rendered;
+}
+
+app::Result<RenderedFamily> render_family(const FamilyOptions& options, text::Source family) {
+  return render_text(options, std::move(family), true);
+}
+
+text::Source rendered_source(const RenderedFamily& rendered) {
+  return text::Source(rendered.source.name() + " (rendered)", rendered.result.text);
+}
+
+app::Examination examination_of(const RenderedFamily& rendered, ir::Delivery delivery) {
+  return {.source = rendered_source(rendered),
+          .dialect = rendered.chosen.dialect,
+          .control = rendered.chosen.control,
+          .inferred = false,
+          .profile = rendered.chosen.profile ? &*rendered.chosen.profile : nullptr,
+          .delivery = delivery,
+          .find_called = {},
+          .geometry = rendered.result.geometry,
+          .profile_lines = rendered.result.profile_lines};
+}
+
+std::string place_in_family(const RenderedFamily& rendered, std::uint32_t line) {
+  const std::vector<std::uint32_t>& lines = rendered.lines;
+  if (line == 0 || line > lines.size() || lines[line - 1] == 0) return {};
+  return fmt::format("{}:{}", rendered.source.name(), lines[line - 1]);
 }
 
 }  // namespace dripfeed::cli

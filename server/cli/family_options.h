@@ -1,10 +1,12 @@
 // A family with values, as several commands take it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "dialects/compile/render.h"
+#include "server/app/examine.h"
 #include "server/cli/inputs.h"
 
 namespace CLI {
@@ -28,14 +30,29 @@ std::string find_family(const std::string& name);
 app::Result<std::vector<family::Override>> overrides_of(const std::vector<std::string>& set,
                                                         const text::Source& family);
 void add_family_options(CLI::App& command, FamilyOptions& options);
+// Of a command that takes programs, too: --set and --mode alone.
+void add_value_options(CLI::App& command, std::vector<std::string>& values, std::string& mode);
 
-// Renders; faults of the family are printed. The request comes back for its source.
+// Whether a text is a family: its first line that says anything begins with `family`.
+bool is_family(const text::Source& source);
+
 struct RenderedFamily {
   text::Source source;
   ChosenControl chosen;
   std::vector<family::Override> values;
   compile::RenderResult result;
+  std::vector<std::uint32_t> lines = {};  // by line of the text: the family's; where they were asked for
 };
+// Renders; faults of the family are printed. Errors: what cannot be read, no control named.
 app::Result<RenderedFamily> render_family(const FamilyOptions& options);
+// The same of a text that was read, with its faults in `result` alone, and with `lines`.
+app::Result<RenderedFamily> render_family(const FamilyOptions& options, text::Source family);
+
+// The rendered program under a name that cannot be taken for the family's file.
+text::Source rendered_source(const RenderedFamily& rendered);
+// It, with stock and nominal; refers to `rendered`, which must have no errors.
+app::Examination examination_of(const RenderedFamily& rendered, ir::Delivery delivery);
+// "roll.family:31" of a line of the rendered program; "" where that comes from none.
+std::string place_in_family(const RenderedFamily& rendered, std::uint32_t line);
 
 }  // namespace dripfeed::cli

@@ -9,6 +9,8 @@
 #include "dialects/compile/execute.h"
 #include "dialects/compile/stream.h"
 #include "server/cli/called_programs.h"
+#include "server/cli/cli.h"
+#include "server/cli/documents.h"
 #include "server/cli/output.h"
 #include "server/cli/program_file.h"
 
@@ -21,15 +23,7 @@ app::Result<Measured> measure_family(const MeasureOptions& options) {
   if (!rendered) return std::unexpected(rendered.error());
   if (text::has_error(rendered->result.diagnostics))
     return app::fail(app::ErrorCode::refused, "the family cannot be rendered");
-  const app::Examination e{.source = text::Source(options.family.file, rendered->result.text),
-                           .dialect = rendered->chosen.dialect,
-                           .control = rendered->chosen.control,
-                           .inferred = false,
-                           .profile = rendered->chosen.profile ? &*rendered->chosen.profile : nullptr,
-                           .delivery = ir::Delivery::memory,
-                           .find_called = {},
-                           .geometry = rendered->result.geometry,
-                           .profile_lines = rendered->result.profile_lines};
+  const app::Examination e = examination_of(*rendered, ir::Delivery::memory);
   return app::measured_of(app::examine(e), e);
 }
 
@@ -119,10 +113,15 @@ app::Result<Measured> measure(const MeasureOptions& options, app::SurfaceScope s
   return options.nominal.family.empty() ? measure_family(options) : measure_file(options, scope);
 }
 
-void print_not_measured(const app::CheckReport& report) {
+int not_measured(const MeasureOptions& options, const app::CheckReport& report) {
+  const std::vector<checks::NotChecked> not_checked = checks::not_checked_of(report.checks);
   print_diagnostics(report.checks.diagnostics, report.source, report.control_title);
-  for (const checks::NotChecked& one : checks::not_checked_of(report.checks))
-    fmt::print(stderr, "not checked: {}\n", one.text);
+  for (const checks::NotChecked& one : not_checked) fmt::print(stderr, "not checked: {}\n", one.text);
+  const TextOptions& out = options.family.text;
+  if (!out.json) return kFailed;
+  const std::string document =
+      not_measured_document(report.checks.diagnostics, report.source, report.ran, report.validated, not_checked);
+  return write_output(out.output, document) ? kFailed : kWrongUse;
 }
 
 }  // namespace dripfeed::cli

@@ -39,7 +39,7 @@ using app::Measured;
 // Errors: what cannot be read, rendered or run.
 app::Result<Measured> measure(const MeasureOptions& options, app::SurfaceScope scope);
 
-// What kept a check from giving figures.
-void print_not_measured(const app::CheckReport& report);
+// Reports what kept a check from giving figures, with --json as a document, too; returns the exit code.
+int not_measured(const MeasureOptions& options, const app::CheckReport& report);
 
 }  // namespace dripfeed::cli

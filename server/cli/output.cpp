@@ -39,12 +39,21 @@ void print_error(const app::Error& error) {
 
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                        std::string_view control) {
+  print_diagnostics(diagnostics, source, control, {});
+}
+
+void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
+                       std::string_view control, const LineOrigin& origin) {
   text::DiagnosticFold fold;
   for (const text::Diagnostic& diagnostic : diagnostics) {
     if (!fold.shows(diagnostic)) continue;
     fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
     const text::Source& in = diagnostic.elsewhere == nullptr ? source : *diagnostic.elsewhere;
     if (diagnostic.fix) fmt::print(stderr, "  fix: {}\n", describe_edit(*diagnostic.fix, in));
+    if (origin && diagnostic.elsewhere == nullptr) {
+      const std::string from = origin(source.position(diagnostic.span.begin).line);
+      if (!from.empty()) fmt::print(stderr, "  from: {}\n", from);
+    }
     print_help(diagnostic.id);
   }
   print_folded(fold, source.name());

@@ -1,6 +1,7 @@
 // What the command prints: texts to standard output or a file, messages to standard error, errors with their places.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,10 @@ void print_error(const app::Error& error);
 // Each with its place, its notes and the edit that mends it; below the first of a kind its help.
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                        std::string_view control);
+// Of a program that comes from another text: `origin` names the place there of a line, or "" where none is known.
+using LineOrigin = std::function<std::string(std::uint32_t line)>;
+void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
+                       std::string_view control, const LineOrigin& origin);
 
 // What to do about a diagnostic, once a kind and command.
 void print_help(text::DiagnosticId id);

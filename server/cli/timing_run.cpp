@@ -41,8 +41,7 @@ struct Order {
   std::optional<ir::CostModel> cost;
 };
 
-app::Result<ChosenControl> choose_machine(const Order& order, const text::Source& source) {
-  auto chosen = choose_control(order.options.text, source);
+app::Result<ChosenControl> as_ordered(const Order& order, app::Result<ChosenControl> chosen) {
   if (!chosen) return chosen;
   if (!chosen->profile) return app::fail(app::ErrorCode::invalid, "time needs a machine: name one with --machine");
   checks::Machine& machine = chosen->profile->machine;
@@ -53,19 +52,51 @@ app::Result<ChosenControl> choose_machine(const Order& order, const text::Source
   return chosen;
 }
 
-app::Result<TimedProgram> time_whole(const Order& order) {
-  const TimeOptions& options = order.options;
-  auto source = read_source(options.file);
-  if (!source) return std::unexpected(source.error());
-  auto chosen = choose_machine(order, *source);
-  if (!chosen) return std::unexpected(chosen.error());
-  app::CheckReport report = app::examine(examination_of(options, std::move(*source), *chosen));
+app::Result<ChosenControl> choose_machine(const Order& order, const text::Source& source) {
+  return as_ordered(order, choose_control(order.options.text, source));
+}
+
+app::Result<TimedProgram> time_text(const Order& order, text::Source source, ChosenControl& chosen) {
+  app::CheckReport report = app::examine(examination_of(order.options, std::move(source), chosen));
   TimedProgram timed{.report = {},
                      .diagnostics = std::move(report.checks.diagnostics),
                      .source = std::move(report.source),
-                     .control_title = report.control_title};
+                     .control_title = report.control_title,
+                     .not_checked = checks::not_checked_of(report.checks)};
   if (report.ran) timed.report = std::move(report.checks.timing);
   return timed;
+}
+
+app::Result<TimedProgram> time_family(const Order& order, text::Source family) {
+  const TimeOptions& options = order.options;
+  auto rendered = render_family({.text = options.text,
+                                 .file = {},
+                                 .values = options.values,
+                                 .mode = options.mode,
+                                 .name = {},
+                                 .drip = options.drip},
+                                std::move(family));
+  if (!rendered) return std::unexpected(rendered.error());
+  auto chosen = as_ordered(order, rendered->chosen);
+  if (!chosen) return std::unexpected(chosen.error());
+  if (text::has_error(rendered->result.diagnostics)) {
+    return TimedProgram{.report = {},
+                        .diagnostics = rendered->result.diagnostics,
+                        .source = rendered->source,
+                        .control_title = rendered->chosen.control.title};
+  }
+  auto timed = time_text(order, rendered_source(*rendered), *chosen);
+  if (timed) timed->family = std::move(*rendered);
+  return timed;
+}
+
+app::Result<TimedProgram> time_whole(const Order& order) {
+  auto source = read_source(find_family(order.options.file));
+  if (!source) return std::unexpected(source.error());
+  if (is_family(*source)) return time_family(order, std::move(*source));
+  auto chosen = choose_machine(order, *source);
+  if (!chosen) return std::unexpected(chosen.error());
+  return time_text(order, std::move(*source), *chosen);
 }
 
 app::Result<TimedProgram> time_stream(const Order& order, ProgramFile& file) {
@@ -112,7 +143,7 @@ app::Result<TimedProgram> time_stream(const Order& order, ProgramFile& file) {
 app::Result<TimedProgram> run_timing(const TimeOptions& options, const timing::MachineFactors& factors,
                                      const std::optional<ir::CostModel>& cost) {
   const Order order{options, factors, cost};
-  if (options.file == "-") return time_whole(order);
+  if (options.file == "-" || find_family(options.file) != options.file) return time_whole(order);
   const auto file = ProgramFile::open(options.file);
   if (!file) return std::unexpected(file.error());
   if ((*file)->size_bytes().value_or(0) <= kWholeBytes) return time_whole(order);

@@ -9,7 +9,7 @@
 #include "checks/timing/machine_fit.h"
 #include "checks/timing/timing.h"
 #include "dialects/text/source.h"
-#include "server/cli/inputs.h"
+#include "server/cli/family_options.h"
 
 namespace dripfeed::cli {
 
@@ -20,6 +20,8 @@ struct TimeOptions {
   int baud = 0;  // 0: the machine's
   unsigned threads = 1;
   std::uint32_t seconds = kCheckSeconds;
+  std::vector<std::string> values;  // --set, of a family
+  std::string mode = "auto";
   std::string plot_feed;
   std::string plot_buffer;
 };
@@ -30,6 +32,8 @@ struct TimedProgram {
   text::Source source;
   std::string control_title;
   bool validated = true;  // before it ran; a large program is run while it is read
+  std::vector<checks::NotChecked> not_checked = {};
+  std::optional<RenderedFamily> family = {};  // that `source` was rendered from
 };
 // With the machine's accelerations and computing times by those factors, and another cost model than its own. Errors:
 // what cannot be read, no machine named.

@@ -119,12 +119,19 @@ def render_and_run(family, name, mode, folder):
     return found
 
 
+def nothing_measured(done, why, what):
+    """With --json, one object as ever, which says so."""
+    answer = json.loads(done.stdout)
+    expect(done.returncode == 1 and why in done.stderr, f"{what}: {done.stderr}")
+    expect(answer["measured"] is False and answer["ran"] is True and any(why in one for one in answer["not_checked"]), f"{what}: {answer}")
+
+
 def measure(family, name, mode):
     """Gouges and accuracy of the family itself."""
     what = f"{family.name} on {name}, {mode}"
     done = ask("gouge", family.path, "--machine", name, "--mode", mode, "--json")
     if family.name in NO_STOCK:
-        expect("gouges: stock and nominal are not known" in done.stderr and not done.stdout, f"{what}: {done.stdout}{done.stderr}")
+        nothing_measured(done, "gouges: stock and nominal are not known", what)
     else:
         gouge = json.loads(done.stdout)
         expect(not gouge["findings"] and gouge["deepest_rapid_mm"] == 0, f"{what}: {gouge}")
@@ -132,7 +139,7 @@ def measure(family, name, mode):
         expect(turned == bool(family.axes & set("ABC")), f"{what}: {gouge}")
     done = ask("accuracy", family.path, "--machine", name, "--mode", mode, "--json")
     if family.name in NO_CURVE:
-        return expect("accuracy: no nominal is known" in done.stderr and not done.stdout, f"{what}: {done.stdout}{done.stderr}")
+        return nothing_measured(done, "accuracy: no nominal is known", what)
     accuracy = json.loads(done.stdout)
     expect(not accuracy["findings"] and accuracy["covered"] and accuracy["blocks"] > 0, f"{what}: {accuracy}")
 
@@ -186,6 +193,10 @@ def refused(family, machine, text, *values):
     arguments = [family.path, "--machine", machine, *(word for value in values for word in ("--set", value))]
     done = ask("render", *arguments)
     expect(done.returncode == 1 and done.stdout == "", f"{family.name} {values}: a program was rendered")
+    document = ask("render", *arguments, "--json").stdout
+    answer = json.loads(document) if document else None  # a table that is wrong is no family
+    expect(answer is None and any("=@" in one for one in values) or answer["text"] is None and any(one["severity"] == "error" for one in answer["diagnostics"]),
+           f"{family.name} {values}: {answer}")
     for one in [text] if isinstance(text, str) else text:
         expect(one in done.stderr, f"{family.name} {values} on {machine}: expected {one}, not {done.stderr}")
     return done.stderr
@@ -257,6 +268,50 @@ def lists_from_tables(folder):
     refused(family, machine, ["error[family-given-twice]", "weight"], f"weight={', '.join('1' * 7)}", f"weight={', '.join('1' * 7)}")
 
 
+def one_of(document):
+    (file,) = json.loads(document)["files"]
+    return file
+
+
+def checked_and_timed(folder):
+    """`check` and `time` take the family as `render` does: what they report is that of its rendered text, with the family's lines."""
+    family = next(Family(path) for path in FAMILIES if path.stem == "hyperbolic-roll")
+    machine = folder / "short.json"
+    profile = json.loads((ROOT / "deploy/machines/fanuc-0i-lathe.json").read_text())
+    next(axis for axis in profile["axes"] if axis["name"] == "X")["max_mm"] = 120
+    machine.write_text(json.dumps(profile))
+    for mode in MODES:
+        program = folder / "roll_short.nc"
+        options = ("--machine", machine, "--set", "clearance=30 mm")
+        ask("render", family.path, *options, "--mode", mode, "--output", program)
+        report = one_of(ask("check", family.path, *options, "--mode", mode, "--json").stdout)
+        plain = one_of(ask("check", program, "--machine", machine, "--json").stdout)
+        expect(report["file"] == str(family.path) and report["rendered"]["mode"] == mode, f"{mode}: {report}")
+        expect(report["accuracy"]["covered"] and plain["accuracy"] is None, f"{mode}: {report['accuracy']}")
+        found, wanted = report["envelope"]["findings"], plain["envelope"]["findings"]
+        expect(found and [one["line"] for one in found] == [one["line"] for one in wanted], f"{mode}: {found} and {wanted}")
+        lines = family.text.splitlines()
+        expect(all(re.search(r"rapid|retract|cut", lines[one["family_line"] - 1]) for one in found), f"{mode}: {found}")
+        spoken = ask("check", family.path, *options, "--mode", mode)
+        expect(spoken.returncode == 1 and f"(rendered):{found[0]['line']}: error[travel-exceeded]" in spoken.stderr
+               and f"from: {family.path}:{found[0]['family_line']}" in spoken.stderr, spoken.stderr)
+        timed = json.loads(ask("time", family.path, *options, "--mode", mode, "--json").stdout)
+        expect(timed == json.loads(ask("time", program, "--machine", machine, "--json").stdout), f"{mode}: {timed}")
+    by_name = one_of(ask("check", "hyperbolic-roll", "--machine", "fanuc-0i-lathe", "--json").stdout)
+    expect(by_name["verdict"] == "pass" and by_name["rendered"]["because"], f"{by_name}")
+    piped = subprocess.run([BINARY, "check", "-", "--machine", "fanuc-0i-lathe", "--json"], input=family.text, capture_output=True, text=True, timeout=60)
+    expect(one_of(piped.stdout)["file"] == "<stdin>" and one_of(piped.stdout)["rendered"], piped.stderr)
+    done = ask("check", family.path, "--machine", "fanuc-0i-lathe", "--set", "half_axis_z=40 mm", "--json")
+    failed = one_of(done.stdout)
+    expect(done.returncode == 1 and failed["verdict"] == "fail" and failed["file"] == str(family.path) and "rendered" not in failed, f"{failed}")
+    expect(failed["diagnostics"][0]["id"] == "family-constraint-failed" and failed["diagnostics"][0]["line"] > 1, f"{failed}")
+    done = ask("time", family.path, "--machine", "fanuc-0i-lathe", "--set", "half_axis_z=40 mm", "--json")
+    expect(done.returncode == 1 and json.loads(done.stdout)["measured"] is False and "family-constraint-failed" in done.stdout, done.stderr)
+    for option in (("--fix",), ("--sarif",), ("--nominal", family.path)):
+        done = ask("check", family.path, "--machine", "fanuc-0i-lathe", *option)
+        expect(done.returncode == 2 and "is a family" in done.stderr, f"{option}: {done.stderr}")
+
+
 def main():
     families = [Family(path) for path in FAMILIES]
     expect(len(families) >= 10, "the shipped families")
@@ -266,6 +321,7 @@ def main():
                 for family in families]
         failed = []
         lists_from_tables(folder)
+        checked_and_timed(folder)
         for family, *parts in jobs:
             line = []
             for part in parts:
