@@ -62,6 +62,7 @@ async function writeDocPages({ inputs, outputs }) {
     style: address((file) => /\/docs-[^/]*\.css$/.test(file)),
     icon: address((file) => file.endsWith('.svg')),
     licences: await licencesOf(root, Object.keys(inputs)),
+    script: address((file) => /\/reference-[^/]*\.js$/.test(file)),
   });
 }
 
@@ -96,7 +97,7 @@ async function buildPage(watch) {
   await mkdir(at('dist', 'assets'), { recursive: true });
   const options = {
     ...common,
-    entryPoints: { app: 'src/main.tsx', live: 'src/live/worker.ts', icon: 'src/icon.svg', docs: 'src/styles/docs.css' },
+    entryPoints: { app: 'src/main.tsx', live: 'src/live/worker.ts', icon: 'src/icon.svg', docs: 'src/styles/docs.css', reference: 'src/reference/main.ts' },
     outdir: at('dist', 'assets'),
     entryNames: '[name]-[hash]',
     chunkNames: '[name]-[hash]',

@@ -1,5 +1,6 @@
-// Builds the pages of the documentation into dist/docs: README.md as index.html, and one page for each file of docs/. No
-// script, no inline style: they keep to the strict policy with which the server sends them.
+// Builds the pages of the documentation into dist/docs: README.md as index.html, one page for each file of docs/, and the
+// reference of the API, which a script writes from the description that the server gives. No inline script or style: they
+// keep to the strict policy with which the server sends them.
 import { copyFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { Marked } from 'marked';
@@ -64,7 +65,7 @@ export const htmlOf = (markdown) => new Marked({ gfm: true, renderer: renderer()
 
 export const titleOf = (markdown) => (/^# +(.+)$/m.exec(markdown)?.[1] ?? 'dripfeed').replaceAll('`', '');
 
-function pageOf({ title, body, list, style, icon }) {
+function pageOf({ title, body, list, style, icon, script }) {
   const full = title === 'dripfeed' ? title : `${title} · dripfeed`;
   return `<!doctype html>
 <html lang="en">
@@ -74,7 +75,7 @@ function pageOf({ title, body, list, style, icon }) {
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <link rel="icon" type="image/svg+xml" href="${icon}">
-<link rel="stylesheet" href="${style}">
+<link rel="stylesheet" href="${style}">${script ? `\n<script type="module" src="${script}"></script>` : ''}
 </head>
 <body class="docs">
 <header class="docs-top"><a class="docs-brand" href="/docs">dripfeed</a><a class="docs-to-list" href="#pages">All pages</a><a href="/">Machines</a></header>
@@ -90,9 +91,15 @@ ${body}</main>
 `;
 }
 
-// `repository`: its root; `into`: dist/docs; `style` and `icon`: addresses of what was built; `licences`: of the packages
-// that were bundled, as markdown.
-export async function writeDocs({ repository, into, style, icon, licences }) {
+const kReference = {
+  name: 'api-reference',
+  markdown: '# Reference of the API\n',
+  body: '<h1>Reference of the API</h1>\n<div id="reference">It is read from this server.</div>\n',
+};
+
+// `repository`: its root; `into`: dist/docs; `style`, `icon` and `script` (of the reference): addresses of what was built;
+// `licences`: of the packages that were bundled, as markdown.
+export async function writeDocs({ repository, into, style, icon, script, licences }) {
   await mkdir(into, { recursive: true });
   const read = (...parts) => readFile(path.join(repository, ...parts), 'utf8');
   const names = (await readdir(path.join(repository, 'docs'))).filter((name) => name.endsWith('.md')).map((name) => name.slice(0, -3));
@@ -103,7 +110,8 @@ export async function writeDocs({ repository, into, style, icon, licences }) {
   const shipped = pages.find(({ markdown }) => markdown.includes(kLicences));
   if (!shipped) throw new Error(`docs: no page has the place ${kLicences}`);
   shipped.markdown = shipped.markdown.replace(kLicences, () => licences);
-  for (const { name, markdown } of pages) {
+  pages.splice(pages.findIndex(({ name }) => name === 'api') + 1, 0, kReference);
+  for (const { name, markdown, body } of pages) {
     const list = pages
       .map((page) => {
         const current = page.name === name ? ' aria-current="page"' : '';
@@ -111,7 +119,7 @@ export async function writeDocs({ repository, into, style, icon, licences }) {
         return `<li><a href="${href}"${current}>${escape(titleOf(page.markdown))}</a></li>`;
       })
       .join('\n');
-    const page = pageOf({ title: titleOf(markdown), body: htmlOf(markdown), list, style, icon });
+    const page = pageOf({ title: titleOf(markdown), body: body ?? htmlOf(markdown), list, style, icon, script: body && script });
     await writeFile(path.join(into, `${name}.html`), page);
   }
   await copyFile(path.join(repository, 'web', 'pictures', 'machines.png'), path.join(into, 'machines.png'));
