@@ -40,7 +40,10 @@ async function refused(what: string, code: Schemas['Problem']['code'], call: Pro
 const job = (id: number) => must('the job', mes.GET('/api/v1/jobs/{id}', { params: { path: { id: String(id) } } }));
 const orderOf = (id: number) => must('the order', mes.GET('/api/v1/orders/{id}', { params: { path: { id: String(id) } } }));
 
-const pause = (ms: number) => new Promise<void>((go) => void setTimeout(go, ms));
+const pause = (ms: number) =>
+  new Promise<void>((go) => {
+    setTimeout(go, ms);
+  });
 
 async function waitFor<T>(what: string, ask: () => Promise<T | null>): Promise<T> {
   for (const until = Date.now() + 60_000; Date.now() < until; await pause(100)) {
