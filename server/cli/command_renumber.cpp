@@ -1,5 +1,9 @@
 // dripfeed renumber: new block numbers, and everything that names a block follows.
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
