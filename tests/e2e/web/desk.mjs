@@ -17,7 +17,14 @@ const row = (page, name) => page.getByRole('row').filter({ has: page.getByRole('
 const editor = (page) => page.getByRole('textbox', { name: /^Text of/ });
 const faults = (page) => page.getByRole('complementary', { name: 'Faults and outline' });
 const read = (page) => page.locator('[data-phase="known"]').waitFor();
-const at = (page, address) => until(async () => new URL(page.url()).hash === address, `the address is ${address}`);
+// As the page has it: the browser's driver may hear of it later.
+const addressOf = (page) => page.evaluate(() => location.hash);
+async function at(page, address) {
+  await until(async () => (await addressOf(page)) === address, `the address is ${address}`).catch(async (error) => {
+    throw new Error(`${error.message}, not ${await addressOf(page)}`);
+  });
+}
+
 
 // What a drop of files is to the page.
 async function drop(page, files) {
