@@ -1,5 +1,5 @@
 // The page: sign-in or the signed-in views, chosen by the address.
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { dateTime } from './format/times';
 import { t } from './i18n/i18n';
 import { minutes } from './parts/clock';
@@ -35,8 +35,9 @@ function Desk() {
   const before = useRef(place);
   useTitle(route.value);
   useBadge(route.value);
-  // After a change of view a keyboard goes on at its heading, and one who goes back finds the place again.
-  useEffect(() => {
+  // After a change of view a keyboard goes on at its heading, and one who goes back finds the place again. At once: later
+  // it could take the focus from a field into which a person types by then.
+  useLayoutEffect(() => {
     if (before.current === place) return;
     before.current = place;
     main.current?.querySelector('h1')?.focus({ preventScroll: true });

@@ -101,7 +101,19 @@ async function find(page) {
 }
 
 async function file(page) {
+  const atOnce = page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        new MutationObserver((_, observer) => {
+          const first = document.querySelector('.label-form input');
+          if (!first) return;
+          observer.disconnect();
+          resolve(document.activeElement === first);
+        }).observe(document.body, { subtree: true, childList: true });
+      }),
+  );
   await row(page, 'O0701').getByRole('button', { name: 'Change folder and tags of O0701' }).click();
+  expect(await atOnce, 'the form has the focus as soon as it is there, and takes it from no other field later');
   await page.getByLabel('Tags, with commas between').fill('steel, flange');
   await page.keyboard.press('Enter');
   await row(page, 'O0701').getByRole('link', { name: 'flange' }).click();

@@ -1,5 +1,5 @@
 // Where a program is filed: its folder and tags, and their editing in place.
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
 import type { Program } from '../../api/types';
 import { t } from '../../i18n/i18n';
@@ -18,7 +18,8 @@ export function Labels({ program, may, changed }: Props) {
   const [editing, setEditing] = useState(false);
   const button = useRef<HTMLButtonElement>(null);
   const wasEditing = useRef(false);
-  useEffect(() => {
+  // At once: later it could take the focus from a field into which a person types by then.
+  useLayoutEffect(() => {
     if (wasEditing.current && !editing) button.current?.focus();
     wasEditing.current = editing;
   }, [editing]);
@@ -57,7 +58,7 @@ function LabelForm({ program, done, changed }: { program: Program; done: () => v
   const [error, setError] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
   const first = useRef<HTMLInputElement>(null);
-  useEffect(() => first.current?.focus(), []);
+  useLayoutEffect(() => first.current?.focus(), []);
   const save = async (event: Event) => {
     event.preventDefault();
     if (busy) return;
