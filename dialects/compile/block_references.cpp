@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "dialects/text/number.h"
+
 namespace dripfeed::compile {
 
 namespace {
@@ -18,7 +20,7 @@ using ir::Function;
 using ir::StatementKind;
 using ir::TokenKind;
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 // "N10", as a text names a block.
 bool names_block(std::string_view text) {
@@ -120,11 +122,9 @@ class Finder {
     const ir::Expression& e = program_.at(id);
     if (e.op != ir::Operator::constant || e.span.empty()) return unclear("the block that it names is calculated");
     const std::string_view written = e.span.in(text_);
-    const auto first = std::ranges::find_if(written, is_digit);
-    const auto last = std::find_if_not(first, written.end(), is_digit);
-    if (first == last || last != written.end()) return unclear(fmt::format("{} is no plain block number", written));
-    const auto begin = e.span.begin + static_cast<std::uint32_t>(first - written.begin());
-    add(static_cast<std::uint32_t>(e.value), {begin, e.span.end});
+    const text::Span digits = digits_of(text_, e.span);
+    if (!text::parse_integer(digits.in(text_))) return unclear(fmt::format("{} is no plain block number", written));
+    add(static_cast<std::uint32_t>(e.value), digits);
   }
 
   // The last numbers of the statement with these values, in their order: what comes before is a condition.
@@ -136,17 +136,12 @@ class Finder {
     for (; token != program_.tokens.end() && token->span.begin < span.end; ++token)
       if (token->kind == TokenKind::number) tokens.push_back(token->span);
     for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
-      const auto found = std::find_if(tokens.rbegin(), tokens.rend(), [&](text::Span one) {
-        return fmt::format("{}", *number) == without_zeros(one.in(text_));
-      });
+      const auto found = std::find_if(tokens.rbegin(), tokens.rend(),
+                                      [&](text::Span one) { return text::parse_integer(one.in(text_)) == *number; });
       if (found == tokens.rend()) return unclear("its target is written in a form that is not known");
       add(*number, *found);
       tokens.erase(std::next(found).base(), tokens.end());
     }
-  }
-
-  static std::string_view without_zeros(std::string_view digits) {
-    return digits.substr(std::min(digits.find_first_not_of('0'), digits.size()));
   }
 
   void add(std::uint32_t number, text::Span span) {
@@ -177,9 +172,14 @@ void find_texts(const ir::Program& program, BlockReferences& found) {
 
 }  // namespace
 
+text::Span digits_of(std::string_view text, text::Span span) {
+  while (!span.empty() && !is_digit(text[span.begin])) ++span.begin;
+  return span;
+}
+
 BlockReferences block_references(const ir::Program& program) {
   BlockReferences found = Finder(program).find();
-  if (!std::ranges::all_of(program.labels, [](const ir::Label& one) { return one.number == ir::kNoIndex; }))
+  if (std::ranges::any_of(program.labels, [](const ir::Label& one) { return one.number != ir::kNoIndex; }))
     find_texts(program, found);
   for (const ir::ForeignPart& part : program.foreign_parts)
     found.unclear.push_back({.statement = part.first, .why = "it is in the control's other language"});

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dialects/ir/program.h"
@@ -26,6 +27,9 @@ struct BlockReferences {
   std::vector<UnclearReference> unclear;
   bool calls_others = false;  // programs that are not in this text
 };
+
+// Of "N10", ":10", "P0010": what follows the letter.
+text::Span digits_of(std::string_view text, text::Span span);
 
 BlockReferences block_references(const ir::Program& program);
 

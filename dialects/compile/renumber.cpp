@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <ranges>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -20,9 +21,7 @@ namespace {
 using ir::StatementKind;
 using ir::TokenKind;
 
-constexpr std::uint32_t kHighest = 99'999;  // that every control takes
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr std::uint32_t kHighest = 99'999;  // that each of the controls takes
 
 std::string apply(std::string_view text, std::vector<text::Edit>& edits) {
   std::ranges::stable_sort(edits, {}, [](const text::Edit& one) { return one.replaced.begin; });
@@ -102,9 +101,9 @@ class Renumbering {
     std::map<std::uint32_t, std::uint32_t> named;  // by number: how many blocks have it
     for (const ir::Label& label : program_.labels | std::views::filter(is_here))
       if (label.name == ir::StringId::none) ++named[label.number];
-    std::map<std::uint32_t, bool> is_referenced;
+    std::set<std::uint32_t> referenced;
     for (const BlockReference& one : references_.known | std::views::filter(is_here)) {
-      is_referenced[one.number] = true;
+      referenced.insert(one.number);
       if (!named.contains(one.number))
         refuse(one.statement, fmt::format("it names N{}, which no block has", one.number));
       else if (named[one.number] > 1)
@@ -114,24 +113,24 @@ class Renumbering {
     NewNumbers renamed;
     next_ = request_.first;
     for (std::uint32_t i = section.first; i < section.last; ++i)
-      if (ir::begins_block(program_, i)) number_block(i, is_referenced, renamed);
+      if (ir::begins_block(program_, i)) number_block(i, referenced, renamed);
     for (const BlockReference& one : references_.known | std::views::filter(is_here)) {
       edits_.push_back({one.span, fmt::format("{}", renamed.at(one.number))});
       ++out_.references;
     }
   }
 
-  void number_block(std::uint32_t statement, const std::map<std::uint32_t, bool>& is_referenced, NewNumbers& renamed) {
+  void number_block(std::uint32_t statement, const std::set<std::uint32_t>& referenced, NewNumbers& renamed) {
     const ir::Label* label = label_of(statement);
     if (label == nullptr) {
       if (request_.numbering != Numbering::all || !may_have_number(statement)) return;
       insert(statement);
-    } else if (request_.numbering == Numbering::none && !is_referenced.contains(label->number)) {
+    } else if (request_.numbering == Numbering::none && !referenced.contains(label->number)) {
       remove(label->span);
       return;
     } else {
       renamed[label->number] = next_;
-      edits_.push_back({digits_of(label->span), fmt::format("{}", next_)});
+      edits_.push_back({digits_of(text_, label->span), fmt::format("{}", next_)});
     }
     if (next_ > kHighest)
       return refuse(statement, fmt::format("N{} would be more than {}: a smaller step is needed", next_, kHighest));
@@ -167,11 +166,6 @@ class Renumbering {
   void remove(text::Span label) {
     while (label.end < text_.size() && text_[label.end] == ' ') ++label.end;
     edits_.push_back({label, {}});
-  }
-
-  [[nodiscard]] text::Span digits_of(text::Span label) const {
-    while (label.begin < label.end && !is_digit(text_[label.begin])) ++label.begin;
-    return label;
   }
 
   void finish() {

@@ -111,15 +111,6 @@ std::string_view comment_in(std::string_view line) {
   return trimmed(line.substr(open + 1, line.find(')', open) - open - 1));
 }
 
-// After a '%': nothing, or the next tape.
-bool goes_on_with_program(std::string_view rest) {
-  while (!rest.empty()) {
-    const std::string_view line = take_line(rest);
-    if (!line.empty() && line != "%") return begins_program(line);
-  }
-  return true;
-}
-
 // Nothing where something stands after a '%' that is no program: it would be lost, or become a part of one.
 std::vector<std::string> split_at_numbers(std::string_view text) {
   std::vector<std::string> programs;
@@ -131,10 +122,12 @@ std::vector<std::string> split_at_numbers(std::string_view text) {
     const std::string_view raw = rest;
     const std::string_view line = take_line(rest);
     const std::string_view whole = raw.substr(0, raw.size() - rest.size());
-    if (line == "%" && !goes_on_with_program(rest)) return {};
-    is_between = line == "%" || (is_between && line.empty());
-    if (is_between) continue;
-    if (begins_program(line)) programs.emplace_back("%\n");
+    is_between = is_between || line == "%";
+    if (is_between && (line.empty() || line == "%")) continue;
+    const bool begins = begins_program(line);
+    if (is_between && !begins) return {};
+    is_between = false;
+    if (begins) programs.emplace_back("%\n");
     (programs.empty() ? before : programs.back()) += whole;
   }
   // What stands before the first number belongs to the first program.

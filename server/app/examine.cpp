@@ -21,6 +21,12 @@
 
 namespace dripfeed::app {
 
+ir::Control for_check(const ir::Control& given) {
+  ir::Control control = given;
+  control.semantics.unset_is_unknown = true;
+  return control;
+}
+
 namespace {
 
 ir::FeedMode feed_mode_of(ir::Function function) {
@@ -221,14 +227,6 @@ void take_run(const interpreter::RunResult& run, const Examination& e, const com
   if (run.ended != interpreter::Ended::limit) return;
   report.checks.has_unknown_effects = true;
   report.checks.not_checked.add(fmt::format("what follows line {}: {}", run.last.line, why_ended(run)), run.last.line);
-}
-
-// A check goes on with what nobody gave (common variables, arguments of a macro that is checked by itself, inputs, a
-// called program) as not known, and never takes it for vacant.
-ir::Control for_check(const ir::Control& given) {
-  ir::Control control = given;
-  control.semantics.unset_is_unknown = true;
-  return control;
 }
 
 // The control alarms on them when it comes to the call.

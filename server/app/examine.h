@@ -42,6 +42,10 @@ struct Examination {
 
 CheckReport examine(const Examination& examination);
 
+// A check goes on with what nobody gave (common variables, arguments of a macro that is checked by itself, inputs, a
+// called program) as not known, and never takes it for vacant.
+ir::Control for_check(const ir::Control& given);
+
 // Reads, validates and runs a text as a check does, and hands its motions to `sink` alone: what the machine would make
 // of them is not checked, so that there is no verdict.
 struct Followed {

@@ -35,8 +35,7 @@ class MovesBefore final : public ir::MotionSink {
 };
 
 void run_into(const Examination& e, const text::Source& source, ir::MotionSink& sink) {
-  ir::Control control = e.control;
-  control.semantics.unset_is_unknown = true;
+  const ir::Control control = for_check(e.control);
   const ir::ReadResult read = e.dialect->read(source, control);
   compile::ProgramLibrary library(control, e.find_called);
   interpreter::RunOptions options;

@@ -60,6 +60,9 @@ TEST(SplitPrograms, PartsAtNumbersAndHeaders) {
             (std::vector<std::string>{"%\nO1\nM30\n%\n", "%\nO2\nM30\n%\n"}));
   const std::string with_more = "%\nO1\nM30\nO2\nM30\n%\nTOOL LIST\n";
   EXPECT_EQ(split_programs(with_more), (std::vector<std::string>{with_more}));
+  std::string marks;  // each is looked at once
+  for (int i = 0; i < 1'000'000; ++i) marks += "%\n";
+  EXPECT_EQ(split_programs(marks).size(), 1U);
 }
 
 }  // namespace

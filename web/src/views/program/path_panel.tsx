@@ -6,6 +6,7 @@ import type { Program, ToolPath } from '../../api/types';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
+import { useNumberOf } from '../../parts/use_number_of';
 import { useSettled } from '../../parts/use_settled';
 import { PathView } from '../path/path_view';
 
@@ -28,9 +29,8 @@ export function PathPanel({ program, revision, written, machine, line, chosen }:
   useEffect(() => {
     if (!isLong) setAsked(settled);
   }, [settled, isLong]);
-  const numbers = useRef({ text: asked, number: 0 });
-  if (numbers.current.text !== asked) numbers.current = { text: asked, number: numbers.current.number + 1 };
-  const key = `${program.id} ${machine} ${asked === null ? `revision ${revision}` : `written ${numbers.current.number}`}`;
+  const number = useNumberOf(asked);
+  const key = `${program.id} ${machine} ${asked === null ? `revision ${revision}` : `written ${number}`}`;
   const { value, error, loading } = useLoaded<ToolPath>(key, () =>
     asked === null
       ? deskCalls.programPath(program.id, revision, machine)

@@ -10,6 +10,7 @@ import { Badge } from '../../parts/badge';
 import { OrderDialog, showDialog } from '../../parts/dialog';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
+import { useNumberOf } from '../../parts/use_number_of';
 import { useSettled } from '../../parts/use_settled';
 import { changeQuery, goUnlessLeft, hrefs } from '../../router';
 import { kDialects } from '../../rules/dialects';
@@ -34,10 +35,9 @@ const kNoFaults: never[] = [];
 export function TranslationPanel(props: Props) {
   const { program, machine, to, mode } = props;
   const text = useSettled(props.text, kPause_ms);
-  const numbers = useRef({ text, number: 0 });
-  if (numbers.current.text !== text) numbers.current = { text, number: numbers.current.number + 1 };
+  const number = useNumberOf(text);
   const side = sideOf(to);
-  const key = side && `${program.id} ${machine} ${to} ${mode} ${numbers.current.number}`;
+  const key = side && `${program.id} ${machine} ${to} ${mode} ${number}`;
   const { value, error, loading } = useLoaded<Converted>(key, () =>
     deskCalls.convert({ text, dialect: program.dialect, mode, ...(machine ? { machine } : {}), ...side }),
   );
