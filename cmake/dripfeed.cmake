@@ -58,11 +58,16 @@ endif()
 
 include(precompiled)
 
-# dripfeed_library(NAME [DEPENDS a b] [SYSTEM lib...]): the folder it is called in, as target dripfeed_NAME.
-# DEPENDS names other folders by their short names; SYSTEM names third-party targets.
+# dripfeed_library(NAME [ROOMS a b] [DEPENDS a b] [SYSTEM lib...]): the folder it is called in, as target dripfeed_NAME.
+# ROOMS are folders in it that belong to the library; DEPENDS names other folders by their short names; SYSTEM names
+# third-party targets.
 function(dripfeed_library name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;SYSTEM" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "ROOMS;DEPENDS;SYSTEM" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  foreach(room IN LISTS ARG_ROOMS)
+    file(GLOB in_room CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.cpp)
+    list(APPEND sources ${in_room})
+  endforeach()
   list(FILTER sources EXCLUDE REGEX "/main[.]cpp$")  # of an executable beside the library
   if(sources)
     add_library(dripfeed_${name} STATIC ${sources})

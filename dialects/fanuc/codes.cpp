@@ -1,6 +1,6 @@
 // G and M codes of Fanuc controls: the common ones are its own, since the others took them from there. Besides them
 // stand options of the larger series (16i, 18i, 30i, 31i, 32i), which a 0i may lack.
-#include "dialects/macro_b/codes.h"
+#include "dialects/macro_b/tables/codes.h"
 
 #include <array>
 

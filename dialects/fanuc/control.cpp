@@ -1,5 +1,5 @@
 // The usual controls: what the parameters are at most machines. A machine's profile overrides single fields.
-#include "dialects/macro_b/control.h"
+#include "dialects/macro_b/tables/control.h"
 
 #include "dialects/fanuc/fanuc.h"
 #include "dialects/fanuc/tables.h"

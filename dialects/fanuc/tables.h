@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dialects/ir/control.h"
-#include "dialects/macro_b/grammar.h"
+#include "dialects/macro_b/tables/grammar.h"
 
 namespace dripfeed::fanuc {
 
@@ -16,6 +16,5 @@ std::span<const ir::SystemVariableRow> system_variables();
 std::vector<ir::VariableRange> variable_ranges();
 std::span<const macro_b::NamedVariable> named_variables();
 std::span<const ir::AlarmRow> alarms();
-const macro_b::Grammar& grammar();
 
 }  // namespace dripfeed::fanuc

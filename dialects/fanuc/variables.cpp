@@ -1,5 +1,5 @@
 // Variables of the 0i-F/30i generation beyond those of all '#'-variable controls.
-#include "dialects/macro_b/variables.h"
+#include "dialects/macro_b/tables/variables.h"
 
 #include <array>
 

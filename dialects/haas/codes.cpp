@@ -1,6 +1,6 @@
 // Codes in which a Haas differs from the common lists. What mills a pocket, engraves, measures or tilts is known by
 // name and not interpreted.
-#include "dialects/macro_b/codes.h"
+#include "dialects/macro_b/tables/codes.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // The usual Haas controls; a machine's profile overrides single fields.
-#include "dialects/macro_b/control.h"
+#include "dialects/macro_b/tables/control.h"
 
 #include "dialects/haas/haas.h"
 #include "dialects/haas/tables.h"

@@ -1,6 +1,6 @@
 // Variables beyond those of all '#'-variable controls. Since NGC each range of the old numbers has a second one from
 // #10000 on for the same memory; which of them a program uses does not matter as long as it uses one.
-#include "dialects/macro_b/variables.h"
+#include "dialects/macro_b/tables/variables.h"
 
 #include <array>
 

@@ -2,10 +2,10 @@
 // the text.
 #include "dialects/macro_b/stages.h"
 
-#include "dialects/macro_b/check.h"
-#include "dialects/macro_b/lex.h"
-#include "dialects/macro_b/parse.h"
-#include "dialects/macro_b/print.h"
+#include "dialects/macro_b/reader/lex.h"
+#include "dialects/macro_b/reader/parse.h"
+#include "dialects/macro_b/validator/validate.h"
+#include "dialects/macro_b/writer/print.h"
 
 namespace dripfeed::macro_b {
 

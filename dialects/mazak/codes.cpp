@@ -1,6 +1,6 @@
 // G codes in which Mazak differs from the common lists, by kind of machine. A mill-turn center (Integrex) has the list
 // of machining centers and turning cycles of its own numbers: G290 for G90, G271 for G71.
-#include "dialects/macro_b/codes.h"
+#include "dialects/macro_b/tables/codes.h"
 
 #include <array>
 

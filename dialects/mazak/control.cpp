@@ -1,5 +1,7 @@
 // The usual Mazak controls; a machine's profile overrides single fields.
-#include "dialects/macro_b/control.h"
+#include "dialects/macro_b/tables/control.h"
+
+#include <array>
 
 #include "dialects/mazak/mazak.h"
 #include "dialects/mazak/tables.h"
@@ -21,10 +23,14 @@ std::string_view title_of(ir::MachineKind kind) {
   return kind == ir::MachineKind::lathe ? "Mazak Matrix 2 (QTN)" : "Mazak Matrix 2 (Integrex)";
 }
 
+// Ten times the codes that an Integrex has and the others have not.
+constexpr auto kIntegrexCodes = std::to_array<std::int32_t>({1221, 1231, 2700, 2710, 2760, 2900, 2920, 2940});
+
 }  // namespace
 
 const macro_b::Grammar& grammar() {
   static const macro_b::Grammar kGrammar = {.keywords = macro_b::common_keywords(),
+                                            .mill_turn_codes = kIntegrexCodes,
                                             .highest_loop_number = 127,
                                             .highest_block_number = 99'999,
                                             .macro_digits = 15,

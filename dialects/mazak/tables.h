@@ -1,11 +1,10 @@
-// The tables of this control: codes, variables, alarms, grammar. One row a fact; all spans live as long as the program.
+// The tables of this control: codes, variables, alarms. One row a fact; all spans live as long as the program.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "dialects/ir/control.h"
-#include "dialects/macro_b/grammar.h"
 
 namespace dripfeed::mazak {
 
@@ -14,6 +13,5 @@ std::span<const ir::CodeRow> m_codes();
 std::span<const ir::SystemVariableRow> system_variables();
 std::vector<ir::VariableRange> variable_ranges();
 std::span<const ir::AlarmRow> alarms();
-const macro_b::Grammar& grammar();
 
 }  // namespace dripfeed::mazak

@@ -1,5 +1,5 @@
 // G codes in which Mitsubishi differs from the common lists.
-#include "dialects/macro_b/codes.h"
+#include "dialects/macro_b/tables/codes.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // The usual Mitsubishi controls; a machine's profile overrides single fields.
-#include "dialects/macro_b/control.h"
+#include "dialects/macro_b/tables/control.h"
 
 #include "dialects/mitsubishi/mitsubishi.h"
 #include "dialects/mitsubishi/tables.h"

@@ -1,11 +1,11 @@
-// The tables of this control: codes, variables, alarms, grammar. One row a fact; all spans live as long as the program.
+// The tables of this control: codes, variables, alarms. One row a fact; all spans live as long as the program.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "dialects/ir/control.h"
-#include "dialects/macro_b/grammar.h"
+#include "dialects/macro_b/tables/grammar.h"
 
 namespace dripfeed::mitsubishi {
 
@@ -15,6 +15,5 @@ std::span<const ir::SystemVariableRow> system_variables();
 std::vector<ir::VariableRange> variable_ranges();
 std::span<const ir::AlarmRow> alarms();
 std::span<const macro_b::Keyword> keywords();
-const macro_b::Grammar& grammar();
 
 }  // namespace dripfeed::mitsubishi

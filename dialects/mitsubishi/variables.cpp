@@ -1,5 +1,5 @@
 // Variables beyond those of all '#'-variable controls.
-#include "dialects/macro_b/variables.h"
+#include "dialects/macro_b/tables/variables.h"
 
 #include <array>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dialects/facts/flow_graph.h"
-#include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/arithmetic/arithmetic.h"
 #include "dialects/optimize/edit.h"
 #include "dialects/optimize/simplify.h"
 #include "dialects/optimize/value_table.h"

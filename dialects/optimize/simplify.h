@@ -2,7 +2,7 @@
 // the value is the same to the last bit, for all operands.
 #pragma once
 
-#include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/arithmetic/arithmetic.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 

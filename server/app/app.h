@@ -3,4 +3,4 @@
 // store; it knows no JSON, HTTP, socket or command line.
 #pragma once
 
-#include "server/app/line.h"
+#include "server/app/lines/line.h"

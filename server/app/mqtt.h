@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "server/app/application.h"
+#include "server/app/base/round_thread.h"
 #include "server/app/ports/broker.h"
-#include "server/app/round_thread.h"
 
 namespace dripfeed::app {
 

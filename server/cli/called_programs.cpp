@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "server/app/program_pieces.h"
+#include "server/app/shop/program_pieces.h"
 #include "server/cli/inputs.h"
 #include "server/cli/program_folders.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dialects/compile/library.h"
+#include "dialects/compile/dialect/library.h"
 
 namespace dripfeed::cli {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "server/app/line.h"
+#include "server/app/lines/line.h"
 #include "server/app/ports/line_claims.h"
 
 namespace CLI {

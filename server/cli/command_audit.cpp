@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/output.h"

@@ -9,8 +9,8 @@
 
 #include "checks/timing/machine_fit.h"
 #include "dialects/text/number.h"
-#include "server/app/calibration.h"
-#include "server/app/variable_dump.h"
+#include "server/app/checks/calibration.h"
+#include "server/app/lines/variable_dump.h"
 #include "server/cli/cli.h"
 #include "server/cli/output.h"
 #include "server/cli/timing_run.h"

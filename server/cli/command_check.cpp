@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "server/app/check_budget.h"
-#include "server/app/examine.h"
+#include "server/app/base/check_budget.h"
+#include "server/app/checks/examine.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"

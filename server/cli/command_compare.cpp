@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"
-#include "server/app/compare.h"
+#include "server/app/library/compare.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "dialects/compile/convert.h"
-#include "server/app/translation.h"
+#include "dialects/compile/translate/convert.h"
+#include "server/app/library/translation.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"
-#include "server/app/link_test.h"
+#include "server/app/lines/link_test.h"
 #include "server/cli/claimed_line.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"

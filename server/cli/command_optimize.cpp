@@ -7,9 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/optimized.h"
+#include "dialects/compile/render/optimized.h"
 #include "dialects/text/number.h"
-#include "server/app/timed_rendering.h"
+#include "server/app/checks/timed_rendering.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"

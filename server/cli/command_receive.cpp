@@ -11,7 +11,7 @@
 
 #include "protocol/receive/program_name.h"
 #include "protocol/receive/transfer.h"
-#include "server/app/lines.h"
+#include "server/app/lines/lines.h"
 #include "server/cli/claimed_line.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"

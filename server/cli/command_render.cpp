@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/optimized_render.h"
-#include "server/app/timed_rendering.h"
+#include "dialects/compile/render/optimized_render.h"
+#include "server/app/checks/timed_rendering.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/family_options.h"

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/restart.h"
+#include "dialects/compile/restart/restart.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"

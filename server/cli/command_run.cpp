@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/convert.h"
-#include "dialects/compile/execute.h"
-#include "dialects/compile/stream.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/dialect/stream.h"
+#include "dialects/compile/translate/convert.h"
 #include "dialects/text/excerpt.h"
 #include "dialects/text/fold.h"
-#include "server/app/check_budget.h"
+#include "server/app/base/check_budget.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"

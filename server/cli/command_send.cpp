@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "protocol/tape_code/character_set.h"
-#include "server/app/drop_line.h"
-#include "server/app/read_back.h"
+#include "server/app/lines/drop_line.h"
+#include "server/app/receive/read_back.h"
 #include "server/cli/claimed_line.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"

@@ -18,7 +18,7 @@
 
 #include "server/app/application.h"
 #include "server/app/mqtt.h"
-#include "server/app/status_registers.h"
+#include "server/app/out/status_registers.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/inputs.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"
-#include "server/app/family_sweep.h"
+#include "server/app/checks/family_sweep.h"
 #include "server/cli/cli.h"
 #include "server/cli/family_options.h"
 #include "server/cli/output.h"

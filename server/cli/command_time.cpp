@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"
-#include "server/app/examine.h"
-#include "server/app/timing_pictures.h"
+#include "server/app/checks/examine.h"
+#include "server/app/checks/timing_pictures.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"

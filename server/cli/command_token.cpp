@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "server/app/error.h"
-#include "server/app/names.h"
+#include "server/app/base/error.h"
+#include "server/app/base/names.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/output.h"

@@ -11,9 +11,9 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "server/app/error.h"
-#include "server/app/names.h"
-#include "server/app/sign_in.h"
+#include "server/app/base/error.h"
+#include "server/app/base/names.h"
+#include "server/app/shop/sign_in.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/output.h"

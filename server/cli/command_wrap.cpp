@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/propose_family.h"
+#include "dialects/compile/propose/propose_family.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"

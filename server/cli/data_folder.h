@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 
 namespace dripfeed::cli {
 

@@ -9,7 +9,7 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
-#include "server/app/ballast.h"
+#include "server/app/base/ballast.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/doctor.h"
 #include "server/io/lock_holder.h"

@@ -8,15 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "dialects/compile/convert.h"
-#include "dialects/compile/execute.h"
-#include "dialects/compile/optimized.h"
-#include "dialects/compile/render.h"
-#include "dialects/compile/renumber.h"
-#include "dialects/compile/restart.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/render/optimized.h"
+#include "dialects/compile/render/render.h"
+#include "dialects/compile/renumber/renumber.h"
+#include "dialects/compile/restart/restart.h"
+#include "dialects/compile/translate/convert.h"
 #include "protocol/receive/transfer.h"
-#include "server/app/line.h"
-#include "server/app/report.h"
+#include "server/app/base/report.h"
+#include "server/app/lines/line.h"
 #include "server/cli/doctor.h"
 #include "server/io/line_record.h"
 #include "server/simulator/fleet.h"

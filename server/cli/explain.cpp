@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 #include "dialects/text/nearest.h"
 #include "server/cli/diagnostic_examples.h"
 

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/family_lines.h"
-#include "dialects/compile/list_table.h"
-#include "server/app/timed_rendering.h"
+#include "dialects/compile/render/family_lines.h"
+#include "dialects/compile/render/list_table.h"
+#include "server/app/checks/timed_rendering.h"
 #include "server/cli/output.h"
 
 namespace dripfeed::cli {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dialects/compile/render.h"
-#include "server/app/examine.h"
+#include "dialects/compile/render/render.h"
+#include "server/app/checks/examine.h"
 #include "server/cli/inputs.h"
 
 namespace CLI {

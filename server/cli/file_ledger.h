@@ -7,7 +7,7 @@
 #include <expected>
 #include <string>
 
-#include "server/app/line.h"
+#include "server/app/lines/line.h"
 
 namespace dripfeed::cli {
 

@@ -13,9 +13,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/caller_modes.h"
-#include "dialects/compile/shared_definitions.h"
-#include "server/app/catalog.h"
+#include "dialects/compile/dialect/shared_definitions.h"
+#include "dialects/compile/translate/caller_modes.h"
+#include "server/app/shop/catalog.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/memory_budget.h"
 #include "server/json/profile_document.h"

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/library.h"
-#include "server/app/error.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/library.h"
+#include "server/app/base/error.h"
 #include "server/machine/profile.h"
 
 namespace CLI {

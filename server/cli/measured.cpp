@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/execute.h"
-#include "dialects/compile/stream.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/dialect/stream.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"

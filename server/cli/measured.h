@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "server/app/measured.h"
-#include "server/app/surface_checks.h"
+#include "server/app/checks/measured.h"
+#include "server/app/checks/surface_checks.h"
 #include "server/cli/family_options.h"
 
 namespace CLI {

@@ -12,7 +12,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "server/app/check_budget.h"
+#include "server/app/base/check_budget.h"
 #include "server/cli/cli.h"
 
 namespace dripfeed::cli {

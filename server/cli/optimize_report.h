@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "dialects/compile/optimized.h"
+#include "dialects/compile/render/optimized.h"
 
 namespace dripfeed::cli {
 

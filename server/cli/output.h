@@ -8,7 +8,7 @@
 
 #include "dialects/text/diagnostic.h"
 #include "dialects/text/fold.h"
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 
 namespace dripfeed::cli {
 

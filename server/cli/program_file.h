@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "dialects/compile/stream.h"
+#include "dialects/compile/dialect/stream.h"
 #include "dialects/text/source.h"
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 
 namespace dripfeed::cli {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 #include "server/http/server.h"
 #include "server/json/server_options.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dialects/compile/execute.h"
-#include "server/app/error.h"
+#include "dialects/compile/dialect/execute.h"
+#include "server/app/base/error.h"
 
 namespace dripfeed::cli {
 

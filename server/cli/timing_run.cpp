@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "dialects/compile/stream.h"
-#include "server/app/check_budget.h"
-#include "server/app/examine.h"
+#include "dialects/compile/dialect/stream.h"
+#include "server/app/base/check_budget.h"
+#include "server/app/checks/examine.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/program_file.h"
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "protocol/receive/transfer.h"
-#include "server/app/ledger_writer.h"
-#include "server/app/lines.h"
-#include "server/app/read_back.h"
+#include "server/app/jobs/ledger_writer.h"
+#include "server/app/lines/lines.h"
+#include "server/app/receive/read_back.h"
 #include "server/cli/claimed_line.h"
 #include "server/cli/logging.h"
 #include "server/io/io.h"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "protocol/feed/feed.h"
-#include "server/app/error.h"
-#include "server/app/line.h"
+#include "server/app/base/error.h"
+#include "server/app/lines/line.h"
 #include "server/app/ports/line_claims.h"
 #include "server/cli/file_ledger.h"
 #include "server/cli/signals.h"

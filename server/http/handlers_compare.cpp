@@ -1,7 +1,7 @@
 // Two revisions held against each other. A worker does it: both are programs of other people.
 #include <fmt/format.h>
 
-#include "server/app/compare.h"
+#include "server/app/library/compare.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/json/reports.h"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "server/app/diagnose.h"
-#include "server/app/split_text.h"
+#include "server/app/checks/diagnose.h"
+#include "server/app/library/split_text.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/json/diagnostics.h"

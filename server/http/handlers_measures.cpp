@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "server/app/checking.h"
+#include "server/app/checks/checking.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/json/requests.h"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "server/app/names.h"
-#include "server/app/sign_in.h"
+#include "server/app/base/names.h"
+#include "server/app/shop/sign_in.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/http/list_response.h"

@@ -2,7 +2,7 @@
 // of its own, which an approver lets go for one transfer, and that becomes a job that a person arms.
 #include <fmt/format.h>
 
-#include "server/app/restarting.h"
+#include "server/app/jobs/restarting.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/json/records.h"

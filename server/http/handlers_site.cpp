@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "server/app/sign_in.h"
+#include "server/app/shop/sign_in.h"
 #include "server/http/api.h"
 #include "server/http/describe.h"
 #include "server/http/handlers.h"

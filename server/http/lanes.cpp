@@ -13,7 +13,7 @@
 
 #include <sys/prctl.h>
 
-#include "server/app/fence.h"
+#include "server/app/base/fence.h"
 
 namespace dripfeed::http {
 

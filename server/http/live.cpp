@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <sys/prctl.h>
 
-#include "server/app/fence.h"
+#include "server/app/base/fence.h"
 #include "server/json/records.h"
 
 namespace dripfeed::http {

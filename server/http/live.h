@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "server/app/application.h"
-#include "server/app/wire_tap.h"
+#include "server/app/lines/wire_tap.h"
 #include "server/http/event_stream.h"
 #include "server/http/sessions.h"
 

@@ -21,7 +21,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
-#include "server/app/fence.h"
+#include "server/app/base/fence.h"
 #include "server/http/connection.h"
 #include "server/http/tls.h"
 

@@ -1,7 +1,7 @@
 // The end that does the work.
 #include <utility>
 
-#include "server/app/measured.h"
+#include "server/app/checks/measured.h"
 #include "server/json/diagnostics.h"
 #include "server/json/documents.h"
 #include "server/json/reports.h"

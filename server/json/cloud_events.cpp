@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "server/app/alarms.h"
-#include "server/app/wall_time.h"
+#include "server/app/base/wall_time.h"
+#include "server/app/out/alarms.h"
 #include "server/json/parse.h"
 
 namespace dripfeed::json {

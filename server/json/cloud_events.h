@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "server/app/event_types.h"
-#include "server/app/webhooks.h"
+#include "server/app/out/event_types.h"
+#include "server/app/out/webhooks.h"
 
 namespace dripfeed::json {
 

@@ -1,7 +1,7 @@
 // As which control a text was read. Only files of this folder include this.
 #pragma once
 
-#include "server/app/report.h"
+#include "server/app/base/report.h"
 #include "server/json/parse.h"
 #include "server/json/profile_words.h"
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "dialects/compile/language.h"
-#include "dialects/compile/program_digest.h"
+#include "dialects/compile/dialect/language.h"
+#include "dialects/compile/dialect/program_digest.h"
 #include "dialects/text/fold.h"
 #include "server/json/base64.h"
 #include "server/json/control_document.h"

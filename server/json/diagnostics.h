@@ -8,10 +8,10 @@
 
 #include "dialects/text/diagnostic.h"
 #include "dialects/text/source.h"
-#include "server/app/diagnose.h"
-#include "server/app/error.h"
-#include "server/app/restarting.h"
-#include "server/app/split_text.h"
+#include "server/app/base/error.h"
+#include "server/app/checks/diagnose.h"
+#include "server/app/jobs/restarting.h"
+#include "server/app/library/split_text.h"
 
 namespace dripfeed::json {
 

@@ -1,7 +1,7 @@
 // The application's documents, as JSON.
 #pragma once
 
-#include "server/app/documents.h"
+#include "server/app/base/documents.h"
 
 namespace dripfeed::json {
 

@@ -4,7 +4,7 @@
 #include <expected>
 #include <string>
 
-#include "server/app/link_test.h"
+#include "server/app/lines/link_test.h"
 
 namespace dripfeed::json {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "server/app/wall_time.h"
+#include "server/app/base/wall_time.h"
 #include "server/json/xml.h"
 
 namespace dripfeed::json {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "server/app/application.h"
-#include "server/app/observations.h"
+#include "server/app/out/observations.h"
 
 namespace dripfeed::json {
 

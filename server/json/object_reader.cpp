@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"
-#include "server/app/names.h"
+#include "server/app/base/names.h"
 
 namespace dripfeed::json {
 

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 #include "server/json/parse.h"
 #include "server/json/schema.h"
 

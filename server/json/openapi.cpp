@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "server/app/event_types.h"
+#include "server/app/out/event_types.h"
 #include "server/json/api_examples.h"
 #include "server/json/api_words.h"
 #include "server/json/object_reader.h"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "server/app/names.h"
+#include "server/app/base/names.h"
 #include "server/json/bodies.h"
 #include "server/json/parse.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "server/app/error.h"
-#include "server/app/sign_in.h"
+#include "server/app/base/error.h"
+#include "server/app/shop/sign_in.h"
 #include "server/json/schemas.h"
 
 namespace dripfeed::json {

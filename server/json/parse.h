@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 
 namespace dripfeed::json {
 

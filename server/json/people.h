@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/app/sign_in.h"
+#include "server/app/shop/sign_in.h"
 #include "server/json/schemas.h"
 
 namespace dripfeed::json {

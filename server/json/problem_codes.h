@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 
 namespace dripfeed::json {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/app/error.h"
+#include "server/app/base/error.h"
 #include "server/json/schema.h"
 #include "server/machine/profile.h"
 

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "dialects/compile/render.h"
+#include "dialects/compile/render/render.h"
 #include "server/app/application.h"
+#include "server/app/jobs/utilisation.h"
+#include "server/app/library/program_uses.h"
 #include "server/app/ports/workplace.h"
-#include "server/app/program_uses.h"
-#include "server/app/utilisation.h"
 #include "server/json/problem_codes.h"
 
 namespace dripfeed::json {

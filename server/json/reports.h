@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "checks/accuracy/cmm.h"
-#include "server/app/compare.h"
-#include "server/app/report.h"
+#include "server/app/base/report.h"
+#include "server/app/library/compare.h"
 
 namespace dripfeed::json {
 

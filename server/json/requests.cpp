@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "protocol/feed/feed.h"
-#include "server/app/names.h"
+#include "server/app/base/names.h"
 #include "server/json/bodies.h"
 #include "server/json/enumerators.h"
 #include "server/json/object_reader.h"

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "dialects/compile/convert.h"
-#include "dialects/compile/restart.h"
-#include "server/app/measured.h"
-#include "server/app/programs.h"
-#include "server/app/receiving.h"
-#include "server/app/webhooks.h"
+#include "dialects/compile/restart/restart.h"
+#include "dialects/compile/translate/convert.h"
+#include "server/app/checks/measured.h"
+#include "server/app/library/programs.h"
+#include "server/app/out/webhooks.h"
+#include "server/app/receive/receiving.h"
 #include "server/json/schemas.h"
 
 namespace dripfeed::json {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/app/report.h"
+#include "server/app/base/report.h"
 
 namespace dripfeed::json {
 

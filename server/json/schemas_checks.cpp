@@ -3,7 +3,7 @@
 
 #include "checks/verdict.h"
 #include "dialects/ir/cost_model.h"
-#include "server/app/events.h"
+#include "server/app/out/events.h"
 #include "server/json/profile_words.h"
 #include "server/json/schemas_shared.h"
 

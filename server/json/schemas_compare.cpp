@@ -1,5 +1,5 @@
 // Two revisions held against each other.
-#include "server/app/compare.h"
+#include "server/app/library/compare.h"
 #include "server/json/schemas.h"
 
 namespace dripfeed::json {

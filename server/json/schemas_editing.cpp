@@ -1,8 +1,8 @@
 // What an editor asks for, and the toolpath beside it.
-#include "dialects/compile/convert.h"
-#include "dialects/compile/language.h"
-#include "dialects/compile/outline.h"
-#include "server/app/tool_path.h"
+#include "dialects/compile/dialect/language.h"
+#include "dialects/compile/dialect/outline.h"
+#include "dialects/compile/translate/convert.h"
+#include "server/app/checks/tool_path.h"
 #include "server/json/schemas.h"
 #include "server/json/schemas_checks.h"
 #include "server/json/schemas_shared.h"

@@ -1,5 +1,5 @@
 // Releases, jobs, ledgers.
-#include "server/app/events.h"
+#include "server/app/out/events.h"
 #include "server/json/records.h"
 #include "server/json/schemas.h"
 #include "server/json/schemas_shared.h"

@@ -1,6 +1,6 @@
 // Programs, their revisions, and what rendering says.
-#include "dialects/compile/render.h"
-#include "server/app/events.h"
+#include "dialects/compile/render/render.h"
+#include "server/app/out/events.h"
 #include "server/json/enumerators.h"
 #include "server/json/schemas.h"
 #include "server/json/schemas_shared.h"

@@ -2,7 +2,7 @@
 #include "protocol/receive/program_name.h"
 #include "protocol/receive/receiver.h"
 #include "protocol/receive/transfer.h"
-#include "server/app/events.h"
+#include "server/app/out/events.h"
 #include "server/json/enumerators.h"
 #include "server/json/schemas.h"
 

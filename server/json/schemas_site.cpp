@@ -1,8 +1,8 @@
 // The server itself: health, session, problems, and the live events that are no document of a thing.
 #include <fmt/format.h>
 
-#include "server/app/alarms.h"
-#include "server/app/events.h"
+#include "server/app/out/alarms.h"
+#include "server/app/out/events.h"
 #include "server/json/enumerators.h"
 #include "server/json/problem_codes.h"
 #include "server/json/schemas.h"

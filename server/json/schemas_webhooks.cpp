@@ -1,9 +1,9 @@
 // What goes out to other systems, and what an admin sees of webhooks.
 #include <algorithm>
 
-#include "server/app/alarms.h"
-#include "server/app/event_types.h"
-#include "server/app/webhooks.h"
+#include "server/app/out/alarms.h"
+#include "server/app/out/event_types.h"
+#include "server/app/out/webhooks.h"
 #include "server/json/enumerators.h"
 #include "server/json/schemas.h"
 #include "server/json/schemas_shared.h"

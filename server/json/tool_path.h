@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "server/app/tool_path.h"
+#include "server/app/checks/tool_path.h"
 
 namespace dripfeed::json {
 

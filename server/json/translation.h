@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "dialects/compile/convert.h"
+#include "dialects/compile/translate/convert.h"
 #include "dialects/text/source.h"
-#include "server/app/translation.h"
+#include "server/app/library/translation.h"
 
 namespace dripfeed::json {
 

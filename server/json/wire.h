@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "server/app/lines/wire_tap.h"
 #include "server/app/ports/clock.h"
-#include "server/app/wire_tap.h"
 
 namespace dripfeed::json {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "server/app/diagnose.h"
-#include "server/app/workers.h"
+#include "server/app/checks/diagnose.h"
+#include "server/app/checks/workers.h"
 #include "server/json/parse.h"
 
 namespace dripfeed::json {

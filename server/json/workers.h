@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/called_programs.h"
-#include "server/app/compare.h"
-#include "server/app/diagnose.h"
-#include "server/app/restarting.h"
-#include "server/app/translation.h"
-#include "server/app/workers.h"
+#include "server/app/checks/diagnose.h"
+#include "server/app/checks/workers.h"
+#include "server/app/jobs/restarting.h"
+#include "server/app/library/compare.h"
+#include "server/app/library/translation.h"
+#include "server/app/shop/called_programs.h"
 
 namespace dripfeed::json {
 

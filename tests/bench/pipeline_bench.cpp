@@ -20,7 +20,7 @@
 #include "checks/gouge/compensation.h"
 #include "checks/timing/kinematics.h"
 #include "checks/timing/look_ahead.h"
-#include "dialects/compile/stream.h"
+#include "dialects/compile/dialect/stream.h"
 #include "dialects/text/number.h"
 
 namespace {

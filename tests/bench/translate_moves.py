@@ -23,7 +23,7 @@ import tempfile
 from translate_mixed import MIXED
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-DIALECTS = ("fanuc", "mazak", "mitsubishi-m80", "sinumerik-840d")
+DIALECTS = ("fanuc", "haas", "mazak", "mitsubishi-m80", "sinumerik-840d")
 MOVES = {"rapid", "linear", "arc-cw", "arc-ccw", "thread", "spline"}
 TAP_RPM = 500
 TOLERANCE_MM = 0.004  # 0.0001 inch and a rounding; printed with three or four decimals, and added up by increments
@@ -636,7 +636,7 @@ class SinumerikLatheIso(SinumerikLathe):
 
 MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "iso-mode": [SinumerikIso, SinumerikLatheIso], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, MazakLathe], "mitsubishi-m80": [Figures, MitsubishiLathe]} | {name: [maker] for name, (_, maker) in MIXED.items()}
 LANGUAGES = {"iso-mode": "sinumerik-840d"} | {name: dialect for name, (dialect, _) in MIXED.items()}
-MACHINES = {"fanuc": "fanuc-0i-mill", "mazak": "mazak-vcn", "mitsubishi-m80": "mitsubishi-m80-cvm800", "sinumerik-840d": "sinumerik-840d-mill"}
+MACHINES = {"fanuc": "fanuc-0i-mill", "haas": "haas-vf2", "mazak": "mazak-vcn", "mitsubishi-m80": "mitsubishi-m80-cvm800", "sinumerik-840d": "sinumerik-840d-mill"}
 LATHES = {"fanuc": "fanuc-0i-lathe", "mazak": "mazak-qtn", "sinumerik-840d": "sinumerik-840d-lathe"}
 
 

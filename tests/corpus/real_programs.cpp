@@ -30,9 +30,9 @@
 
 #include <fmt/format.h>
 
-#include "dialects/compile/convert.h"
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/shared_definitions.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/shared_definitions.h"
+#include "dialects/compile/translate/convert.h"
 #include "dialects/text/number.h"
 #include "dialects/text/upper_case.h"
 #include "tests/corpus/reprint.h"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "dialects/compile/execute.h"
+#include "dialects/compile/dialect/execute.h"
 
 namespace dripfeed::corpus {
 

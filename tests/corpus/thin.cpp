@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "dialects/compile/convert_thin.h"
-#include "dialects/compile/execute.h"
-#include "dialects/compile/thin_program.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/translate/convert_thin.h"
+#include "dialects/compile/translate/thin_program.h"
 
 namespace dripfeed::corpus {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::corpus {
 

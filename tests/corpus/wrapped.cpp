@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "dialects/compile/propose_family.h"
-#include "dialects/compile/render.h"
+#include "dialects/compile/propose/propose_family.h"
+#include "dialects/compile/render/render.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::corpus {

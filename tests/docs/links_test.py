@@ -44,9 +44,9 @@ class Links(unittest.TestCase):
         self.assert_refused('no link to docs/b.md')
 
     def test_good_pages(self):
-        self.write('server/app/jobs.h', '')
+        self.write('server/app/jobs/jobs.h', '')
         self.write('docs/a.md', '# A page: `code`, and more\n\n[x](#a-page-code-and-more) [y](../README.md#name) [z](https://a.b/c)\n'
-                   '`server/app/jobs.h`, `server/app`, `text/plain`, `program/7`, `build/dev/dripfeed`, `GET /api/v1/jobs`\n'
+                   '`server/app/jobs/jobs.h`, `server/app`, `text/plain`, `program/7`, `build/dev/dripfeed`, `GET /api/v1/jobs`\n'
                    '```sh\n[a](b.md)\n# No heading\n```\n')
         self.assertEqual([], links.faults(self.root))
 

@@ -1,5 +1,5 @@
 // Converting any bytes from the dialect that they look like to every dialect, in both modes.
-#include "dialects/compile/convert.h"
+#include "dialects/compile/translate/convert.h"
 
 #include "tests/fuzz/program_checks.h"
 

@@ -1,5 +1,5 @@
 // Reading any bytes as a part family; where they are one, binding its defaults and rendering it for every dialect.
-#include "dialects/compile/render.h"
+#include "dialects/compile/render/render.h"
 #include "dialects/family/lexer.h"
 #include "dialects/family/read.h"
 #include "tests/fuzz/program_checks.h"

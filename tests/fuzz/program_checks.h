@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 #include "tests/fuzz/target.h"
 
 namespace dripfeed::fuzz {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dialects/compile/execute.h"
+#include "dialects/compile/dialect/execute.h"
 #include "tests/fuzz/program_checks.h"
 
 using namespace dripfeed;

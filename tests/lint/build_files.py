@@ -8,7 +8,7 @@ import table
 import tree
 
 CALL = re.compile(r'\b(dripfeed_library|dripfeed_unit_test|target_link_libraries)\s*\(([^()]*)\)')
-KEYWORDS = {'DEPENDS', 'SYSTEM', 'LINKS', 'SERIAL', 'LABELS', 'TIMEOUT', 'PUBLIC', 'PRIVATE', 'INTERFACE'}
+KEYWORDS = {'ROOMS', 'DEPENDS', 'SYSTEM', 'LINKS', 'SERIAL', 'LABELS', 'TIMEOUT', 'PUBLIC', 'PRIVATE', 'INTERFACE'}
 
 
 def faults(root):

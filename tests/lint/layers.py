@@ -71,7 +71,7 @@ def _of_foreign(root, rules, path, row, name):
 
 
 def _of_unit_tests(root, rules):
-    """A unit test names its own folder and what that folder may name, nothing else of the product."""
+    """A unit test names its own folder with its rooms and what they may name, nothing else of the product."""
     found = []
     for path in tree.files(root, ('tests/unit',), tree.CODE):
         row = rules.row_of(path.removeprefix('tests/unit/'))
@@ -80,7 +80,7 @@ def _of_unit_tests(root, rules):
             if row is None or not target.startswith('"') or name.split('/')[0] not in tree.TOPS:
                 continue
             other = rules.row_of(name)
-            if other != row and other not in rules.rows[row][0]:
+            if other not in rules.named_by_tests_of(row):
                 found.append(f'{path}:{line}: a unit test of {row} may not name {other} ("{name}")')
     return found
 

@@ -18,10 +18,10 @@ class Layers(bad_tree.BadTree):
         self.write('checks/machine.h', '#include "dialects/ir/program.h"\n')
         self.write('checks/timing/plan.h', '#include <thread>\n#include "checks/machine.h"\n')
         self.write('protocol/feed/feed.h', '#include <chrono>\n')
-        self.write('server/app/job.h', '#include <mutex>\n#include "dialects/compile/render.h"\n')
+        self.write('server/app/jobs/job.h', '#include <mutex>\n#include "dialects/compile/dialect/dialect.h"\n')
         self.write('server/app/ports/link.h', '')
         self.write('server/io/serial.cpp', '#include <boost/asio.hpp>\n#include "server/app/ports/link.h"\n')
-        self.write('dialects/compile/render.h', '#include "dialects/fanuc/lexer.h"\n')
+        self.write('dialects/compile/dialect/dialect.h', '#include "dialects/fanuc/lexer.h"\n')
 
     def refuse(self, path, text, wanted):
         self.write(path, text)
@@ -35,7 +35,7 @@ class Layers(bad_tree.BadTree):
         self.refuse('protocol/feed/bad.cpp', '#include "dialects/text/span.h"\n', 'protocol/feed may not name dialects/text')
 
     def test_a_part_of_a_folder_is_not_the_folder(self):
-        self.refuse('server/io/bad.cpp', '#include "server/app/job.h"\n', 'server/io may not name server/app ')
+        self.refuse('server/io/bad.cpp', '#include "server/app/jobs/job.h"\n', 'server/io may not name server/app/jobs ')
 
     def test_a_file_with_a_row_of_its_own(self):
         self.refuse('checks/machine.h', '#include "checks/timing/plan.h"\n', 'checks/machine.h may not name checks/timing')

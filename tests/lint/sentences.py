@@ -8,7 +8,7 @@ import sys
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 FOLDERS = ["server/app", "server/http", "server/json", "store", "protocol/feed"]
 # Files whose refusals people at machines meet. What only programmers of clients meet stays as it is written.
-WORDED = ["alarms.cpp", "application.cpp", "job_follower.cpp", "jobs.cpp", "lines.cpp", "kept_link.cpp", "feed_line.cpp"]
+WORDED = ["out/alarms.cpp", "application.cpp", "jobs/job_follower.cpp", "jobs/jobs.cpp", "lines/lines.cpp", "lines/kept_link.cpp", "lines/feed_line.cpp"]
 
 
 def texts(source):

@@ -14,7 +14,7 @@ class Sentences(bad_tree.BadTree):
         for name in sentences.WORDED:
             self.write(f'server/app/{name}', '// Nothing.\n')
         self.write('server/json/sentences.cpp', TABLE)
-        self.write('server/app/lines.cpp', CODE)
+        self.write('server/app/lines/lines.cpp', CODE)
 
     def test_a_good_tree(self):
         self.assert_clean(sentences.faults)
@@ -28,8 +28,8 @@ class Sentences(bad_tree.BadTree):
         self.assert_refused(sentences.faults, 'busy has two rows')
 
     def test_a_refusal_without_a_row(self):
-        self.write('server/app/jobs.cpp', '// Jobs.\nreturn fail(ErrorCode::refused, "the cat sits on the line");\n')
-        self.assert_refused(sentences.faults, 'jobs.cpp: "the cat sits on the line" has no row')
+        self.write('server/app/jobs/jobs.cpp', '// Jobs.\nreturn fail(ErrorCode::refused, "the cat sits on the line");\n')
+        self.assert_refused(sentences.faults, 'jobs/jobs.cpp: "the cat sits on the line" has no row')
 
 
 if __name__ == '__main__':

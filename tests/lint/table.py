@@ -40,6 +40,11 @@ class Table:
                 best = row
         return best
 
+    def named_by_tests_of(self, row):
+        """The folder, its rooms, and what any of them may name."""
+        own = {r for r in self.rows if r == row or r.startswith(row + '/')}
+        return own.union(*(self.rows[r][0] for r in own))
+
     def group_of(self, header):
         prefixes = [p for p in self.headers if header == p or (p.endswith('/') and header.startswith(p))]
         return self.headers[max(prefixes, key=len)] if prefixes else None

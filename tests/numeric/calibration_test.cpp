@@ -1,15 +1,15 @@
 // The timing program of every control: it is read without an error, runs here, and what it would leave on a control
 // with a known cost model gives that model back.
-#include "server/app/calibration.h"
+#include "server/app/checks/calibration.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dialects/compile/execute.h"
+#include "dialects/compile/dialect/execute.h"
 #include "dialects/text/number.h"
-#include "server/app/variable_dump.h"
+#include "server/app/lines/variable_dump.h"
 
 namespace dripfeed::app {
 namespace {

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "checks/envelope/envelope.h"
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/execute.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/execute.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed {

@@ -15,9 +15,9 @@
 
 #include "checks/gouge/gouge.h"
 #include "checks/gouge/milling.h"
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/execute.h"
-#include "dialects/compile/render.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/render/render.h"
 
 namespace dripfeed {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "checks/timing/machine_fit.h"
 #include "checks/timing/timing.h"
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/execute.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/execute.h"
 #include "dialects/text/number.h"
 #include "server/simulator/stepped_control.h"
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/optimized.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/render/optimized.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::compile {

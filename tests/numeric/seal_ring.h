@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/execute.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/execute.h"
 
 namespace dripfeed::seal_ring {
 

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dialects/compile/optimized.h"
+#include "dialects/compile/render/optimized.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed {

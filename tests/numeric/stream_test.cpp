@@ -1,6 +1,6 @@
 // A text that is run while it is read gives what the same text gives when it is read whole: motions, counts, reports,
 // and the place of every diagnostic. The oracle is the whole reading. Beside it: long plain programs take no memory.
-#include "dialects/compile/stream.h"
+#include "dialects/compile/dialect/stream.h"
 
 #include <atomic>
 #include <cstdlib>

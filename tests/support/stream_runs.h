@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "dialects/compile/execute.h"
-#include "dialects/compile/stream.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/dialect/stream.h"
 
 namespace dripfeed::compile::test {
 

@@ -10,7 +10,7 @@ test('links between files lead to pages, others stay or become text', () => {
   assert.equal(hrefOf('../README.md'), '/docs');
   assert.equal(hrefOf('https://a.b/c.md'), 'https://a.b/c.md');
   assert.equal(hrefOf('#rules'), '#rules');
-  assert.equal(hrefOf('../server/app/jobs.h'), null);
+  assert.equal(hrefOf('../server/app/jobs/jobs.h'), null);
 });
 
 test('anchors are those of GitHub, the second one of a name is counted', () => {

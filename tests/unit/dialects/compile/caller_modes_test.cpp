@@ -1,5 +1,5 @@
 // Modes that a person names for a subprogram without its caller.
-#include "dialects/compile/caller_modes.h"
+#include "dialects/compile/translate/caller_modes.h"
 
 #include <gtest/gtest.h>
 

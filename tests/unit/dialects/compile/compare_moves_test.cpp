@@ -1,11 +1,11 @@
 // Two programs are run and their moves held against each other; what no run shows is never passed over.
-#include "dialects/compile/compare_moves.h"
+#include "dialects/compile/translate/compare_moves.h"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::compile {
 namespace {

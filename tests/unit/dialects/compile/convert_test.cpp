@@ -1,6 +1,6 @@
 // Conversion between dialects: the same trace on the other control, and back. The programs are the corrected listings
 // of two papers: a hyperbolic surface in Fanuc Custom Macro B, a turning cycle for SINUMERIK.
-#include "dialects/compile/convert.h"
+#include "dialects/compile/translate/convert.h"
 
 #include <algorithm>
 #include <string>

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dialects/compile/explicit_program.h"
+#include "dialects/compile/plain/explicit_program.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/render.h"
+#include "dialects/compile/render/render.h"
 #include "tests/unit/dialects/compile/family_run.h"
 
 namespace dripfeed::compile::test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/render.h"
+#include "dialects/compile/render/render.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {

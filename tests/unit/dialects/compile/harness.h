@@ -10,11 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/convert.h"
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/execute.h"
-#include "dialects/compile/library.h"
-#include "dialects/compile/render.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/dialect/library.h"
+#include "dialects/compile/render/render.h"
+#include "dialects/compile/translate/convert.h"
 
 namespace dripfeed::compile::test {
 

@@ -3,8 +3,8 @@
 // program in Siemens mode.
 #include <string>
 
-#include "dialects/compile/convert.h"
-#include "dialects/compile/stream.h"
+#include "dialects/compile/dialect/stream.h"
+#include "dialects/compile/translate/convert.h"
 #include "tests/support/stream_runs.h"
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 

@@ -1,5 +1,5 @@
 // What editors ask of a dialect: the words of its language, and the outline of a text.
-#include "dialects/compile/language.h"
+#include "dialects/compile/dialect/language.h"
 
 #include <algorithm>
 #include <map>
@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
-#include "dialects/compile/outline.h"
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/outline.h"
 
 namespace dripfeed::compile {
 namespace {

@@ -1,5 +1,5 @@
 // Lists from tables: which cells are taken, and which place a fault reports.
-#include "dialects/compile/list_table.h"
+#include "dialects/compile/render/list_table.h"
 
 #include <string>
 

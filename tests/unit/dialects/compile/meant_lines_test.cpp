@@ -1,12 +1,12 @@
 // What two ways of writing one program have in common, and what is never the same.
-#include "dialects/compile/meant_lines.h"
+#include "dialects/compile/translate/meant_lines.h"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::compile {
 namespace {

@@ -1,12 +1,12 @@
 // What the optimizer makes of texts: each rule by itself, what it leaves alone, and what it refuses.
-#include "dialects/compile/optimized.h"
+#include "dialects/compile/render/optimized.h"
 
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::compile {
 namespace {

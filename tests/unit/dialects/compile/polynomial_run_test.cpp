@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/interpreter/curve_chords.h"
+#include "dialects/interpreter/motion/curve_chords.h"
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
 namespace dripfeed::compile::test {

@@ -1,12 +1,12 @@
 // Names, comments, words and calls of a text, without running it.
-#include "dialects/compile/program_digest.h"
+#include "dialects/compile/dialect/program_digest.h"
 
 #include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::compile {
 namespace {

@@ -1,11 +1,11 @@
 // What `dripfeed wrap` proposes: the numbers of a program's header with what they are for, and the program's own bytes.
-#include "dialects/compile/propose_family.h"
+#include "dialects/compile/propose/propose_family.h"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/proposed_names.h"
+#include "dialects/compile/propose/proposed_names.h"
 #include "dialects/family/read.h"
 #include "tests/unit/dialects/compile/harness.h"
 

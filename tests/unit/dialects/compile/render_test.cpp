@@ -1,5 +1,5 @@
 // One family in every dialect and both forms is one trace, and that trace is the closed form.
-#include "dialects/compile/render.h"
+#include "dialects/compile/render/render.h"
 
 #include <algorithm>
 #include <cmath>

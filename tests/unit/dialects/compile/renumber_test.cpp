@@ -1,11 +1,11 @@
 // Block numbers change, what names them follows, and what cannot be followed refuses it.
-#include "dialects/compile/renumber.h"
+#include "dialects/compile/renumber/renumber.h"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::compile {
 namespace {

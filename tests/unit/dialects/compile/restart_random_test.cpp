@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dialects/compile/restart.h"
+#include "dialects/compile/restart/restart.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {

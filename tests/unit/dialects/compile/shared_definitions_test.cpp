@@ -1,13 +1,13 @@
 // Definition files are found by the names that the control gives them, macros before what may be sized by them, and a
 // run takes what they mean.
-#include "dialects/compile/shared_definitions.h"
+#include "dialects/compile/dialect/shared_definitions.h"
 
 #include <map>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::compile {
 namespace {

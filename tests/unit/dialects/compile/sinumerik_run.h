@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/execute.h"
-#include "dialects/interpreter/trace.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/interpreter/machine/trace.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {

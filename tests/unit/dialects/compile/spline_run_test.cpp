@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/interpreter/spline_curve.h"
+#include "dialects/interpreter/motion/spline_curve.h"
 #include "dialects/ir/spline_use.h"
 #include "dialects/text/number.h"
 #include "tests/unit/dialects/compile/sinumerik_run.h"

@@ -1,13 +1,13 @@
 // A program read without its stretches of plain moves does what it does when it is read whole, whatever is in effect
 // around them; where something might take a block of a stretch by its name, the program is read whole.
-#include "dialects/compile/thin_program.h"
+#include "dialects/compile/translate/thin_program.h"
 
 #include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/convert_thin.h"
+#include "dialects/compile/translate/convert_thin.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {

@@ -1,5 +1,5 @@
 // A native program as a family: its bytes stay, its constants take the values, and what is not plain is refused.
-#include "dialects/compile/wrapped_family.h"
+#include "dialects/compile/render/wrapped_family.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/native_mention.h"
+#include "dialects/compile/native/native_mention.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {

@@ -17,7 +17,7 @@ Function function_of(const ir::Control& c, int number10) {
   const ir::CodeRow* row = ir::find_code(c.g_codes, number10);
   return row == nullptr ? Function::none : row->function;
 }
-ir::Control inferred(const std::string& text) { return infer_control(text::Source("x.nc", text)); }
+ir::Control inferred(const std::string& text) { return Stages::infer_control(text::Source("x.nc", text)); }
 
 TEST(Control, CodeSystemsOfLathesDiffer) {
   const ir::Control a = control(MachineKind::lathe, GSystem::a);
@@ -89,35 +89,35 @@ TEST(Read, TakesLongPlainPrograms) {
   for (int i = 0; i < 100'000; ++i) text += "N" + std::to_string(i + 1) + " G01 X1.5 Y-2. F100.\n";
   text += "M30\n%\n";
   const text::Source source("long.nc", text);
-  const ir::Control c = infer_control(source);
-  const ir::ReadResult read = fanuc::read(source, c);
+  const ir::Control c = Stages::infer_control(source);
+  const ir::ReadResult read = Stages::read(source, c);
   EXPECT_TRUE(read.diagnostics.empty());
   EXPECT_EQ(read.program.blocks.size(), 100'002U);
-  EXPECT_TRUE(validate(read.program, c, ir::Delivery::drip).empty());
+  EXPECT_TRUE(Stages::validate(read.program, c, ir::Delivery::drip).empty());
 }
 
 TEST(Validate, LooksAtEachProgramOfATextByItself) {
   const text::Source source("two.nc", "%\nO1\nGOTO10\nN10 M30\nO2\nGOTO10\nN20 M99\n%\n");
-  const ir::Control c = infer_control(source);
-  const auto found = validate(fanuc::read(source, c).program, c, ir::Delivery::memory);
+  const ir::Control c = Stages::infer_control(source);
+  const auto found = Stages::validate(Stages::read(source, c).program, c, ir::Delivery::memory);
   ASSERT_EQ(std::ranges::count(found, text::DiagnosticId::jump_target_missing, &text::Diagnostic::id), 1);
   EXPECT_EQ(source.position(found.front().span.begin).line, 6U);
 }
 
 TEST(Control, CornersAndAnglesAreNoAxes) {
-  const auto axes = [](std::string text) { return infer_control(text::Source("x.nc", std::move(text))).axes; };
+  const auto axes = [](std::string text) { return Stages::infer_control(text::Source("x.nc", std::move(text))).axes; };
   EXPECT_EQ(axes("%\nO1\nG01 X1. ,C1. F5.\nY2. , A45.\nM30\n%\n"), "XYZ");
   EXPECT_EQ(axes("%\nO1\nG01 X1. C1. F5.\nM30\n%\n"), "XYZC");
 }
 
 TEST(Validate, MeasuresBlocksWhereTheMachineHasALimit) {
   const text::Source source("long.nc", "%\nO1\nG21 G17 G90 G00 X1. Y1.\nM30\n%\n");
-  ir::Control c = infer_control(source);
-  const ir::Program program = fanuc::read(source, c).program;
+  ir::Control c = Stages::infer_control(source);
+  const ir::Program program = Stages::read(source, c).program;
   c.limits.block_length_bytes = 23;
-  EXPECT_TRUE(validate(program, c, ir::Delivery::memory).empty());
+  EXPECT_TRUE(Stages::validate(program, c, ir::Delivery::memory).empty());
   c.limits.block_length_bytes = 22;
-  const auto found = validate(program, c, ir::Delivery::memory);
+  const auto found = Stages::validate(program, c, ir::Delivery::memory);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].id, text::DiagnosticId::block_too_long);
 }
@@ -126,11 +126,11 @@ TEST(Validate, SaysNothingOfWhatTheMachineConfirmed) {
   const text::Source source("x.nc", "%\nO1\nX100\nM30\n%\n");
   ir::Control c = control(MachineKind::mill, GSystem::a);
   c.from_profile = true;
-  const ir::Program program = fanuc::read(source, c).program;
-  EXPECT_TRUE(text::has_error(validate(program, c, ir::Delivery::memory)));
+  const ir::Program program = Stages::read(source, c).program;
+  EXPECT_TRUE(text::has_error(Stages::validate(program, c, ir::Delivery::memory)));
   c.semantics.decimal_mode_confirmed = true;
   c.semantics.power_on_known = true;
-  EXPECT_TRUE(validate(program, c, ir::Delivery::memory).empty());
+  EXPECT_TRUE(Stages::validate(program, c, ir::Delivery::memory).empty());
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 namespace dripfeed::fanuc {
 namespace {
 
-test::Golden golden() { return {{".expected.diagnostics", control, infer_control, read, validate}, "fanuc"}; }
+test::Golden golden() {
+  return {{".expected.diagnostics", control, Stages::infer_control, Stages::read, Stages::validate}, "fanuc"};
+}
 
 TEST(Golden, DiagnosticsAreAsExpected) {
   ASSERT_GT(golden().programs().size(), 90U);

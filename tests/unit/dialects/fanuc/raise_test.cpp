@@ -91,15 +91,15 @@ constexpr std::string_view kSafeStartOnLathes = "G00 G17 G21 G98\n";
 std::string printed(Built& built, MachineKind kind, ir::GSystem system = ir::GSystem::a) {
   ir::match_structures(built.program);
   const ir::Control to = control(kind, system);
-  const ir::RaiseResult raised = raise(built.program, neutral(kind), to);
+  const ir::RaiseResult raised = Stages::raise(built.program, neutral(kind), to);
   if (!raised.diagnostics.empty()) return "fault: " + text::message_of(raised.diagnostics.front());
-  const std::string text = print(raised.program, to).text;
+  const std::string text = Stages::print(raised.program, to).text;
   const std::string head = "%\nO0001\n";
   EXPECT_TRUE(text.starts_with(head) && text.ends_with("%\n")) << text;
   std::string body = text.substr(head.size(), text.size() - head.size() - 2);
   // What is printed is understood without a fault.
   const text::Source source("x.nc", text);
-  EXPECT_TRUE(fanuc::read(source, to).diagnostics.empty()) << text;
+  EXPECT_TRUE(Stages::read(source, to).diagnostics.empty()) << text;
   const std::string_view safe = kind == MachineKind::mill ? kSafeStart : kSafeStartOnLathes;
   if (body.starts_with(safe)) body.erase(0, safe.size());
   return body;
@@ -109,8 +109,8 @@ TEST(Raise, SaysWhatTheProgramLeftToItsControl) {
   Built mill;
   mill.block({{Function::linear, 0}}, {{Address::x, 1}});
   const ir::RaiseResult raised =
-      raise(mill.program, neutral(MachineKind::mill), control(MachineKind::mill, ir::GSystem::a));
-  EXPECT_EQ(print(raised.program, control(MachineKind::mill, ir::GSystem::a)).text,
+      Stages::raise(mill.program, neutral(MachineKind::mill), control(MachineKind::mill, ir::GSystem::a));
+  EXPECT_EQ(Stages::print(raised.program, control(MachineKind::mill, ir::GSystem::a)).text,
             "%\nO0001\n" + std::string(kSafeStart) + "G01 X1.\n%\n");
 }
 
@@ -129,7 +129,7 @@ TEST(Raise, SaysToolsAsTheControlDoes) {
 TEST(FanucPrint, HIsTheIncrementOfCWhereIncrementsHaveLetters) {
   const auto printed_anew = [](std::string text, ir::Control target) {
     target.axes = "XZC";
-    return print(read(text::Source("h.nc", std::move(text)), target).program, target).text;
+    return Stages::print(Stages::read(text::Source("h.nc", std::move(text)), target).program, target).text;
   };
   EXPECT_EQ(printed_anew("G00 H-51.429\nG00 H5.\n", control(MachineKind::lathe, ir::GSystem::a)),
             "%\nO0001\nG00 H-51.429\nG00 H5.\n%\n");
@@ -218,7 +218,7 @@ TEST(Raise, SplitsExpressionsThatNestTooDeep) {
   const std::string text = printed(b, MachineKind::mill);
   EXPECT_FALSE(text.starts_with("fault"));
   const text::Source source("x.nc", text);
-  EXPECT_TRUE(fanuc::read(source, control(MachineKind::mill, ir::GSystem::a)).diagnostics.empty()) << text;
+  EXPECT_TRUE(Stages::read(source, control(MachineKind::mill, ir::GSystem::a)).diagnostics.empty()) << text;
 }
 
 TEST(Raise, ReportsWhatHasNoCounterpart) {
@@ -236,9 +236,9 @@ TEST(Raise, ReportsWhatHasNoCounterpart) {
 TEST(Raise, WritesThePointThatTheControlCounted) {
   const ir::Control c = control(MachineKind::mill, ir::GSystem::a);
   const text::Source source("x.nc", "%\nO7\nG21 G90 G00 X1500 Y-2. Z#1\nG04 X500\nT5\nM30\n%\n");
-  const ir::RaiseResult raised = raise(fanuc::read(source, c).program, c, c);
+  const ir::RaiseResult raised = Stages::raise(Stages::read(source, c).program, c, c);
   EXPECT_TRUE(raised.diagnostics.empty());
-  EXPECT_EQ(print(raised.program, c).text, "%\nO0007\nG21 G90 G00 X1.5 Y-2. Z#1\nG04 X0.5\nT5\nM30\n%\n");
+  EXPECT_EQ(Stages::print(raised.program, c).text, "%\nO0007\nG21 G90 G00 X1.5 Y-2. Z#1\nG04 X0.5\nT5\nM30\n%\n");
 }
 
 TEST(Print, IsIdempotentAndTellsOrigins) {
@@ -247,9 +247,9 @@ TEST(Print, IsIdempotentAndTellsOrigins) {
                             "%\nO7\n(C)\nG21 G90\n/2N10 G00 X[ROUND[#1*2]] (D)\nIF[#1 EQ #0]THEN #3000=1(STOP IT)\n"
                             "WHILE[#1 LT 3.]DO2\n#1=#1+1\nIF[#1 GT 9]GOTO10\nEND2\nM98 P51234\nG65 P9010 A1. I2. I3.\n"
                             "#3006=2(LOOK)\nG54.1 P3\nDPRNT[X#1[53]]\nG81 X1. Y2. Z-3. R1. F100.\nM8\nM30\n%\n");
-  const ir::RaiseResult first = raise(fanuc::read(source, c).program, c, c);
+  const ir::RaiseResult first = Stages::raise(Stages::read(source, c).program, c, c);
   ASSERT_TRUE(first.diagnostics.empty()) << text::message_of(first.diagnostics.front());
-  const ir::PrintResult printed = print(first.program, c);
+  const ir::PrintResult printed = Stages::print(first.program, c);
   EXPECT_EQ(printed.text,
             "%\nO0007\nG21 G90\n/2 N10 G00 X[ROUND[#1*2]]\nIF[#1 EQ #0]THEN #3000=1(STOP IT)\nWHILE[#1 LT 3.]DO1\n"
             "#1=#1+1\nIF[#1 GT 9]GOTO 10\nEND1\nM98 P1234 L5\nG65 P9010 A1. I2. I3.\n#3006=2(LOOK)\nG54.1 P3\n"
@@ -258,8 +258,8 @@ TEST(Print, IsIdempotentAndTellsOrigins) {
   EXPECT_EQ(printed.origin_lines[2], 4U);
   EXPECT_EQ(printed.variables, 1U);
   const text::Source again("y.nc", printed.text);
-  const ir::RaiseResult second = raise(fanuc::read(again, c).program, c, c);
-  EXPECT_EQ(print(second.program, c).text, printed.text);
+  const ir::RaiseResult second = Stages::raise(Stages::read(again, c).program, c, c);
+  EXPECT_EQ(Stages::print(second.program, c).text, printed.text);
 }
 
 // Codes of one function that differ by its argument keep their numbers on a control that has them too.
@@ -268,9 +268,9 @@ TEST(Raise, KeepsFramesAndSetCoordinatesApart) {
   ir::Control other = mill;
   other.dialect = "other";
   const text::Source source("a.nc", "G21 G17 G90\nG68 X0. Y0. R30.\nG69\nG51.1 X1.\nG50.1\nG92 X0.\nG92.1 X0.\nM30\n");
-  const ir::RaiseResult raised = raise(read(source, other).program, other, mill);
+  const ir::RaiseResult raised = Stages::raise(Stages::read(source, other).program, other, mill);
   EXPECT_TRUE(raised.diagnostics.empty());
-  const std::string text = print(raised.program, mill).text;
+  const std::string text = Stages::print(raised.program, mill).text;
   for (const char* code : {"G68 ", "G69", "G51.1 ", "G50.1", "G92 ", "G92.1 "})
     EXPECT_NE(text.find(code), std::string::npos) << code << " in\n" << text;
 }

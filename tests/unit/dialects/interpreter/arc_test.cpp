@@ -1,5 +1,5 @@
 // Arcs in every form against closed forms: centres, radii, angles, planes, helices and what must be refused.
-#include "dialects/interpreter/arc.h"
+#include "dialects/interpreter/motion/arc.h"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // Operators against their definitions, under the semantics of both families of controls.
-#include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/arithmetic/arithmetic.h"
 
 #include <numbers>
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "dialects/interpreter/interpreter.h"
-#include "dialects/interpreter/trace.h"
+#include "dialects/interpreter/machine/trace.h"
 #include "tests/support/program_builder.h"
 
 namespace dripfeed::test {

@@ -1,5 +1,5 @@
 // Arcs in space against what defines them: the distance from the centre, the plane, the points that they go through.
-#include "dialects/interpreter/space_arc.h"
+#include "dialects/interpreter/motion/space_arc.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // The text of a trace, motion by motion, without a program.
-#include "dialects/interpreter/trace.h"
+#include "dialects/interpreter/machine/trace.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "dialects/macro_b/print_expression.h"
+#include "dialects/macro_b/writer/print_expression.h"
 #include "reading.h"
 
 namespace dripfeed::macro_b {

@@ -1,5 +1,5 @@
 // The lexer of the '#'-variable controls: kinds of tokens, and that they tile any bytes.
-#include "dialects/macro_b/lex.h"
+#include "dialects/macro_b/reader/lex.h"
 
 #include <random>
 #include <string>

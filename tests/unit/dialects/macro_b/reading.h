@@ -5,9 +5,9 @@
 #include <string>
 
 #include "dialects/ir/stage.h"
-#include "dialects/macro_b/grammar.h"
-#include "dialects/macro_b/lex.h"
-#include "dialects/macro_b/parse.h"
+#include "dialects/macro_b/reader/lex.h"
+#include "dialects/macro_b/reader/parse.h"
+#include "dialects/macro_b/tables/grammar.h"
 
 namespace dripfeed::macro_b {
 

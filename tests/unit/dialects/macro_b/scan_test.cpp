@@ -1,9 +1,9 @@
 // The scanner of plain blocks leaves to the reader what the reader makes a call or data of.
-#include "dialects/macro_b/scan.h"
+#include "dialects/macro_b/reader/scan.h"
 
 #include <gtest/gtest.h>
 
-#include "dialects/macro_b/codes.h"
+#include "dialects/macro_b/tables/codes.h"
 #include "reading.h"
 
 namespace dripfeed::macro_b {

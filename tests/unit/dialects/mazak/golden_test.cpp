@@ -14,7 +14,9 @@ namespace {
 const std::vector<std::string> kOtherwise = {"peck-without-depth", "rigid-tap-invalid", "loop-number-invalid",
                                              "nesting-too-deep",   "missing-end",       "not-in-drip-mode"};
 
-test::GoldenDialect dialect() { return {".expected.mazak", control, infer_control, read, validate}; }
+test::GoldenDialect dialect() {
+  return {".expected.mazak", control, Stages::infer_control, Stages::read, Stages::validate};
+}
 
 TEST(Golden, ProgramsOfAllHashControls) {
   const test::Golden golden(dialect(), "fanuc");

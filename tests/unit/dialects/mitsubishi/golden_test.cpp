@@ -15,7 +15,9 @@ const std::vector<std::string> kOtherwise = {"peck-without-depth",         "rigi
                                              "nesting-too-deep",           "missing-end",       "unknown-code",
                                              "expression-without-brackets"};
 
-test::GoldenDialect dialect() { return {".expected.mitsubishi", control, infer_control, read, validate}; }
+test::GoldenDialect dialect() {
+  return {".expected.mitsubishi", control, Stages::infer_control, Stages::read, Stages::validate};
+}
 
 TEST(Golden, ProgramsOfAllHashControls) {
   const test::Golden golden(dialect(), "fanuc");

@@ -2,8 +2,8 @@
 #include <random>
 #include <string>
 
-#include "dialects/sinumerik/keywords.h"
-#include "dialects/sinumerik/print_expression.h"
+#include "dialects/sinumerik/tables/keywords.h"
+#include "dialects/sinumerik/writer/print_expression.h"
 #include "tests/unit/dialects/sinumerik/reading.h"
 
 namespace dripfeed::sinumerik {

@@ -1,5 +1,5 @@
 // The lexer: what splits where, and that tokens tile any bytes.
-#include "dialects/sinumerik/lex.h"
+#include "dialects/sinumerik/reader/lex.h"
 
 #include <random>
 #include <string>

@@ -1,5 +1,5 @@
 // The words of the control: each once, with what it may do.
-#include "dialects/sinumerik/vocabulary.h"
+#include "dialects/sinumerik/tables/vocabulary.h"
 
 #include <set>
 #include <string_view>

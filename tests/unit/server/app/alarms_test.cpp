@@ -1,10 +1,10 @@
 // Alarms in virtual time: folded with at most a write a second, over when their condition is, and not lost by a store
 // that cannot be written; a control that asks is a state.
-#include "server/app/alarms.h"
+#include "server/app/out/alarms.h"
 
 #include <chrono>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app::test {
 namespace {

@@ -1,9 +1,9 @@
 // Answers as programs, and how two texts differ.
-#include "server/app/answers.h"
+#include "server/app/receive/answers.h"
 
 #include <gtest/gtest.h>
 
-#include "server/app/text_difference.h"
+#include "server/app/base/text_difference.h"
 
 namespace dripfeed::app {
 namespace {

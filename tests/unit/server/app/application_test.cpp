@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

@@ -1,12 +1,12 @@
 // A full disk: what runs is booked to its end in the room that was kept for it, nothing new begins, and with room again
 // all is as before. The disk is full here as long as the ballast lies on it.
-#include "server/app/ballast.h"
+#include "server/app/base/ballast.h"
 
 #include <chrono>
 
 #include <sys/stat.h>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

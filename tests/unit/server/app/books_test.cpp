@@ -1,6 +1,6 @@
 // The ledger's group commits, in virtual time over a real store: what a feed may hand is durable before it is handed,
 // whatever a commit does, and the books say after a kill where the truth lies.
-#include "server/app/books.h"
+#include "server/app/jobs/books.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "tests/unit/server/app/gate.h"
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

@@ -1,10 +1,10 @@
 // Machines, families and parts: a wrong document leaves nothing behind, each change is a revision, and a line with a
 // job is left alone.
-#include "server/app/catalog.h"
+#include "server/app/shop/catalog.h"
 
 #include <chrono>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/app/examine.h"
+#include "server/app/checks/examine.h"
 
 namespace dripfeed::app {
 namespace {

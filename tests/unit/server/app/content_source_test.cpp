@@ -1,11 +1,11 @@
 // A stored text as a feed takes it: whole, with one LF an EOB, whatever its length; a piece stays as it is until the
 // next one is asked for; one thread fills while another takes.
-#include "server/app/content_source.h"
+#include "server/app/lines/content_source.h"
 
 #include <atomic>
 #include <thread>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

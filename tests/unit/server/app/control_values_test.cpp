@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "server/app/examine.h"
+#include "server/app/checks/examine.h"
 
 namespace dripfeed::app {
 namespace {

@@ -1,6 +1,6 @@
 // A folder as a line: the whole file or none, under the control's name, never over another program; and what a text
 // becomes in it.
-#include "server/app/drop_line.h"
+#include "server/app/lines/drop_line.h"
 
 #include <chrono>
 #include <filesystem>

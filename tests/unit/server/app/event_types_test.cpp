@@ -1,13 +1,13 @@
 // The table of event types against everything that the store and the lines can say: no event goes out that has no row.
-#include "server/app/event_types.h"
+#include "server/app/out/event_types.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "server/app/line_events.h"
-#include "server/app/wall_time.h"
-#include "tests/unit/server/app/shop.h"
+#include "server/app/base/wall_time.h"
+#include "server/app/out/line_events.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app::test {
 namespace {

@@ -1,5 +1,5 @@
 // The ring of transitions: order, resuming, what is too old, and progress that only counts in its newest form.
-#include "server/app/events.h"
+#include "server/app/out/events.h"
 
 #include <string>
 #include <thread>

@@ -1,6 +1,6 @@
 // What an examination says of a text besides what its dialect says: the characters of the machine's line, and the
 // bytes that its lines take there.
-#include "server/app/examine.h"
+#include "server/app/checks/examine.h"
 
 #include <functional>
 #include <map>

@@ -1,6 +1,6 @@
 // A line that feeds, over a link without a system, in virtual time: nothing goes out before DC1, after a loss, beyond
 // the reserve, or on a torn line.
-#include "server/app/feed_line.h"
+#include "server/app/lines/feed_line.h"
 
 #include <chrono>
 

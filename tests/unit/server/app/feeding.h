@@ -7,7 +7,7 @@
 
 #include "protocol/feed/feed.h"
 #include "protocol/tape_code/text_source.h"
-#include "server/app/line.h"
+#include "server/app/lines/line.h"
 #include "server/machine/profile.h"
 
 namespace dripfeed::app::test {

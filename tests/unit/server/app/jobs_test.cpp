@@ -1,13 +1,13 @@
 // Queueing, arming, stopping and confirming, over a real store and fake links: nothing goes out that a person did not
 // arm for this line now, and what did not go out is in the queue again.
-#include "server/app/jobs.h"
+#include "server/app/jobs/jobs.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

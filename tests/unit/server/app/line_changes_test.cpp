@@ -1,5 +1,5 @@
 // Changes make one list of the other, and no shorter list of changes does: held against the longest common list.
-#include "server/app/line_changes.h"
+#include "server/app/base/line_changes.h"
 
 #include <algorithm>
 #include <random>

@@ -6,7 +6,7 @@
 
 #include "protocol/receive/transfer.h"
 #include "protocol/tape_code/parity.h"
-#include "server/app/feed_line.h"
+#include "server/app/lines/feed_line.h"
 #include "tests/support/fake_links.h"
 #include "tests/unit/server/app/feeding.h"
 

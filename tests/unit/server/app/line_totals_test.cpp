@@ -1,5 +1,5 @@
 // Sums over jobs and over lines that were made anew.
-#include "server/app/line_totals.h"
+#include "server/app/lines/line_totals.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "server/app/books.h"
-#include "tests/unit/server/app/shop.h"
+#include "server/app/jobs/books.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

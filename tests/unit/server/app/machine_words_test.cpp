@@ -3,10 +3,10 @@
 #include <chrono>
 #include <thread>
 
-#include "server/app/mailbox_line.h"
-#include "server/app/receiving.h"
+#include "server/app/lines/mailbox_line.h"
+#include "server/app/receive/receiving.h"
 #include "tests/unit/server/app/register_plc.h"
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

@@ -1,6 +1,6 @@
 // Block transfer through the use cases: armed by a person, every byte exactly once whatever is lost, the ledger's
 // counts confirmed, and a job that ends leaves the PLC told.
-#include "server/app/mailbox_line.h"
+#include "server/app/lines/mailbox_line.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 
 #include "tests/unit/server/app/gate.h"
 #include "tests/unit/server/app/register_plc.h"
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

@@ -1,5 +1,5 @@
 // What is a name: its length in bytes, and what can be shown.
-#include "server/app/names.h"
+#include "server/app/base/names.h"
 
 #include <string>
 

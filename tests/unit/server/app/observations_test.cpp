@@ -1,5 +1,5 @@
 // What a collector is told of a line: what is known, and for all else that it is not.
-#include "server/app/observations.h"
+#include "server/app/out/observations.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // A line that sends in packets, over a link without a system, in virtual time, with a packet receiver at the other end.
-#include "server/app/packet_line.h"
+#include "server/app/lines/packet_line.h"
 
 #include <chrono>
 
 #include <gtest/gtest.h>
 
 #include "protocol/packet/packet.h"
-#include "server/app/lines.h"
+#include "server/app/lines/lines.h"
 #include "tests/support/fake_links.h"
 #include "tests/unit/server/app/feeding.h"
 

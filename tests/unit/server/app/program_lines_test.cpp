@@ -1,12 +1,12 @@
 // Lines of stored texts against all of the text read at once; places are found wherever they lie.
-#include "server/app/program_lines.h"
+#include "server/app/library/program_lines.h"
 
 #include <random>
 
 #include <fmt/format.h>
 
 #include "dialects/text/source.h"
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app::test {
 namespace {

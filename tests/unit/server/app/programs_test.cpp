@@ -1,12 +1,12 @@
 // Programs from outside and from families, and what the checks say of them: a verdict stands for one text hash on one
 // revision of a machine.
-#include "server/app/programs.h"
+#include "server/app/library/programs.h"
 
 #include <fstream>
 #include <iterator>
 
-#include "server/app/checking.h"
-#include "tests/unit/server/app/shop.h"
+#include "server/app/checks/checking.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

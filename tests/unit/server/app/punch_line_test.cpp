@@ -1,6 +1,6 @@
 // A line on which a control punches in packets, over a link without a system, in virtual time, with a packet sender at
 // the other end.
-#include "server/app/punch_line.h"
+#include "server/app/lines/punch_line.h"
 
 #include <chrono>
 
@@ -8,7 +8,7 @@
 
 #include "protocol/packet/packet.h"
 #include "protocol/receive/transfer.h"
-#include "server/app/lines.h"
+#include "server/app/lines/lines.h"
 #include "tests/support/fake_links.h"
 #include "tests/unit/server/app/feeding.h"
 

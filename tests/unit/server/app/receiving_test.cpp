@@ -1,10 +1,10 @@
 // What becomes of a punch, of a request and of a read-back, in virtual time: delays, expiries, torn answers.
-#include "server/app/receiving.h"
+#include "server/app/receive/receiving.h"
 
 #include <chrono>
 
 #include "protocol/tape_code/parity.h"
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app::test {
 namespace {

@@ -1,6 +1,6 @@
 // Rounds on a thread of their own: woken, settled, stopped, and not ended by what a round throws; and the measure of
 // what threads that serve lines wait for a lock.
-#include "server/app/round_thread.h"
+#include "server/app/base/round_thread.h"
 
 #include <atomic>
 #include <stdexcept>

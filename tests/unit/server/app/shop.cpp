@@ -1,8 +1,8 @@
 // The ways that the tests of the use cases walk first.
-#include "tests/unit/server/app/shop.h"
-
 #include <algorithm>
 #include <filesystem>
+
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app::test {
 

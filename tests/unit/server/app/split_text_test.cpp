@@ -1,5 +1,5 @@
 // Files with several programs, as controls and editors write them.
-#include "server/app/split_text.h"
+#include "server/app/library/split_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a PLC reads of a line, word by word, and what it cannot read.
-#include "server/app/status_registers.h"
+#include "server/app/out/status_registers.h"
 
 #include <array>
 #include <chrono>

@@ -1,12 +1,12 @@
 // The shipped roll for a lathe whose control is slow, fast, or not known.
-#include "server/app/timed_rendering.h"
+#include "server/app/checks/timed_rendering.h"
 
 #include <fstream>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/dialect.h"
+#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::app {
 namespace {

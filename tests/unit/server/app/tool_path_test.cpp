@@ -1,12 +1,12 @@
 // The path of a tool as points: what is drawn, what is not, and that nothing is drawn at a guess.
-#include "server/app/tool_path.h"
+#include "server/app/checks/tool_path.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app {
 namespace {

@@ -1,11 +1,11 @@
 // Days of use: clipped at midnight, of what the store knows alone. The days are those of Berlin, where one of October
 // has 25 hours.
-#include "server/app/utilisation.h"
+#include "server/app/jobs/utilisation.h"
 
 #include <cstdlib>
 #include <ctime>
 
-#include "tests/unit/server/app/shop.h"
+#include "tests/unit/server/app/whole_shop.h"
 
 namespace dripfeed::app::test {
 namespace {

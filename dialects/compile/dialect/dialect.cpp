@@ -1,0 +1,171 @@
+// The table of dialects. What only SINUMERIK has (no G-code systems but in ISO mode) is evened out here.
+#include "dialects/compile/dialect/dialect.h"
+
+#include <algorithm>
+#include <array>
+
+#include "dialects/compile/dialect/iso_mode.h"
+#include "dialects/fanuc/fanuc.h"
+#include "dialects/haas/haas.h"
+#include "dialects/macro_b/tables/language_words.h"
+#include "dialects/mazak/mazak.h"
+#include "dialects/mitsubishi/mitsubishi.h"
+#include "dialects/sinumerik/sinumerik.h"
+#include "dialects/sinumerik/tables/language_words.h"
+#include "dialects/text/upper_case.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+// Siemens mode knows no G-code systems; ISO mode of a lathe does.
+ir::Control sinumerik_control(ir::MachineKind kind, ir::GSystem g_system) {
+  ir::Control control = sinumerik::control(kind);
+  control.g_system = kind == ir::MachineKind::mill ? ir::GSystem::a : g_system;
+  return control;
+}
+
+template <const macro_b::Grammar& (*grammar)()>
+std::vector<ir::LanguageWord> words_by() {
+  return macro_b::language_words(grammar());
+}
+
+// A control with '#' variables.
+template <macro_b::UsualControl control, const macro_b::Grammar& (*grammar)()>
+constexpr Dialect numbered(std::string_view name, std::string_view title) {
+  using S = macro_b::Stages<control, grammar>;
+  return {name,        title,    control,  S::infer_control, S::read, S::plain_scanner,
+          S::validate, S::raise, S::print, words_by<grammar>};
+}
+
+constexpr std::array kDialects = {
+    numbered<fanuc::control, fanuc::grammar>("fanuc", "Fanuc Custom Macro B"),
+    numbered<haas::control, haas::grammar>("haas", "Haas NGC"),
+    numbered<mazak::control, mazak::grammar>("mazak", "Mazak EIA/ISO"),
+    numbered<mitsubishi::control, mitsubishi::grammar>("mitsubishi-m80", "Mitsubishi M70, M80"),
+    Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, read_sinumerik,
+            sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print, sinumerik::language_words,
+            CommentStyle::semicolon, sinumerik::standard_cycle, sinumerik::add_definitions},
+};
+
+// What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.
+struct Mark {
+  std::string_view text;
+  bool at_start;
+  std::string_view dialect;
+};
+constexpr std::string_view kFanuc = "fanuc";
+constexpr std::string_view kSinumerik = "sinumerik-840d";
+constexpr auto kMarks = std::to_array<Mark>({
+    {"(", true, kFanuc},          {"%_N_", true, kSinumerik},
+    {";", true, kSinumerik},      {"DEF ", true, kSinumerik},
+    {"PROC ", true, kSinumerik},  {"EXTERN ", true, kSinumerik},
+    {"MSG(", true, kSinumerik},   {"MSG (", true, kSinumerik},
+    {"ENDIF", true, kSinumerik},  {"ENDWHILE", true, kSinumerik},
+    {"ENDFOR", true, kSinumerik}, {"GOTOF", false, kSinumerik},
+    {"GOTOB", false, kSinumerik}, {"$P_", false, kSinumerik},
+    {"$A", false, kSinumerik},    {"CR=", false, kSinumerik},
+    {"LIMS=", false, kSinumerik}, {"DIAM", false, kSinumerik},
+    {"G500", false, kSinumerik},  {"T=\"", false, kSinumerik},
+    {"=AC(", false, kSinumerik},  {"=IC(", false, kSinumerik},
+    {"SUPA", false, kSinumerik},  {"CYCLE8", false, kSinumerik},
+    {"X=", false, kSinumerik},    {"Y=", false, kSinumerik},
+    {"Z=", false, kSinumerik},    {"#", false, kFanuc},
+    {"M98", false, kFanuc},       {"M99", false, kFanuc},
+    {"G65", false, kFanuc},       {"G43", false, kFanuc},
+    {"G28", false, kFanuc},
+});
+
+// Among the controls that read as Fanuc's do: what only one of the others has, in code or as its name in a comment.
+constexpr std::string_view kHaas = "haas";
+constexpr std::string_view kMazak = "mazak";
+constexpr std::string_view kMitsubishi = "mitsubishi-m80";
+constexpr auto kFamilyMarks = std::to_array<Mark>({
+    {"G154", false, kHaas},          {"G187", false, kHaas},
+    {"G103 P", false, kHaas},        {"M97 P", false, kHaas},
+    {"HAAS", false, kHaas},          {"G52.5", false, kMazak},
+    {"G53.5", false, kMazak},        {"G68.5", false, kMazak},
+    {"G122.1", false, kMazak},       {"G123.1", false, kMazak},
+    {"G270 ", false, kMazak},        {"G271 ", false, kMazak},
+    {"G276 ", false, kMazak},        {"#70001", false, kMazak},
+    {"#70002", false, kMazak},       {"#70003", false, kMazak},
+    {"MAZAK", false, kMazak},        {"INTEGREX", false, kMazak},
+    {"G31.1", false, kMitsubishi},   {"G31.2", false, kMitsubishi},
+    {"#100100", false, kMitsubishi}, {"MITSUBISHI", false, kMitsubishi},
+});
+constexpr std::uint32_t kLinesLookedAt = 5000;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string_view without_number(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  if (line.size() > 1 && (line[0] == 'N' || line[0] == 'n') && is_digit(line[1])) {
+    line.remove_prefix(std::min(line.find_first_not_of("0123456789", 1), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  }
+  return line;
+}
+
+// "R5=" and "O1234" have digits in them.
+std::string_view by_numbered_head(std::string_view line) {
+  const std::size_t end = line.find_first_not_of("0123456789", 1);
+  if (line.size() < 2 || end == 1) return {};
+  if (line[0] == 'O') return kFanuc;
+  return line[0] == 'R' && end != std::string_view::npos && line[end] == '=' ? kSinumerik : std::string_view();
+}
+
+// Endings of names that one control's files have.
+struct Ending {
+  std::string_view text;
+  std::string_view dialect;
+};
+constexpr Ending kEndings[] = {
+    {".MPF", kSinumerik}, {".SPF", kSinumerik}, {"_MPF", kSinumerik}, {"_SPF", kSinumerik}, {".EIA", kMazak}};
+
+std::string_view dialect_of_name(std::string_view name) {
+  const std::string capitals = text::upper_case(name);
+  for (const Ending& ending : kEndings)
+    if (capitals.ends_with(ending.text)) return ending.dialect;
+  return {};
+}
+
+// Of a SINUMERIK, small letters and capitals are the same; inside a line they may be words of a comment.
+std::string_view dialect_of_line(std::string_view line) {
+  const std::string_view block = without_number(line);
+  const std::string capitals = text::upper_case(block);
+  if (const std::string_view by_head = by_numbered_head(capitals); !by_head.empty()) return by_head;
+  for (const Mark& mark : kMarks) {
+    if (mark.at_start ? capitals.starts_with(mark.text) : block.contains(mark.text)) return mark.dialect;
+  }
+  return {};
+}
+
+std::string_view dialect_of_family(const text::Source& source) {
+  const std::uint32_t lines = std::min<std::uint32_t>(static_cast<std::uint32_t>(source.line_count()), kLinesLookedAt);
+  for (std::uint32_t line = 1; line <= lines; ++line) {
+    for (const Mark& mark : kFamilyMarks)
+      if (source.line(line).contains(mark.text)) return mark.dialect;
+  }
+  return kFanuc;
+}
+
+}  // namespace
+
+std::span<const Dialect> dialects() { return kDialects; }
+
+const Dialect* find_dialect(std::string_view name) {
+  const auto found = std::ranges::find(kDialects, name, &Dialect::name);
+  return found == kDialects.end() ? nullptr : &*found;
+}
+
+const Dialect& infer_dialect(const text::Source& source) {
+  if (const std::string_view named = dialect_of_name(source.name()); !named.empty()) return *find_dialect(named);
+  for (std::uint32_t line = 1; line <= source.line_count(); ++line) {
+    const std::string_view found = dialect_of_line(source.line(line));
+    if (found == kFanuc) break;
+    if (!found.empty()) return *find_dialect(found);
+  }
+  return *find_dialect(dialect_of_family(source));
+}
+
+}  // namespace dripfeed::compile

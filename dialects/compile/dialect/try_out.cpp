@@ -1,0 +1,65 @@
+// A number that is not set is one that is not known: what a block takes of it the interpreter reports.
+#include "dialects/compile/dialect/try_out.h"
+
+#include <algorithm>
+
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/interpreter/arithmetic/arithmetic.h"
+#include "dialects/passes/rewrite.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+constexpr std::uint64_t kMostTried = 2'000'000;  // blocks and passes
+
+bool is_set_by_steps(const family::List& list) { return list.size > 0; }
+
+ir::VariableId number_of(ir::Program& program, const family::List& list, std::int32_t n) {
+  ir::Variable variable;
+  variable.bank = ir::Bank::named;
+  variable.symbol = list.symbol;
+  variable.index = program.add_constant(n, {}, false);
+  return program.add(variable);
+}
+
+// The program, with no known number in the lists that it sets.
+ir::Program with_unknown_lists(std::span<const family::List> lists, const ir::Program& built) {
+  ir::Program out = built;
+  passes::Rewrite rewrite(out);
+  for (std::uint32_t i = 0; i < built.statements.size(); ++i) {
+    rewrite.at(i);
+    for (const family::List& list : lists)
+      for (std::int32_t n = 0; i == 0 && n < list.size; ++n)
+        rewrite.emit_assign(number_of(out, list, n), out.add_constant(interpreter::kUnknown));
+    rewrite.keep();
+  }
+  rewrite.finish();
+  return out;
+}
+
+}  // namespace
+
+interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control) {
+  NoMotions none;
+  return try_out(program, control, none);
+}
+
+interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control, ir::MotionSink& motions) {
+  interpreter::RunOptions options;
+  options.limits.blocks = options.limits.loop_passes = kMostTried;
+  return execute(program, control, nullptr, motions, options);
+}
+
+std::set<std::uint32_t> lines_of_unset_numbers(std::span<const family::List> lists, const ir::Program& built,
+                                               const ir::Control& control) {
+  std::set<std::uint32_t> lines;
+  if (std::ranges::none_of(lists, is_set_by_steps)) return lines;
+  ir::Control watching = control;
+  watching.semantics.unset_is_unknown = true;
+  for (const interpreter::NotInterpreted& one : try_out(with_unknown_lists(lists, built), watching).not_interpreted)
+    if (one.name.ends_with("not known")) lines.insert(one.first_line);
+  return lines;
+}
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,265 @@
+// One function a kind of motion, by a table. Motion codes are stated when they change, arcs always; feeds when they or
+// their mode change. Positions are absolute and in mm, as motions have them.
+#include "dialects/compile/plain/block_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dialects/compile/dialect/motion_codes.h"
+#include "dialects/ir/cycle.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::MotionKind;
+
+Function function_of(ir::FeedMode mode) {
+  switch (mode) {
+    case ir::FeedMode::per_min: return Function::feed_per_min;
+    case ir::FeedMode::per_rev: return Function::feed_per_rev;
+    case ir::FeedMode::inverse_time: return Function::feed_inverse_time;
+  }
+  return Function::none;
+}
+
+Function function_of(ir::CoolantState state) {
+  switch (state) {
+    case ir::CoolantState::off: return Function::coolant_off;
+    case ir::CoolantState::mist: return Function::coolant_mist;
+    case ir::CoolantState::flood: return Function::coolant_flood;
+  }
+  return Function::none;
+}
+
+// A piece of a curve is its chord.
+Function function_of(const ir::Motion& motion) {
+  if (motion.kind == MotionKind::thread) return motion.center[0] != 0.0 ? Function::thread_changing : Function::thread;
+  return plain_function_of(motion.kind).value_or(Function::linear);
+}
+
+}  // namespace
+
+BlockWriter::BlockWriter(ir::Program& program, const ir::Control& control, const interpreter::RunNames& names,
+                         bool inch)
+    : program_(program), control_(control), names_(names), emit_(program), unit_mm_(inch ? 25.4 : 1.0) {}
+
+void BlockWriter::safe_start(ir::Plane plane, ir::FeedMode feed_mode) {
+  plane_ = plane;
+  feed_mode_ = feed_mode;
+  add(unit_mm_ == 1.0 ? Function::unit_mm : Function::unit_inch);
+  add(function_of(plane));
+  add(Function::absolute);
+  add(function_of(feed_mode));
+  add(Function::comp_off);
+  if (control_.kind != ir::MachineKind::mill) {
+    add(control_.semantics.power_on_diameter == ir::DiameterMode::radius ? Function::diameter_off
+                                                                         : Function::diameter_on);
+  }
+  emit_.set_line(0);
+  block();
+}
+
+void BlockWriter::block() {
+  for (const family::EmittedCode& code : std::exchange(carried_.codes, {})) codes_.push_back(code);
+  for (const CarriedWord& word : std::exchange(carried_.words, {})) {
+    if (std::ranges::find(words_, word.address, &family::EmittedWord::address) != words_.end()) continue;
+    words_.push_back({word.address, emit_.constant(word.value), word.mode});
+  }
+  emit_.block(codes_, words_);
+  codes_.clear();
+  words_.clear();
+}
+
+void BlockWriter::carry(const CarriedWords& words) {
+  carried_.codes.insert(carried_.codes.end(), words.codes.begin(), words.codes.end());
+  carried_.words.insert(carried_.words.end(), words.words.begin(), words.words.end());
+}
+
+void BlockWriter::write_alone(const CarriedWords& words, std::uint32_t line) {
+  flush(line);
+  emit_.set_line(line);
+  carry(words);
+  block();
+}
+
+void BlockWriter::flush(std::uint32_t line) {
+  if (carried_.codes.empty() && carried_.words.empty()) return;
+  emit_.set_line(line);
+  block();
+}
+
+void BlockWriter::event_block(Function function) {
+  add(function);
+  block();
+}
+
+void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
+  emit_.set_line(line);
+  switch (motion.kind) {
+    case MotionKind::rapid:
+    case MotionKind::linear:
+    case MotionKind::arc_cw:
+    case MotionKind::arc_ccw:
+    case MotionKind::spline:  // of curves that are not interpreted the run tells
+    case MotionKind::thread: return move(motion);
+    case MotionKind::dwell:
+      add(Function::dwell);
+      add(Address::f, motion.feed);
+      return block();
+    case MotionKind::offset: add(Function::work_offset, static_cast<std::int16_t>(motion.number)); return block();
+    case MotionKind::tool: return tool(motion);
+    // Compensation begins and ends with a move: its code waits for the next one.
+    case MotionKind::comp: return carry({{{function_of(motion.comp), 0}}, {}});
+    case MotionKind::spindle: return spindle(motion);
+    case MotionKind::coolant: return event_block(function_of(motion.coolant));
+    case MotionKind::message: return message(motion);
+    case MotionKind::stop: return event_block(motion.number == 0 ? Function::program_stop : Function::optional_stop);
+    case MotionKind::end: flush(line); return emit_.program_end();
+  }
+}
+
+// The cycle goes to the place of the hole itself, and back to where its feed began; rapids after that are blocks.
+void BlockWriter::write_tap(std::span<const ir::Motion> hole, std::uint32_t line) {
+  constexpr std::size_t kZ = 2;
+  const auto cuts = [](const ir::Motion& m) { return m.kind == MotionKind::linear; };
+  const auto in = std::ranges::find_if(hole, cuts);
+  emit_.set_line(line);
+  if (in->feed_mode != feed_mode_) add(function_of(in->feed_mode));
+  feed_mode_ = in->feed_mode;
+  add(Function::return_to_r);
+  const bool right = in->spindle == ir::SpindleState::clockwise;
+  add(Function::drill, ir::drill_argument(right ? ir::DrillCycle::tap_right : ir::DrillCycle::tap_left));
+  for (std::size_t axis = 0; axis < kZ; ++axis)
+    if ((in->axes_unknown & (1U << axis)) == 0) add_length(kAxisAddresses[axis], in->start[axis]);
+  add_length(Address::z, in->end[kZ]);
+  add_length(Address::r, in->start[kZ]);
+  add(Address::f, in->feed / unit_mm_);
+  block();
+  add(Function::rapid);
+  event_block(Function::cycle_off);
+  motion_ = Function::rapid;
+  feed_ = 0.0;
+  const auto out = std::find_if(in + 1, hole.end(), cuts);
+  for (const ir::Motion& after : hole.subspan(static_cast<std::size_t>(out - hole.begin()) + 1))
+    if (after.kind == MotionKind::rapid) write(after, line);
+}
+
+void BlockWriter::write_return(std::uint32_t line) {
+  flush(line);
+  emit_.set_line(line);
+  emit_.subprogram_return();
+}
+
+void BlockWriter::plane(const ir::Motion& motion) {
+  if (motion.plane == plane_) return;
+  plane_ = motion.plane;
+  add(function_of(motion.plane));
+}
+
+void BlockWriter::feed(const ir::Motion& motion) {
+  if (motion.kind == MotionKind::rapid || motion.feed == 0.0) return;
+  // A thread's F is its lead, whatever the mode; inverse time is given in every block.
+  const bool thread = motion.kind == MotionKind::thread;
+  const bool same_mode = thread || motion.feed_mode == feed_mode_;
+  const bool every_block = thread || motion.feed_mode == ir::FeedMode::inverse_time;
+  if (same_mode && motion.feed == feed_ && !every_block) return;
+  if (!same_mode) add(function_of(motion.feed_mode));
+  if (!thread) feed_mode_ = motion.feed_mode;
+  // The lead of a thread is no feed on a control that has a word of its own for it.
+  feed_ = thread ? 0.0 : motion.feed;
+  const double unit = motion.feed_mode == ir::FeedMode::inverse_time ? 1.0 : unit_mm_;
+  add(thread && counts_along_x(motion) ? Address::i : Address::f, motion.feed / unit);
+}
+
+// The lead of a cone counts along the axis that moves more; controls that name it by a letter say so by I.
+bool BlockWriter::counts_along_x(const ir::Motion& motion) const {
+  const double factor = control_.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
+  const double x = std::abs(motion.end[0] - motion.start[0]) / factor;
+  return (motion.axes_unknown & 5U) == 0 && x > std::abs(motion.end[2] - motion.start[2]);
+}
+
+// The plane's two axes only; a zero is stated, too, so that no control asks for it.
+void BlockWriter::center(const ir::Motion& motion) {
+  for (std::size_t axis = 0; axis < kCenterAddresses.size(); ++axis)
+    if (is_in_plane(motion.plane, axis)) add_length(kCenterAddresses[axis], motion.center[axis]);
+}
+
+void BlockWriter::move(const ir::Motion& motion) {
+  const Function function = function_of(motion);
+  // Controls refuse a thread while the feed is a time.
+  if (motion.kind == MotionKind::thread && feed_mode_ == ir::FeedMode::inverse_time) {
+    feed_mode_ = motion.feed_mode;
+    event_block(function_of(motion.feed_mode));
+  }
+  if (is_arc(motion.kind)) plane(motion);
+  if (motion.machine_coordinates) add(Function::machine_coordinates);
+  if (motion.exact_stop) add(Function::exact_stop_once);
+  if (function != motion_ || is_arc(motion.kind) || motion.kind == MotionKind::thread) add(function);
+  motion_ = function;
+  const std::uint16_t named = axes_to_name(motion);
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+    if ((named & (1U << axis)) == 0) continue;
+    if (ir::is_rotary_axis(kAxisAddresses[axis]))
+      add(kAxisAddresses[axis], motion.end[axis]);
+    else
+      add_length(kAxisAddresses[axis], motion.end[axis]);
+  }
+  if (is_arc(motion.kind)) center(motion);
+  feed(motion);
+  if (function == Function::thread_changing) add_length(Address::k, motion.center[0]);
+  block();
+}
+
+void BlockWriter::tool(const ir::Motion& motion) {
+  constexpr std::uint32_t kNoName = 0xFFFFFFFFU;
+  const bool same = motion.number == tool_number_ && motion.text == tool_name_;
+  tool_number_ = motion.number;
+  tool_name_ = motion.text;
+  const bool with_offset = control_.semantics.tool_word == ir::ToolWord::number_and_offset;
+  if (motion.text != kNoName) {
+    ir::Expression name;
+    name.op = ir::Operator::string;
+    name.string = program_.strings.add(names_.strings[motion.text]);
+    if (!same) words_.push_back({Address::t, program_.add(name)});
+  } else if (with_offset) {
+    add(Address::t, motion.number * 100.0 + motion.tool_offset);
+  } else if (!same) {
+    add(Address::t, motion.number);
+  }
+  if (control_.semantics.d_selects_edge && (motion.tool_offset != tool_offset_ || !same)) {
+    add(Address::d, motion.tool_offset);
+  }
+  tool_offset_ = motion.tool_offset;
+  if (!same && control_.kind != ir::MachineKind::lathe && !with_offset) add(Function::tool_change);
+  if (!codes_.empty() || !words_.empty()) block();
+}
+
+void BlockWriter::spindle(const ir::Motion& motion) {
+  if (motion.spindle == ir::SpindleState::stopped) return event_block(Function::spindle_stop);
+  const bool surface = motion.surface_speed_m_min > 0.0;
+  if (surface || surface_speed_ || control_.kind != ir::MachineKind::mill) {
+    add(surface ? Function::surface_speed_on : Function::surface_speed_off);
+  }
+  const bool was_surface = std::exchange(surface_speed_, surface);
+  add(motion.spindle == ir::SpindleState::clockwise ? Function::spindle_cw : Function::spindle_ccw);
+  constexpr double kFoot_m = 0.3048;
+  const double speed_unit_m = unit_mm_ == 1.0 ? 1.0 : kFoot_m;
+  // A speed that a surface speed left is left by it here, too, and is no whole number.
+  if (surface)
+    add(Address::s, motion.surface_speed_m_min / speed_unit_m);
+  else if (motion.spindle_rpm > 0.0 && (!was_surface || motion.spindle_rpm == std::round(motion.spindle_rpm)))
+    add(Address::s, motion.spindle_rpm);
+  if (surface && motion.spindle_rpm > 0.0) add(Address::spindle_limit, motion.spindle_rpm);
+  block();
+}
+
+void BlockWriter::message(const ir::Motion& motion) {
+  const bool clears = motion.text >= names_.strings.size();
+  emit_.message(clears ? std::string_view() : std::string_view(names_.strings[motion.text]));
+}
+
+}  // namespace dripfeed::compile

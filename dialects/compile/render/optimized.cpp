@@ -1,0 +1,254 @@
+// Runs before and after are compared whole. What the program takes from outside (variables that it reads before it sets
+// them) is 0 in the first pair of runs, and arbitrary in two more.
+#include "dialects/compile/render/optimized.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/recorded_run.h"
+#include "dialects/optimize/places.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+// All that a motion is, but for where in the text it comes from, what computing it cost, and its text.
+bool is_same(const ir::Motion& a, const ir::Motion& b) {
+  // What is not known is no number, and equals itself here.
+  const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
+  const auto all_same = [&](const auto& x, const auto& y) { return std::ranges::equal(x, y, same); };
+  return a.kind == b.kind && a.plane == b.plane && a.feed_mode == b.feed_mode && a.length_offset == b.length_offset &&
+         a.axes_commanded == b.axes_commanded && a.machine_coordinates == b.machine_coordinates &&
+         a.exact_stop == b.exact_stop && all_same(a.start, b.start) && all_same(a.end, b.end) &&
+         all_same(a.center, b.center) && same(a.feed, b.feed) && same(a.spindle_rpm, b.spindle_rpm) &&
+         same(a.surface_speed_m_min, b.surface_speed_m_min) && a.spindle == b.spindle && a.comp == b.comp &&
+         a.coolant == b.coolant && a.gaps == b.gaps && a.number == b.number && a.tool_offset == b.tool_offset &&
+         a.axes_unknown == b.axes_unknown && a.length_offset_number == b.length_offset_number;
+}
+
+std::string_view text_of(const RecordedRun& run, const ir::Motion& m) {
+  return m.text < run.result.strings.size() ? std::string_view(run.result.strings[m.text]) : std::string_view();
+}
+
+// The line of the first motion that is another one in `b`, in `a`'s text; nothing where there is none.
+std::optional<std::uint32_t> first_difference(const RecordedRun& a, const RecordedRun& b) {
+  const std::size_t both = std::min(a.motions.size(), b.motions.size());
+  for (std::size_t i = 0; i < both; ++i)
+    if (!is_same(a.motions[i], b.motions[i]) || text_of(a, a.motions[i]) != text_of(b, b.motions[i]))
+      return a.motions[i].place.line;
+  if (a.motions.size() == b.motions.size()) return {};
+  return a.motions.size() > both ? a.motions[both].place.line : a.result.last.line;
+}
+
+class Optimization {
+ public:
+  explicit Optimization(const OptimizeRequest& request)
+      : request_(request),
+        dialect_(*find_dialect(request.control.dialect)),
+        own_library_(request.control, [](std::string_view) { return std::nullopt; }) {}
+
+  OptimizeResult run() {
+    OptimizeResult result;
+    result.text = request_.source.text();
+    ir::ReadResult read = dialect_.read(request_.source, request_.control);
+    result.diagnostics = std::move(read.diagnostics);
+    if (text::has_error(result.diagnostics)) return result;
+    read_faults_ = faults_of(result.diagnostics, read.program);
+    if (read.program.sections.size() > 1) {
+      result.obstacle = "several programs in one text";
+      return result;
+    }
+    bool is_first = true;
+    for (const optimize::Rules& rules : rules_to_try()) {
+      std::optional<Attempt> tried = try_rules(read.program, rules);
+      if (!tried) continue;
+      Attempt& attempt = *tried;
+      if (!std::exchange(is_first, false) &&
+          !(attempt.after && result.after && attempt.after->total_ms < result.after->total_ms))
+        continue;
+      result.obstacle = std::move(attempt.obstacle);
+      result.not_verified = std::move(attempt.not_verified);
+      result.before = attempt.before;
+      result.after = attempt.after;
+      result.changes = std::move(attempt.changes);
+      result.origin_lines = std::move(attempt.origin_lines);
+      result.text = attempt.text.empty() ? request_.source.text() : std::move(attempt.text);
+      if (!result.after) break;  // what cannot be compared cannot be made better
+    }
+    if (result.after && result.after->total_ms > result.before->total_ms) {
+      result.text = request_.source.text();
+      result.changes.clear();
+      result.origin_lines.clear();
+      result.after = result.before;
+    }
+    return result;
+  }
+
+ private:
+  struct Attempt {
+    std::string text;  // empty: as it was
+    std::vector<std::uint32_t> origin_lines;
+    std::vector<optimize::Change> changes;
+    std::string obstacle;
+    std::string not_verified;
+    std::optional<ComputeCost> before;
+    std::optional<ComputeCost> after;
+  };
+
+  // Structures cost blocks of their own: which of them pay is seen by trying.
+  [[nodiscard]] std::vector<optimize::Rules> rules_to_try() const {
+    std::vector<optimize::Rules> out = {request_.settings.rules};
+    for (const optimize::Rule left_out : {optimize::Rule::branches, optimize::Rule::loops}) {
+      if (!out.back().has(left_out)) continue;
+      out.push_back(out.back());
+      out.back().set(left_out, false);
+    }
+    return out;
+  }
+
+  // Nothing where rules that change nothing more lead to the text that was tried before.
+  std::optional<Attempt> try_rules(const ir::Program& before, const optimize::Rules& rules) {
+    Attempt attempt;
+    ir::Program changed = before;
+    optimize::Settings settings = request_.settings;
+    settings.rules = rules;
+    optimize::Result made = optimize::optimize(changed, request_.control, request_.cost, settings);
+    attempt.obstacle = std::move(made.obstacle);
+    if (!attempt.obstacle.empty()) return attempt;
+    const KeptText kept{.comments = !rules.has(optimize::Rule::comments),
+                        .numbers = !rules.has(optimize::Rule::numbers)};
+    ChangedText written = changed_text(before, changed, made.made, dialect_, request_.control, kept);
+    if (written.text == tried_) return {};
+    tried_ = written.text;
+    const text::Source text(request_.source.name(), std::move(written.text));
+    attempt.obstacle = prove(before, text, attempt);
+    if (!attempt.obstacle.empty()) return attempt;
+    attempt.changes = std::move(made.changes);
+    attempt.text = text.text();
+    attempt.origin_lines = std::move(written.origin_lines);
+    return attempt;
+  }
+
+  [[nodiscard]] ProgramLibrary& library() { return request_.library == nullptr ? own_library_ : *request_.library; }
+
+  // Empty, or why the new text must not be used.
+  std::string prove(const ir::Program& before, const text::Source& text, Attempt& attempt) {
+    const ir::ReadResult read = dialect_.read(text, request_.control);
+    if (std::string fault = new_fault(read); !fault.empty()) return fault;
+    for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{2}}) {
+      const RecordedRun old_run = run(before, seed);
+      const RecordedRun new_run = run(read.program, seed);
+      if (const std::string input = input_of(old_run); !input.empty()) {
+        attempt.not_verified = "its run depends on " + input;
+        return {};
+      }
+      if (old_run.result.ended != new_run.result.ended)
+        return fmt::format("the faster program would end otherwise ({})", interpreter::name_of(new_run.result.ended));
+      if (!old_run.is_whole || old_run.result.ended == interpreter::Ended::limit) {
+        attempt.not_verified = "it runs too long to be compared whole";
+        return {};
+      }
+      if (old_run.result.ended == interpreter::Ended::alarm) {
+        if (seed == 0) attempt.not_verified = "its run ends by an alarm";
+        continue;
+      }
+      if (const auto line = first_difference(old_run, new_run))
+        return fmt::format("the faster program would make other moves (line {})", *line);
+      if (seed == 0) {
+        attempt.before = cost_of(old_run);
+        attempt.after = cost_of(new_run);
+      }
+      if (!takes_values(before)) break;
+    }
+    return {};
+  }
+
+  // What decides in the run and is not known; empty where nothing is.
+  static std::string input_of(const RecordedRun& run) {
+    for (const interpreter::NotInterpreted& lost : run.result.not_interpreted)
+      if (lost.is_input) return lost.name;
+    return {};
+  }
+
+  // A finding of the control's own checks that the program did not have before.
+  [[nodiscard]] std::string new_fault(const ir::ReadResult& read) const {
+    for (const auto& [id, message] : faults_of(read.diagnostics, read.program))
+      if (!read_faults_.contains(id)) return "the control would object to the faster program: " + message;
+    return {};
+  }
+  [[nodiscard]] std::map<text::DiagnosticId, std::string> faults_of(const std::vector<text::Diagnostic>& of_reading,
+                                                                    const ir::Program& program) const {
+    std::map<text::DiagnosticId, std::string> out;
+    const auto take = [&](const std::vector<text::Diagnostic>& diagnostics) {
+      for (const text::Diagnostic& d : diagnostics)
+        if (d.severity == text::Severity::error) out.try_emplace(d.id, text::message_of(d));
+    };
+    take(of_reading);
+    take(dialect_.validate(program, request_.control, ir::Delivery::memory));
+    return out;
+  }
+
+  [[nodiscard]] static bool takes_values(const ir::Program& program) {
+    return std::ranges::any_of(program.variables, [](const ir::Variable& v) { return v.bank != ir::Bank::named; });
+  }
+
+  // Values for what the program may find in the control's memory: the same for both.
+  [[nodiscard]] std::vector<interpreter::InitialValue> values(const ir::Program& program, std::uint64_t seed) const {
+    std::vector<interpreter::InitialValue> out;
+    // Where nothing is vacant a variable that was never set is 0; the value is given, so that the run knows it.
+    if (seed == 0 && request_.control.semantics.has_vacant) return out;
+    std::set<std::pair<ir::Bank, std::uint32_t>> given;
+    for (const ir::Variable& v : program.variables) {
+      if (v.bank != ir::Bank::hash && v.bank != ir::Bank::r) continue;
+      if (v.index != ir::ExpressionId::none || !given.emplace(v.bank, v.number).second) continue;
+      const ir::VariableRange* range = ir::find_variable(request_.control, v.bank, v.number);
+      if (range == nullptr || !range->writable || range->use == ir::VariableUse::system) continue;
+      const std::uint64_t state = (seed << 32U | v.number) * 0x9E3779B97F4A7C15ULL;
+      out.push_back(
+          {.bank = v.bank, .number = v.number, .value = seed == 0 ? 0.0 : static_cast<double>(state >> 40U) / 65536.0});
+    }
+    return out;
+  }
+
+  [[nodiscard]] RecordedRun run(const ir::Program& program, std::uint64_t seed) {
+    interpreter::RunOptions options;
+    options.limits = run_limits({});
+    options.initial_values = values(program, seed);
+    return record(program, request_.control, library(), options, {}, {});
+  }
+
+  [[nodiscard]] ComputeCost cost_of(const RecordedRun& run) const {
+    ComputeCost out;
+    out.blocks = run.result.blocks;
+    double since_ms = 0.0;
+    for (const ir::Motion& m : run.motions) {
+      const double ms = ir::compute_ms(request_.cost, m.compute);
+      out.total_ms += ms;
+      since_ms += ms;
+      if (!ir::is_move(m.kind)) continue;
+      ++out.moves;
+      if (since_ms > out.longest_ms) out.longest_ms = since_ms, out.longest_line = m.place.line;
+      since_ms = 0.0;
+    }
+    return out;
+  }
+
+  const OptimizeRequest& request_;
+  const Dialect& dialect_;
+  ProgramLibrary own_library_;
+  std::string tried_;                                      // the text of the attempt before
+  std::map<text::DiagnosticId, std::string> read_faults_;  // errors that the program has
+};
+
+}  // namespace
+
+OptimizeResult optimize_text(const OptimizeRequest& request) { return Optimization(request).run(); }
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,281 @@
+// The lines that are kept of a stretch show how the other control writes a line of their look: the same number, code,
+// axes and values, to the last digit. Only such lines are written here, and both programs are run to the end: what the
+// lines of each stretch add up to must be the same.
+#include "dialects/compile/translate/convert_thin.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/translate/thin_program.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+// "-.50" is "-0.5", "3.000" is "3.", as every control here writes it.
+void append_value(std::string_view value, std::string& out) {
+  const bool is_negative = value.starts_with('-');
+  if (is_negative) value.remove_prefix(1);
+  const std::size_t point = value.find('.');
+  std::string_view whole = value.substr(0, point);
+  std::string_view part = value.substr(point + 1);
+  whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
+  part = part.substr(0, part.find_last_not_of('0') + 1);
+  if (is_negative && !(whole.empty() && part.empty())) out += '-';
+  out += whole.empty() ? "0" : whole;
+  out += '.';
+  out += part;
+}
+
+// "X1.Y-.5" is "X1. Y-0.5".
+void append_words(std::string_view words, std::string& out) {
+  for (std::size_t at = 0; at < words.size();) {
+    if (words[at] == ' ') {
+      ++at;
+      continue;
+    }
+    const std::size_t end = std::min(words.find_first_not_of("-.0123456789", at + 1), words.size());
+    if (!out.empty() && out.back() != '\n') out += ' ';
+    out += words[at];
+    append_value(words.substr(at + 1, end - at - 1), out);
+    at = end;
+  }
+}
+
+// What the other control writes for the code of a line, by how the line looks.
+class Writer {
+ public:
+  // The first line of a look counts.
+  void learn(std::string_view line, std::string_view written) {
+    const MoveForm form = move_form_of(line);
+    const MoveForm made = move_form_of(written);
+    if (form.is_move() && form.code.empty() == made.code.empty()) codes_.try_emplace(look_of(form), made.code);
+  }
+
+  // False: no line of this look was learnt.
+  bool append(std::string_view line, std::string& out) const {
+    const MoveForm form = move_form_of(line);
+    const auto known = codes_.find(look_of(form));
+    if (known == codes_.end()) return false;
+    if (!form.number.empty()) out.append("N").append(form.number);
+    if (!known->second.empty()) out.append(form.number.empty() ? "" : " ").append(known->second);
+    append_words(form.words, out);
+    out += '\n';
+    return true;
+  }
+
+ private:
+  std::map<std::string, std::string, std::less<>> codes_;
+};
+
+// The next line of a text, without its EOB.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) lines.push_back(take_line(text));
+  return lines;
+}
+
+// What the moves in the stretches of a program add up to, piece by piece.
+class Sums final : public ir::MotionSink {
+ public:
+  explicit Sums(const std::vector<ir::PlainStretch>& stretches) : stretches_(stretches) {}
+
+  void consume(std::span<const ir::Motion> motions) override {
+    for (const ir::Motion& m : motions)
+      if (m.place.program == 0) add(m);
+  }
+
+  [[nodiscard]] bool same(const Sums& other) const {
+    return std::ranges::equal(pieces_, other.pieces_, [](const Piece& a, const Piece& b) {
+      return a.stretch == b.stretch && a.number == b.number && a.moves == b.moves && a.kinds == b.kinds &&
+             std::ranges::equal(a.ends, b.ends, near) && near(a.feeds, b.feeds) && near(a.speeds, b.speeds);
+    });
+  }
+
+ private:
+  static constexpr std::uint32_t kLinesOfAPiece = 256;
+  struct Piece {
+    std::size_t stretch = 0;
+    std::uint32_t number = 0;  // in its stretch
+    std::uint64_t moves = 0;
+    std::uint64_t kinds = 0;
+    std::array<double, ir::kAxisCount> ends{};
+    double feeds = 0.0;
+    double speeds = 0.0;
+  };
+
+  static bool near(double a, double b) { return std::abs(a - b) <= 1e-6 * (1.0 + std::abs(a) * 1e-3); }
+
+  void add(const ir::Motion& m) {
+    const std::uint32_t line = m.place.line;
+    while (at_ > 0 && line < stretches_[at_].line) --at_;
+    while (at_ + 1 < stretches_.size() && line >= stretches_[at_ + 1].line) ++at_;
+    const ir::PlainStretch& stretch = stretches_[at_];
+    if (line < stretch.line || line - stretch.line >= stretch.line_count) return;
+    const std::uint32_t number = (line - stretch.line) / kLinesOfAPiece;
+    if (pieces_.empty() || pieces_.back().stretch != at_ || pieces_.back().number != number)
+      pieces_.push_back({.stretch = at_, .number = number});
+    Piece& piece = pieces_.back();
+    ++piece.moves;
+    piece.kinds += static_cast<std::uint64_t>(m.kind) * 64 + static_cast<std::uint64_t>(m.comp) * 8 +
+                   static_cast<std::uint64_t>(m.feed_mode);
+    // Weights, so that two moves that change places do not add up to the same.
+    const auto weight = static_cast<double>(1 + piece.moves % 7);
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+      if ((m.axes_commanded >> axis & 1U) != 0) piece.ends[axis] += weight * m.end[axis];
+    if (m.kind != ir::MotionKind::rapid) piece.feeds += m.feed;
+    piece.speeds += m.spindle_rpm;
+  }
+
+  const std::vector<ir::PlainStretch>& stretches_;
+  std::size_t at_ = 0;
+  std::vector<Piece> pieces_;
+};
+
+class ThinConverter {
+ public:
+  ThinConverter(const ConvertRequest& request, const Dialect& to, const ThinProgram& thin)
+      : request_(request), to_(to), thin_(thin), source_lines_(lines_of(thin.read_result.program.source.text())) {}
+
+  std::optional<ConvertResult> run() {
+    ConvertRequest small = request_;
+    small.source = thin_.read_result.program.source;
+    ConvertResult made = convert_whole(small);
+    if (text::has_error(made.diagnostics) || made.text.empty()) return std::nullopt;
+    thin_text_ = std::move(made.text);
+    if (!write(made.origin_lines) || !moves_alike()) return std::nullopt;
+    ConvertResult out{.text = std::move(text_),
+                      .origin_lines = {},
+                      .diagnostics = std::move(made.diagnostics),
+                      .not_verified = std::move(made.not_verified)};
+    out.origin_lines = std::move(origins_);
+    thin_.place(out.diagnostics);
+    return out;
+  }
+
+ private:
+  // The whole translation. False: some line has another form.
+  bool write(const std::vector<std::uint32_t>& origins) {
+    const std::vector<std::string_view> printed = lines_of(thin_text_);
+    if (printed.size() > origins.size()) return false;
+    learn(printed, origins);
+    std::size_t copied = 0;
+    text_.reserve(request_.source.text().size());
+    std::size_t lines = origins.size();
+    for (const ir::PlainStretch& one : thin_.stretches.all) lines += one.line_count;
+    origins_.reserve(lines);
+    for (std::size_t i = 0; i < thin_.stretches.all.size(); ++i) {
+      const std::uint32_t behind = thin_.line_behind(i);
+      const auto at = std::find(origins.begin() + static_cast<std::ptrdiff_t>(copied), origins.end(), behind);
+      const auto index = static_cast<std::size_t>(at - origins.begin());
+      if (index < copied + ThinProgram::kKeptBefore || !has_form(printed, origins, index, behind)) return false;
+      copy(printed, origins, copied, index);
+      if (!write_stretch(thin_.stretches.all[i])) return false;
+      copied = index;
+    }
+    copy(printed, origins, copied, printed.size());
+    return true;
+  }
+
+  // Each line that is kept around a stretch must be one line of the translation, in the form that its look has.
+  [[nodiscard]] bool has_form(const std::vector<std::string_view>& printed, const std::vector<std::uint32_t>& origins,
+                              std::size_t index, std::uint32_t behind) const {
+    for (std::size_t k = 0; k < ThinProgram::kKeptBefore + ThinProgram::kKeptBehind; ++k) {
+      const std::size_t at = index - ThinProgram::kKeptBefore + k;
+      const auto line = static_cast<std::uint32_t>(behind - ThinProgram::kKeptBefore + k);
+      std::string again;
+      if (at >= printed.size() || origins[at] != line || counts_[line] != 1) return false;
+      if (!writer_.append(source_lines_[line - 1], again) || again != std::string(printed[at]) + "\n") return false;
+    }
+    return true;
+  }
+
+  // From every line of moves that became one line: each look that a stretch has is among them.
+  void learn(const std::vector<std::string_view>& printed, const std::vector<std::uint32_t>& origins) {
+    counts_.resize(source_lines_.size() + 1);
+    for (const std::uint32_t line : origins) ++counts_[line];
+    for (std::size_t i = 0; i < printed.size(); ++i)
+      if (origins[i] != 0 && counts_[origins[i]] == 1) writer_.learn(source_lines_[origins[i] - 1], printed[i]);
+  }
+
+  void copy(const std::vector<std::string_view>& printed, const std::vector<std::uint32_t>& origins, std::size_t from,
+            std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      text_.append(printed[i]).append("\n");
+      origins_.push_back(origins[i] == 0 ? 0 : thin_.line_in_whole(origins[i]));
+    }
+  }
+
+  bool write_stretch(const ir::PlainStretch& stretch) {
+    ir::PlainStretch made{.line = static_cast<std::uint32_t>(origins_.size() + 1),
+                          .line_count = stretch.line_count,
+                          .begin = text_.size()};
+    std::string_view rest = thin_.stretches.text.substr(stretch.begin, stretch.end - stretch.begin);
+    for (std::uint32_t i = 0; i < stretch.line_count; ++i) {
+      if (!writer_.append(take_line(rest), text_)) return false;
+      origins_.push_back(stretch.line + i);
+    }
+    made.end = text_.size();
+    made_.push_back(made);
+    return true;
+  }
+
+  // Both are run to their ends, the stretches from their texts.
+  bool moves_alike() {
+    const auto translated = ThinProgram::join(text::Source("translation", thin_text_), text_, made_, to_, request_.to);
+    if (translated == nullptr) return false;
+    Sums first(thin_.stretches.all);
+    Sums second(made_);
+    return ends(thin_, request_.from, first) && ends(*translated, request_.to, second) && first.same(second);
+  }
+
+  bool ends(const ThinProgram& program, const ir::Control& on, ir::MotionSink& sink) {
+    ir::Control control = on;
+    control.semantics.unset_is_unknown = true;
+    ProgramLibrary standard(control, [](std::string_view) { return std::nullopt; });
+    interpreter::RunOptions options;
+    options.stretches = &program.stretches;
+    const bool is_source = &program == &thin_;
+    const auto run = execute(program.read_result.program, control,
+                             is_source && request_.library != nullptr ? request_.library : &standard, sink, options);
+    return run.ended == interpreter::Ended::end || run.ended == interpreter::Ended::text_end;
+  }
+
+  const ConvertRequest& request_;
+  const Dialect& to_;
+  const ThinProgram& thin_;
+  std::vector<std::string_view> source_lines_;
+  std::string thin_text_;
+  std::vector<std::uint32_t> counts_;  // lines of the translation by line of the thin source
+  Writer writer_;
+  std::string text_;
+  std::vector<std::uint32_t> origins_;
+  std::vector<ir::PlainStretch> made_;  // of the translation
+};
+
+}  // namespace
+
+std::optional<ConvertResult> convert_thin(const ConvertRequest& request, const ThinOptions& options) {
+  const Dialect* from = find_dialect(request.from.dialect);
+  const Dialect* to = find_dialect(request.to.dialect);
+  if (from == nullptr || to == nullptr || from == to || request.mode != ConvertMode::macro) return std::nullopt;
+  const auto thin = ThinProgram::read(request.source, *from, request.from, options);
+  if (thin == nullptr || text::has_error(thin->read_result.diagnostics)) return std::nullopt;
+  return ThinConverter(request, *to, *thin).run();
+}
+
+}  // namespace dripfeed::compile

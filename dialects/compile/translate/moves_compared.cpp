@@ -1,0 +1,287 @@
+// The translation is run, too, and must move as the source did, from its first block to its last. Within a cycle that
+// both controls have, a rapid may stop on its way, chips may be broken by another speed back and a tap be said as a
+// thread: the passes that translate cycles know why. A tap that is said as a tap has the same lead, at the same speed;
+// how a spindle turns that its position is given for, a run does not say.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "dialects/compile/dialect/motion_codes.h"
+#include "dialects/compile/dialect/say_move.h"
+#include "dialects/compile/dialect/source_lines.h"
+#include "dialects/compile/plain/lost_writes.h"
+#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/passes/round_positions.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+using Place = std::array<double, ir::kAxisCount>;
+
+struct PlacedMove {
+  std::uint32_t line = 0;  // of the source
+  ir::Motion motion;
+};
+
+// Whether the end of the first rapid lies on the straight way that both go.
+bool only_stops(const ir::Motion& first, const ir::Motion& second) {
+  if (first.kind != ir::MotionKind::rapid || second.kind != ir::MotionKind::rapid) return false;
+  const std::uint16_t moved = first.axes_commanded | second.axes_commanded;
+  if (first.machine_coordinates || second.machine_coordinates) return false;
+  if (((first.axes_unknown | second.axes_unknown) & moved) != 0) return false;
+  constexpr double kDetour_mm = 1e-6;
+  const auto distance = [](const Place& a, const Place& b) {
+    double sum = 0.0;
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    return std::sqrt(sum);
+  };
+  return distance(first.start, first.end) + distance(first.end, second.end) - distance(first.start, second.end) <=
+         kDetour_mm;
+}
+
+// `origin_of`: the source's line for a line of the run.
+template <class Origin>
+std::vector<PlacedMove> moves_of(const RecordedRun& run, Origin&& origin_of) {
+  std::vector<PlacedMove> out;
+  for (const Visit& visit : run.visits) {
+    const std::uint32_t line = origin_of(visit.line);
+    for (ir::Motion m : run.motions_of(visit)) {
+      if (!leads_somewhere(m)) continue;
+      if (!out.empty() && only_stops(out.back().motion, m)) {
+        m.start = out.back().motion.start;
+        out.pop_back();
+      }
+      out.push_back({line, m});
+    }
+  }
+  return out;
+}
+
+// The first cut after a rapid, and what else a cycle does.
+enum class CyclePart : std::uint8_t { none, entry, other };
+
+class Comparison {
+ public:
+  // `inch`: one of the two may be written in inches.
+  Comparison(const ir::Control& from, const ir::Control& to, bool inch)
+      : x_factor_(diameter(to) / diameter(from)),
+        tolerance_mm_(1.1 * std::max(passes::least_increment_mm(from, inch), passes::least_increment_mm(to, inch))) {}
+
+  // `part`: of a cycle that another cycle stands for, where both are moves of one.
+  [[nodiscard]] bool same(const ir::Motion& a, const ir::Motion& b, CyclePart part) const {
+    const bool of_cycle = part != CyclePart::none;
+    if (a.kind == ir::MotionKind::dwell) return b.kind == a.kind && alike(a.feed, b.feed);
+    const bool chord = a.kind == ir::MotionKind::spline && b.kind == ir::MotionKind::linear;
+    if (a.kind != b.kind && !chord && !(of_cycle && may_stand_for(a.kind, b.kind))) return false;
+    if (a.machine_coordinates != b.machine_coordinates || a.comp != b.comp || a.coolant != b.coolant) return false;
+    if (!same_end(a, b)) return false;
+    if (a.kind != b.kind && !chord) return true;
+    // Where the spindle turns back and which speed it has out of the hole, the cycles know; into it, it is the same.
+    const bool turns = part == CyclePart::none || part == CyclePart::entry;
+    const bool has_center = is_arc(a.kind) || a.kind == ir::MotionKind::thread;
+    if (has_center && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); }))
+      return false;
+    const bool same_speed = alike(a.spindle_rpm, b.spindle_rpm) && alike(a.surface_speed_m_min, b.surface_speed_m_min);
+    const bool left = a.kind == ir::MotionKind::thread && (a.feed < 0.0) != (b.feed < 0.0);
+    if (left) return std::abs(a.feed + b.feed) <= kLeadShare * std::abs(a.feed) && (!turns || turns_alike(a, b));
+    if (turns && (a.spindle != b.spindle || !same_speed)) return false;
+    return a.kind == ir::MotionKind::rapid || (alike(a.feed, b.feed) && a.feed_mode == b.feed_mode);
+  }
+
+  // A straight move, no longer than the control rounds.
+  [[nodiscard]] bool stays(const ir::Motion& m) const {
+    if (m.kind != ir::MotionKind::rapid && m.kind != ir::MotionKind::linear) return false;
+    if (m.machine_coordinates || (m.axes_unknown & m.axes_commanded) != 0) return false;
+    return std::ranges::equal(m.start, m.end, [&](double x, double y) { return near(x, y); });
+  }
+
+  // Both are moves of one tap.
+  [[nodiscard]] bool same_of_tap(const ir::Motion& a, const ir::Motion& b) const {
+    using enum ir::MotionKind;
+    const bool cut = a.kind == linear || a.kind == thread;
+    if (!cut) {
+      const bool same_kind = a.kind == b.kind && (a.kind == rapid || a.kind == dwell);
+      return same_kind && (a.kind == dwell ? alike(a.feed, b.feed) : a.comp == b.comp && same_end(a, b));
+    }
+    if ((b.kind != linear && b.kind != thread) || a.comp != b.comp || a.coolant != b.coolant || !same_end(a, b))
+      return false;
+    const bool floats = a.kind == linear && b.kind == linear;
+    const double lead = lead_mm(a);
+    return alike(a.spindle_rpm, b.spindle_rpm) && (!floats || a.spindle == b.spindle) &&
+           std::abs(lead - lead_mm(b)) <= kLeadShare * std::abs(lead);
+  }
+
+ private:
+  static constexpr double kLeadShare = 2e-4;  // a lead has four decimals
+  static double lead_mm(const ir::Motion& m) {
+    const bool by_time = m.kind == ir::MotionKind::linear && m.feed_mode == ir::FeedMode::per_min;
+    return by_time ? m.feed / m.spindle_rpm : m.feed;
+  }
+  // A lead below 0 is a left-hand tap, whatever the spindle did before it.
+  static bool turns_alike(const ir::Motion& a, const ir::Motion& b) {
+    const ir::Motion& other = a.feed < 0.0 ? b : a;
+    return other.spindle == ir::SpindleState::counterclockwise && alike(a.spindle_rpm, b.spindle_rpm);
+  }
+  static double diameter(const ir::Control& c) {
+    return c.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
+  }
+  // A tap and its thread; the way back between two pecks.
+  static bool may_stand_for(ir::MotionKind a, ir::MotionKind b) {
+    using enum ir::MotionKind;
+    return (a == linear && (b == thread || b == rapid)) || (b == linear && (a == thread || a == rapid));
+  }
+  [[nodiscard]] bool same_end(const ir::Motion& a, const ir::Motion& b) const {
+    const std::uint16_t unknown = a.axes_unknown | b.axes_unknown;
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+      const bool named = ((a.axes_commanded | b.axes_commanded) & (1U << axis)) != 0;
+      if (!named && (unknown & (1U << axis)) != 0) continue;
+      if (!near(axis == 0 ? a.end[axis] * x_factor_ : a.end[axis], b.end[axis])) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] bool near(double a, double b) const { return std::abs(a - b) <= tolerance_mm_; }
+  static bool alike(double a, double b) { return std::abs(a - b) <= 1e-3 * std::max(std::abs(a), std::abs(b)); }
+
+  double x_factor_;
+  double tolerance_mm_;
+};
+
+}  // namespace
+
+std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
+                                                    const std::vector<std::uint32_t>& origin_lines) const {
+  if (runs_.empty()) return alarm_of(translation, origin_lines);
+  for (std::size_t setting = 0; setting < runs_.size(); ++setting) {
+    const std::optional<Difference> other = first_difference(translation, origin_lines, setting);
+    if (!other) continue;
+    const auto span = spans_.find(other->line);
+    return {text::make_diagnostic(
+        text::DiagnosticId::cannot_translate, span == spans_.end() ? text::Span{} : span->second,
+        {fmt::format("what moves here{} ({})",
+                     owners_.empty() ? "" : " together with statements that are written as their moves", other->what),
+         to_.title})};
+  }
+  return {};
+}
+
+// Of a source whose run says nothing, the translation may still be one that the other control stops at for certain.
+std::vector<text::Diagnostic> MovesInPlace::alarm_of(const ir::Program& translation,
+                                                     const std::vector<std::uint32_t>& origin_lines) const {
+  ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
+  ir::Control control = to_;
+  control.semantics.unset_is_unknown = true;
+  interpreter::RunOptions options;
+  options.limits = limits_;
+  const RecordedRun run = record(translation, control, standard, options, {}, {});
+  // With a value that is not given it may never come to the block that stops, or calculate there.
+  if (std::ranges::any_of(run.result.not_interpreted, &interpreter::NotInterpreted::is_input)) return {};
+  for (const interpreter::RunDiagnostic& d : run.result.diagnostics) {
+    constexpr std::array kElsewhere = {
+        text::DiagnosticId::call_target_missing, text::DiagnosticId::limit_reached,
+        text::DiagnosticId::user_alarm,          text::DiagnosticId::no_feed,
+        text::DiagnosticId::division_by_zero,    text::DiagnosticId::argument_out_of_domain,
+        text::DiagnosticId::result_overflow};
+    const bool is_alarm = d.diagnostic.severity == text::Severity::error && d.program == 0;
+    if (!is_alarm || std::ranges::find(kElsewhere, d.diagnostic.id) != kElsewhere.end()) continue;
+    const std::uint32_t line = d.line > 0 && d.line <= origin_lines.size() ? origin_lines[d.line - 1] : 0;
+    return {text::make_diagnostic(text::DiagnosticId::cannot_translate, span_of_line(source_, line),
+                                  {"what stops here (" + text::message_of(d.diagnostic) + ")", to_.title})};
+  }
+  return {};
+}
+
+std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir::Program& translation,
+                                                                       const std::vector<std::uint32_t>& origin_lines,
+                                                                       std::size_t setting) const {
+  ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
+  interpreter::RunOptions options;
+  options.limits = limits_;
+  options.skip_switches = settings_[setting];
+  const RecordedRun run = record(translation, to_, standard, options, {}, {});
+  const auto wanted = moves_of(runs_[setting], [](std::uint32_t line) { return line; });
+  const auto made = moves_of(
+      run, [&](std::uint32_t line) { return line == 0 || line > origin_lines.size() ? 0 : origin_lines[line - 1]; });
+  const bool inch =
+      to_.semantics.power_on_unit == ir::Function::unit_inch ||
+      std::ranges::find(translation.codes, ir::Function::unit_inch, &ir::Code::function) != translation.codes.end();
+  const Comparison comparison(from_, to_, inch);
+  const auto tap_line = [&](std::uint32_t line) {
+    const auto at = tap_lines_.find(line);
+    return at == tap_lines_.end() ? 0U : at->second;
+  };
+  std::size_t i = 0;
+  std::size_t j = 0;
+  const auto same = [&](const PlacedMove& a, const PlacedMove& b) {
+    const std::uint32_t tap = tap_line(a.line);
+    if (tap != 0 && tap == tap_line(b.line)) return comparison.same_of_tap(a.motion, b.motion);
+    const bool of_cycle = cycles_.contains(a.line) && b.line == a.line;
+    const bool enters =
+        a.motion.kind != ir::MotionKind::rapid && (i == 0 || wanted[i - 1].motion.kind == ir::MotionKind::rapid);
+    return comparison.same(a.motion, b.motion,
+                           !of_cycle ? CyclePart::none
+                           : enters  ? CyclePart::entry
+                                     : CyclePart::other);
+  };
+  while (i < wanted.size() && j < made.size()) {
+    if (same(wanted[i], made[j])) {
+      ++i, ++j;
+    } else if (comparison.stays(wanted[i].motion)) {
+      ++i;  // as short as an increment of the control: rounded, it is none
+    } else if (comparison.stays(made[j].motion)) {
+      ++j;
+    } else {
+      return Difference{wanted[i].line,
+                        fmt::format("{}; in the translation {}", say_move(wanted[i].motion, made[j].motion),
+                                    say_move(made[j].motion, wanted[i].motion))};
+    }
+  }
+  while (i < wanted.size() && comparison.stays(wanted[i].motion)) ++i;
+  while (j < made.size() && comparison.stays(made[j].motion)) ++j;
+  if (i < wanted.size())
+    return Difference{wanted[i].line,
+                      say_move(wanted[i].motion, wanted[i].motion) + ", which the translation does not make"};
+  if (j < made.size())
+    return Difference{made[j].line, "the translation also makes " + say_move(made[j].motion, made[j].motion)};
+  const bool ended =
+      run.result.ended == interpreter::Ended::end || (returns_ && run.result.ended == runs_[setting].result.ended);
+  if (const auto lost = first_lost_write(translation, run, origin_lines, setting))
+    return Difference{*lost, "the translation does not write what is written here"};
+  if (run.is_whole && ended) return std::nullopt;
+  const std::uint32_t last = wanted.empty() ? 1 : wanted.back().line;
+  return Difference{owners_.empty() ? last : owners_.front(), "the translation does not come to its end"};
+}
+
+// In order; the translation may write more, to variables that it needs itself.
+std::optional<std::uint32_t> MovesInPlace::first_lost_write(const ir::Program& translation, const RecordedRun& run,
+                                                            const std::vector<std::uint32_t>& origin_lines,
+                                                            std::size_t setting) const {
+  if (writes_.empty()) return std::nullopt;
+  const auto lines_of = [](const RecordedRun& of, const std::map<std::uint32_t, std::size_t>& writes, auto&& origin) {
+    std::vector<std::uint32_t> out;
+    for (const Visit& visit : of.visits) {
+      const auto at = writes.find(visit.line);
+      if (at != writes.end()) out.insert(out.end(), at->second, origin(visit.line));
+    }
+    return out;
+  };
+  const auto wanted = lines_of(runs_[setting], writes_, [](std::uint32_t line) { return line; });
+  const auto made = lines_of(run, writes_by_line(translation, to_), [&](std::uint32_t line) {
+    return line <= origin_lines.size() ? origin_lines[line - 1] : 0;
+  });
+  auto at = made.begin();
+  for (const std::uint32_t line : wanted) {
+    at = std::find(at, made.end(), line);
+    if (at == made.end()) return line;
+    ++at;
+  }
+  return std::nullopt;
+}
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,113 @@
+// One walk through the text with what is in effect beside it.
+#include "dialects/compile/translate/without_equal.h"
+
+#include <algorithm>
+#include <array>
+
+#include "dialects/compile/dialect/motion_codes.h"
+#include "dialects/ir/cycle.h"
+#include "dialects/passes/rigid_taps.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+
+// Calls that drill and whose counterpart is a modal cycle of mills.
+constexpr auto kDrillingCalls = std::to_array<std::string_view>(
+    {"CYCLE81", "CYCLE82", "CYCLE83", "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89"});
+
+bool moves(const ir::Word& w) {
+  return ir::is_axis(w.address) || w.address == Address::polar_angle || w.address == Address::polar_radius ||
+         w.address == Address::named_axis;
+}
+
+class Walk {
+ public:
+  Walk(const ir::Program& program, const ir::Control& from, const ir::Control& to)
+      : program_(program), from_(from), to_(to) {}
+
+  std::vector<WithoutEqual> run() {
+    std::vector<WithoutEqual> out;
+    out.reserve(program_.statements.size());
+    for (const ir::Statement& s : program_.statements) {
+      if (s.kind == StatementKind::call)
+        out.push_back(of_call(program_.calls[s.payload]));
+      else
+        out.push_back(s.kind == StatementKind::block ? of_block(program_.blocks[s.payload]) : WithoutEqual::no);
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] WithoutEqual of_call(const ir::Call& call) const {
+    const bool calls_too = from_.dialect == to_.dialect;
+    const std::string_view name = program_.strings.at(call.name);
+    if (calls_too || call.computed != ir::ExpressionId::none) return WithoutEqual::no;
+    if (name == "CYCLE95") return WithoutEqual::removal;
+    const bool drills = std::ranges::find(kDrillingCalls, name) != kDrillingCalls.end();
+    return drills && from_.kind != ir::MachineKind::mill ? WithoutEqual::drilling : WithoutEqual::no;
+  }
+
+  WithoutEqual of_block(const ir::Block& block) {
+    bool names = false;
+    for (const ir::Code& c : program_.codes_of(block)) {
+      if (ir::follows_shape(c)) return has_row(to_, c.function, c.argument) ? WithoutEqual::no : WithoutEqual::removal;
+      if (c.function == Function::hole_pattern && !has_row(to_, c.function, c.argument)) return WithoutEqual::drilling;
+      if (!sets_way(c)) continue;
+      way_ = way_of(c);
+      names = way_ != WithoutEqual::no;
+    }
+    const auto words = program_.words_of(block);
+    return way_ != WithoutEqual::no && (names || std::ranges::any_of(words, moves)) ? way_ : WithoutEqual::no;
+  }
+
+  static bool sets_way(const ir::Code& c) {
+    return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::cycle_off;
+  }
+
+  [[nodiscard]] WithoutEqual way_of(const ir::Code& c) const {
+    const bool arc = c.function == Function::arc_via || c.function == Function::arc_tangent;
+    if (arc && !has_row(to_, c.function, c.argument)) return WithoutEqual::arc;
+    const bool lathe = c.function == Function::drill && c.argument >= ir::kDrillAlongZ && !passes::is_tap(c);
+    return lathe && !has_row(to_, c.function, c.argument) ? WithoutEqual::drilling : WithoutEqual::no;
+  }
+
+  const ir::Program& program_;
+  const ir::Control& from_;
+  const ir::Control& to_;
+  WithoutEqual way_ = WithoutEqual::no;  // in effect
+};
+
+}  // namespace
+
+std::vector<WithoutEqual> without_equal(const ir::Program& program, const ir::Control& from, const ir::Control& to) {
+  return Walk(program, from, to).run();
+}
+
+std::string name_of(WithoutEqual kind, const ir::Program& program, const ir::Statement& statement) {
+  if (statement.kind == StatementKind::call || statement.kind == StatementKind::modal_call)
+    return std::string(program.strings.at(program.calls[statement.payload].name));
+  for (const ir::Code& c : program.codes_of(program.blocks[statement.payload])) {
+    const bool meant =
+        c.function == Function::repetitive_cycle || c.function == Function::drill || c.function == Function::arc_via ||
+        c.function == Function::arc_tangent || c.function == Function::hole_pattern || c.function == Function::tap ||
+        c.function == Function::tap_retract || (c.function == Function::linear && c.group == ModalGroup::non_modal);
+    if (meant && !c.span.empty()) return std::string(c.span.in(program.source.text()));
+  }
+  switch (kind) {
+    case WithoutEqual::arc: return "an arc";
+    case WithoutEqual::drilling: return "a drilling cycle of a lathe";
+    case WithoutEqual::removal: return "stock removal";
+    case WithoutEqual::tap:
+    case WithoutEqual::tap_part: return "a tap";
+    case WithoutEqual::no: break;
+  }
+  return {};
+}
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,22 @@
+// A contour at an equal distance beside itself, on the side of the tool (FAL of CYCLE95).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dialects/interpreter/cycles/contour_sections.h"
+
+namespace dripfeed::interpreter {
+
+struct ContourSide {
+  double forward = 1.0;  // in which the way goes
+  double rise = 1.0;     // in which levels go away from the material
+  bool along_z = true;   // the way is Z
+};
+
+// Hollow corners are where the two lines beside meet, the others are rounded about the corner. Nothing when a piece is
+// too short for it.
+std::optional<std::vector<ContourPiece>> offset_contour(const std::vector<ContourPiece>& contour, double distance_mm,
+                                                        const ContourSide& side);
+
+}  // namespace dripfeed::interpreter

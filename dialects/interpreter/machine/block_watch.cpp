@@ -1,0 +1,106 @@
+// Each finding once: of a tool, of a feed, of a cycle.
+#include "dialects/interpreter/machine/block_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dialects/ir/cycle.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using text::DiagnosticId;
+
+constexpr std::size_t kZ = 2;
+constexpr double kSame_mm = 1e-9;
+// Beyond any cut, and below any feed of a lathe that turns.
+constexpr double kHighestPerRev_mm = 10.0;
+constexpr double kLowestPerMin_mm = 1.0;
+
+bool has_code(const PlainBlock& block, Function function) {
+  return std::ranges::any_of(block.codes, [function](const PlainCode& c) { return c.function == function; });
+}
+
+bool is_tap(ir::DrillCycle cycle) { return cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left; }
+
+// As people read it: 4 decimals at most.
+std::string figure(double value) { return text::format_shortest(std::round(value * 1e4) / 1e4); }
+
+}  // namespace
+
+void BlockWatch::look_at(const Instruction& i, const PlainBlock& block, bool moved) {
+  take_tool(block);
+  if (moved) {
+    length(i, block);
+    feed(i, block);
+  }
+  if (state_.drilling.active && has_code(block, Function::drill)) hole(i, block);
+}
+
+void BlockWatch::take_tool(const PlainBlock& block) {
+  for (const PlainCode& code : block.codes) feed_mode_stated_ |= code.group == ir::ModalGroup::feed;
+  if (state_.tool.number != tool_) {
+    tool_ = state_.tool.number;
+    length_known_ = tool_ != 0;
+    told_length_ = false;
+  }
+  const bool other_length = std::ranges::any_of(block.codes, [](const PlainCode& c) {
+    return c.group == ir::ModalGroup::length_offset && c.function == Function::not_modelled;
+  });
+  if (other_length || (block.unknown & (bit_of(Address::h) | bit_of(Address::t))) != 0) length_known_ = false;
+}
+
+// Moves along the spindle in the part's coordinates need the length of the tool that was changed in.
+void BlockWatch::length(const Instruction& i, const PlainBlock& block) {
+  if (!control_.semantics.length_needs_code || !length_known_ || told_length_) return;
+  if ((block.present & bit_of(Address::z)) == 0 || has_code(block, Function::machine_coordinates)) return;
+  const bool none = state_.length_offset == ir::LengthOffset::off || state_.length_offset_number == 0;
+  if (none) {
+    report_.say(i, DiagnosticId::length_offset_missing, {"Z", "T" + std::to_string(tool_)});
+  } else if (static_cast<std::int32_t>(state_.length_offset_number) != tool_) {
+    report_.say(i, DiagnosticId::length_offset_of_other_tool,
+                {std::to_string(state_.length_offset_number), "T" + std::to_string(tool_), ""});
+  } else {
+    return;
+  }
+  told_length_ = true;
+}
+
+void BlockWatch::feed(const Instruction& i, const PlainBlock& block) {
+  if (!feed_mode_stated_ || state_.feed_unknown || !(state_.feed > 0.0) || state_.feed == told_feed_) return;
+  const Function motion = state_.modes.motion;
+  const bool drills = state_.drilling.active && !is_tap(state_.drilling.cycle);
+  if (!drills && motion != Function::linear && motion != Function::arc_cw && motion != Function::arc_ccw) return;
+  const bool turns = (block.present & (bit_of(Address::a) | bit_of(Address::b) | bit_of(Address::c))) != 0;
+  if (state_.modes.feed_mode == ir::FeedMode::per_rev && state_.feed > kHighestPerRev_mm) {
+    report_.say(i, DiagnosticId::feed_suspicion, {figure(state_.feed) + " mm", "revolution"});
+  } else if (state_.modes.feed_mode == ir::FeedMode::per_min && control_.kind == ir::MachineKind::lathe && !turns &&
+             state_.feed < kLowestPerMin_mm) {
+    report_.say(i, DiagnosticId::feed_suspicion, {figure(state_.feed) + " mm", "minute"});
+  } else {
+    return;
+  }
+  told_feed_ = state_.feed;
+}
+
+// On mills; a lathe's R is left out as often as not.
+void BlockWatch::hole(const Instruction& i, const PlainBlock& block) {
+  const Drilling& d = state_.drilling;
+  const bool not_known = (block.unknown & (bit_of(Address::z) | bit_of(Address::r))) != 0;
+  if (control_.kind != ir::MachineKind::mill || !d.entered || d.axis != kZ || not_known) return;
+  if (d.cycle == ir::DrillCycle::back_bore || !d.has_depth) return;
+  if (!d.has_r) {
+    report_.say(i, DiagnosticId::hole_levels, {"has no R: the feed begins at the level where the cycle was called"});
+    return;
+  }
+  const bool above = d.depth_by_distance ? d.depth > kSame_mm : !d.r_by_distance && d.depth > d.r + kSame_mm;
+  if (!above) return;
+  const std::string r = d.r_by_distance ? "above its R" : "above its R " + figure(d.r);
+  report_.say(i, DiagnosticId::hole_levels, {"ends at Z " + figure(d.depth) + ", " + r});
+}
+
+}  // namespace dripfeed::interpreter

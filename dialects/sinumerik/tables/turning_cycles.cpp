@@ -1,0 +1,64 @@
+// Thread cutting (PGZ, "Turning cycles"). 61001 no lead, 61107 no number of cuts.
+#include <array>
+
+#include "dialects/sinumerik/tables/cycle_texts.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+constexpr auto kTexts = std::to_array<CycleText>({
+    {"CYCLE97",
+     R"(PROC CYCLE97(REAL PIT, REAL MPIT, REAL SPL, REAL FPL, REAL DM1, REAL DM2, REAL APP, REAL ROP, REAL TDEP, REAL FAL, REAL IANG, REAL NSP, INT NRC, INT NID, INT VARI, INT NUMT, REAL VRT) SAVE DISPLOF
+DEF REAL SIDE=1, MM=1, CLEAR, DEPTH, LEAD, SLOPE, DIR=1, SHIFT
+DEF INT CUT, START, SIZE
+@unit
+@lead
+IF NRC<1
+SETAL(61107)
+ENDIF
+IF NUMT<1
+NUMT=1
+ENDIF
+IF (VARI==2) OR (VARI==4)
+SIDE=-1
+ENDIF
+IF VRT==0
+VRT=MM
+ENDIF
+IF FPL>SPL
+DIR=-1
+ENDIF
+SLOPE=(DM2-DM1)/(FPL-SPL)
+CLEAR=2*SIDE*VRT
+G90 DIAMON
+G0 X=DM1+CLEAR+SLOPE*APP*DIR Z=SPL+APP*DIR
+FOR START=1 TO NUMT
+FOR CUT=1 TO NRC+NID+1
+DEPTH=TDEP
+IF CUT<=NRC
+IF VARI<=2
+DEPTH=(TDEP-FAL)*CUT/NRC
+ELSE
+DEPTH=(TDEP-FAL)*SQRT(CUT/NRC)
+ENDIF
+ENDIF
+IF (CUT==NRC+1) AND (FAL==0) AND (NID==0) GOTOF DONE
+SHIFT=DIR*DEPTH*TAN(IANG)+DIR*(START-1)*LEAD/NUMT
+G0 Z=SPL+APP*DIR-SHIFT
+G0 X=DM1-2*SIDE*DEPTH+SLOPE*APP*DIR
+G33 Z=FPL-ROP*DIR X=DM2-2*SIDE*DEPTH-SLOPE*ROP*DIR K=LEAD
+G0 X=DM2+CLEAR
+G0 Z=SPL+APP*DIR
+DONE:
+ENDFOR
+ENDFOR
+M17
+)"},
+});
+
+}  // namespace
+
+std::span<const CycleText> turning_cycles() { return kTexts; }
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,110 @@
+// Standard cycles that are known and not run: their parameters by number and type, as far as a call shows them. Newer
+// software adds parameters behind those of the table (surface, modes of the operator's screen), so more than ten
+// further ones are a fault, not one.
+#include <algorithm>
+#include <string>
+
+#include "dialects/sinumerik/validator/validate.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::TokenKind;
+using text::DiagnosticId;
+
+// PGZ, the parameters of each cycle in order: N a number, S a text (a name), C a character.
+struct CycleRow {
+  std::string_view name;
+  std::string_view types;
+};
+constexpr CycleRow kCycles[] = {
+    {"CYCLE71", "NNNNNNNNNNNNNNNN"},
+    {"CYCLE72", "SNNNNNNNNNNNNNNNN"},
+    {"CYCLE76", "NNNNNNNNNNNNNNNNNNNN"},
+    {"CYCLE77", "NNNNNNNNNNNNNNNN"},
+    {"CYCLE90", "NNNNNNNNNNNNNN"},
+    {"CYCLE93", "NNNNNNNNNNNNNNNNN"},
+    {"CYCLE94", "NNCN"},
+    {"CYCLE96", "NNCN"},
+    {"CYCLE98", "NNNNNNNNNNNNNNNNNNNNNN"},
+    {"LONGHOLE", "NNNNNNNNNNNNNNN"},
+    {"POCKET1", "NNNNNNNNNNNNNNNNNNNN"},
+    {"POCKET2", "NNNNNNNNNNNNNNNNN"},
+    {"POCKET3", "NNNNNNNNNNNNNNNNNNNNNNN"},
+    {"POCKET4", "NNNNNNNNNNNNNNNNNNN"},
+    {"SLOT1", "NNNNNNNNNNNNNNNNNNNNNNNNN"},
+    {"SLOT2", "NNNNNNNNNNNNNNNNNNNNNNN"},
+};
+constexpr std::size_t kFurtherParameters = 10;
+
+class Call {
+ public:
+  Call(const Check& check, const ir::Statement& s, const CycleRow& cycle)
+      : check_(check), cycle_(cycle), span_(s.span) {
+    const auto& tokens = check.program.tokens;
+    at_ = std::ranges::lower_bound(tokens, s.span.begin, {}, [](const ir::Token& t) { return t.span.begin; });
+    end_ = tokens.end();
+  }
+
+  void run() {
+    while (at_ != end_ && !ends() && text() != "(") ++at_;
+    if (at_ == end_ || ends()) return;  // without parameters: MCALL's end is told elsewhere
+    ++at_;
+    std::size_t place = 0;
+    for (int open = 1; at_ != end_ && !ends(); ++at_) {
+      if (text() == "(" || text() == "[") ++open;
+      if ((text() == ")" || text() == "]") && --open == 0) break;
+      if (open != 1) continue;
+      if (text() == ",") {
+        ++place;
+        first_ = true;
+      } else if (at_->kind != TokenKind::white && first_) {
+        first_ = false;
+        argument(place);
+      }
+    }
+    const std::size_t most = cycle_.types.size() + kFurtherParameters;
+    if (place >= most)
+      check_
+          .report(DiagnosticId::wrong_argument_count, span_,
+                  {std::string(cycle_.name), std::to_string(most), std::to_string(place + 1)})
+          .alarm = "12340";
+  }
+
+ private:
+  // A constant as the whole argument; what is computed has the type of its variables.
+  void argument(std::size_t place) {
+    if (place >= cycle_.types.size()) return;
+    const char wanted = cycle_.types[place];
+    const bool is_text = at_->kind == TokenKind::string;
+    const bool is_number = at_->kind == TokenKind::number;
+    if ((wanted == 'N' && is_text) || (wanted == 'S' && is_number))
+      check_
+          .report(DiagnosticId::wrong_type, at_->span,
+                  {std::string(text()), is_text ? "STRING" : "REAL", is_text ? "a number" : "STRING"})
+          .alarm = "12330";
+  }
+
+  [[nodiscard]] bool ends() const { return at_->kind == TokenKind::eob || at_->kind == TokenKind::comment; }
+  [[nodiscard]] std::string_view text() const { return check_.text_of(at_->span); }
+
+  const Check& check_;
+  const CycleRow& cycle_;
+  text::Span span_;
+  std::vector<ir::Token>::const_iterator at_;
+  std::vector<ir::Token>::const_iterator end_;
+  bool first_ = true;  // of an argument
+};
+
+}  // namespace
+
+void check_cycles(const Check& check) {
+  for (const ir::Statement& s : check.program.statements) {
+    if (s.kind != ir::StatementKind::native) continue;
+    const auto* const cycle = std::ranges::find(kCycles, check.native_name(s), &CycleRow::name);
+    if (cycle != std::end(kCycles)) Call(check, s, *cycle).run();
+  }
+}
+
+}  // namespace dripfeed::sinumerik

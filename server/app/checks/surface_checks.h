@@ -1,0 +1,33 @@
+// The checks that need stock, nominal and tools: gouge and accuracy, of turning or of milling. Made from what is known;
+// what is missing for one is said.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "checks/verdict.h"
+#include "server/app/base/report.h"
+#include "server/app/checks/examine.h"
+
+namespace dripfeed::app {
+
+enum class SurfaceScope : std::uint8_t { all, accuracy_alone };
+
+class SurfaceChecks {
+ public:
+  // `skipped` gets why a check is not made. `e` is read here only, but for its control, which must outlive this.
+  SurfaceChecks(const Examination& e, SurfaceScope scope, checks::NotCheckedList& skipped);
+  ~SurfaceChecks();
+  SurfaceChecks(const SurfaceChecks&) = delete;
+  SurfaceChecks& operator=(const SurfaceChecks&) = delete;
+
+  [[nodiscard]] std::vector<ir::MotionSink*> sinks() const;
+  // After the last motion; once.
+  void finish(checks::CheckReport& report, Pictures& pictures);
+
+ private:
+  struct Made;
+  std::unique_ptr<Made> made_;
+};
+
+}  // namespace dripfeed::app

@@ -1,0 +1,442 @@
+// Arming is the only door to a line: the store says that the text is released and the machine free, the ledger has its
+// first row, then the line gets the order. If the line refuses, the job waits again and no byte went out.
+#include "server/app/jobs/jobs.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "protocol/receive/program_name.h"
+#include "protocol/tape_code/wire_encoder.h"
+#include "server/app/lines/content_source.h"
+#include "server/app/lines/drop_line.h"
+#include "server/machine/file_drop.h"
+#include "server/machine/line_protocol.h"
+#include "store/hash/hash.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+constexpr double kLongestArming_min = 60.0;
+
+ir::Delivery delivery_of(store::Delivery delivery) {
+  return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
+}
+
+// A folder gives whole files: a control that runs one as it comes would not be fed by us.
+Result<void> refuse_drip_into_folder(const machine::Profile& profile, store::Delivery delivery) {
+  if (profile.line.link.kind != machine::LinkKind::dir || delivery == store::Delivery::memory) return {};
+  return fail(
+      ErrorCode::refused,
+      fmt::format("machine {} fetches whole files from a folder: release the program for memory", profile.name));
+}
+
+// Wire bytes of a text on this line, without what packets add; a mailbox has its text's bytes.
+Result<std::uint64_t> wire_bytes(const machine::Profile& profile, const feed::ProgramFacts& facts) {
+  const machine::LinkKind kind = profile.line.link.kind;
+  if (kind == machine::LinkKind::dir)
+    return tape_code::wire_length(drop_format(profile.line), facts.text_bytes(), facts.eobs(), facts.odd_blocks());
+  if (!machine::feeds_characters(kind)) return facts.text_bytes();
+  const auto line = machine::effective_line(profile.line);
+  if (!line) return fail(ErrorCode::refused, line.error());
+  return tape_code::wire_length(machine::wire_format_of(*line), facts.text_bytes(), facts.eobs(), facts.odd_blocks());
+}
+
+// A number that no earlier job had: identifies the job at a PLC. Not 0.
+std::uint64_t random_session() {
+  const std::string digest = hash::sha256_hex(hash::random_token());
+  std::uint32_t session = 1;
+  for (std::size_t i = 0; i < 8; ++i) {
+    session = session * 16 + static_cast<std::uint32_t>(digest[i] <= '9' ? digest[i] - '0' : digest[i] - 'a' + 10);
+  }
+  return session | 1U;
+}
+
+}  // namespace
+
+Jobs::Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock,
+           const Documents& documents, CalledPrograms called)
+    : store_(store),
+      lines_(lines),
+      books_(books),
+      events_(events),
+      clock_(clock),
+      documents_(documents),
+      called_(std::move(called)) {}
+
+store::Stamp Jobs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
+
+void Jobs::publish(const store::Job& job, std::string_view text) {
+  events_.publish({.id = 0,
+                   .kind = EventKind::job,
+                   .machine = job.machine,
+                   .job = job,
+                   .verdict = 0,
+                   .outcome = {},
+                   .text = std::string(text)});
+}
+
+// A verdict on the machine as it was says nothing of the machine as it is, and one with a called program as it was
+// nothing of the program as it is. The approval stays: a new check is enough.
+Result<void> Jobs::refuse_outdated(std::string_view text_sha256, const store::Machine& machine,
+                                   store::Delivery delivery) {
+  const auto verdict = lift(store_.verdicts().newest(text_sha256, machine.name, delivery));
+  if (!verdict) return std::unexpected(verdict.error());
+  if (!*verdict) return {};  // the store says so in its own words
+  if ((*verdict)->of.machine_revision == machine.revision) return called_.refuse_changed(**verdict);
+  return fail(ErrorCode::refused, fmt::format("machine {} was changed after verdict {}: check the text for it again",
+                                              machine.name, (*verdict)->id));
+}
+
+Result<void> Jobs::refuse_changed_calls(const store::Release& release) {
+  const auto verdict = lift(store_.verdicts().newest(release.text_sha256, release.of.machine, release.of.delivery));
+  if (!verdict) return std::unexpected(verdict.error());
+  return *verdict ? called_.refuse_changed(**verdict) : Result<void>{};
+}
+
+// "" where the line is no folder and tells no name. What a control calls its files is a rule for folders; where a name
+// is only told, the control makes of it what it will.
+Result<std::string> Jobs::file_name(const machine::Profile& profile, store::Id program) {
+  const bool is_told = machine::tells_name(profile.line);
+  if (profile.line.link.kind != machine::LinkKind::dir && !is_told) return std::string();
+  const auto row = store_.programs().get(program);
+  if (!row) return std::unexpected(from_store(row.error()));
+  auto name = machine::file_name_for(profile, row->name);
+  if (!name && is_told) return row->name;
+  if (!name) return fail(ErrorCode::refused, name.error());
+  return std::move(*name);
+}
+
+Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
+  auto line = lines_.find(job.machine);
+  if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job.machine));
+  if (line->report().job != job.id)
+    return fail(ErrorCode::refused, fmt::format("job {} is not on the line of {}", job.id, job.machine));
+  return line;
+}
+
+Result<CheckedTexts::Fit> Jobs::read_fit(const CheckedTexts::Key& text, std::string_view document) {
+  const auto profile = documents_.read_profile(document);
+  if (!profile) return std::unexpected(profile.error());
+  const auto facts = check_program(store_.contents(), text.sha256, *profile, delivery_of(text.delivery));
+  if (!facts) return std::unexpected(facts.error());
+  if (auto whole = refuse_drip_into_folder(*profile, text.delivery); !whole) return std::unexpected(whole.error());
+  const auto bytes = wire_bytes(*profile, *facts);
+  if (!bytes) return std::unexpected(bytes.error());
+  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes};
+}
+
+struct Jobs::Wanted {
+  store::Release release;
+  store::Machine machine;
+  [[nodiscard]] CheckedTexts::Key text() const {
+    return {release.text_sha256, machine.name, machine.revision, release.of.delivery};
+  }
+};
+
+Result<Jobs::Wanted> Jobs::find_wanted(store::Id id) {
+  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
+  auto release = lift(store_.releases().get(id));
+  if (!release) return std::unexpected(release.error());
+  auto machine = lift(store_.machines().get(release->of.machine));
+  if (!machine) return std::unexpected(machine.error());
+  return Wanted{.release = std::move(*release), .machine = std::move(*machine)};
+}
+
+Result<void> Jobs::read_text(store::Id release) {
+  const auto wanted = find_wanted(release);
+  if (!wanted) return std::unexpected(wanted.error());
+  const CheckedTexts::Key text = wanted->text();
+  const auto fit = read_fit(text, wanted->machine.profile);
+  if (!fit) return std::unexpected(fit.error());
+  checked_texts_.keep(text, *fit);
+  return {};
+}
+
+Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor, store::Id order) {
+  const auto wanted = find_wanted(release);
+  if (!wanted) return std::unexpected(wanted.error());
+  auto fit = checked_texts_.find(wanted->text());
+  if (!fit) return std::nullopt;
+  const store::Release& row = wanted->release;
+  if (auto same = refuse_outdated(row.text_sha256, wanted->machine, row.of.delivery); !same)
+    return std::unexpected(same.error());
+  return lift(store_.jobs().add(
+      {.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total, .order = order},
+      stamp(actor)));
+}
+
+Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
+  auto job = add_known(release, actor);
+  if (job && !*job) {
+    if (const auto read = read_text(release); !read) return std::unexpected(read.error());
+    job = add_known(release, actor);
+  }
+  if (!job) return std::unexpected(job.error());
+  if (!*job) return fail(ErrorCode::unavailable, std::string(kMachineChanges));
+  announce(**job);
+  return std::move(**job);
+}
+
+// What an arming needs, all of it known before the job moves: after that only the line can refuse.
+struct Jobs::Arming {
+  store::Job job;
+  machine::Profile profile;
+  feed::ProgramFacts facts;
+  std::string file_name;
+  std::shared_ptr<ContentSource> source;
+};
+
+Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
+  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
+  const auto job = lift(store_.jobs().get(id));
+  if (!job) return std::unexpected(job.error());
+  const auto machine = lift(store_.machines().get(job->machine));
+  if (!machine) return std::unexpected(machine.error());
+  const auto profile = documents_.read_profile(machine->profile);
+  if (!profile) return std::unexpected(profile.error());
+  const auto whole = lift(store_.contents().verify(job->text_sha256));
+  if (!whole) return std::unexpected(whole.error());
+  const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
+  if (!facts) return std::unexpected(facts.error());
+  if (auto same = refuse_outdated(job->text_sha256, *machine, job->delivery); !same)
+    return std::unexpected(same.error());
+  auto name = file_name(*profile, job->program);
+  if (!name) return std::unexpected(name.error());
+  const auto part = part_for(store_.contents(), job->text_sha256, *profile);
+  if (!part) return std::unexpected(part.error());
+  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds, *part);
+  return Arming{
+      .job = *job, .profile = *profile, .facts = *facts, .file_name = std::move(*name), .source = std::move(source)};
+}
+
+Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds) {
+  if (rounds == 0 || rounds > feed::kMaxRounds) {
+    return fail(ErrorCode::invalid, std::string(feed::message(feed::Refusal::rounds)),
+                {{.pointer = "/rounds", .text = "1 <= rounds <= 1000000"}});
+  }
+  if (given && (!std::isfinite(*given) || *given <= 0 || *given > kLongestArming_min)) {
+    return fail(ErrorCode::invalid, "an arming lasts more than 0 and at most 60 minutes",
+                {{.pointer = "/minutes", .text = "0 < minutes <= 60"}});
+  }
+  const auto named = lift(store_.jobs().get(id));
+  if (!named) return std::unexpected(named.error());
+  if (named->restart.is_one() && rounds > 1) return fail(ErrorCode::refused, "a restart is sent once");
+  // Until the line has the order nobody gives the machine another line or profile.
+  const auto hold = lines_.hold(named->machine);
+  const auto arming = prepare_arming(id, rounds);
+  if (!arming) return std::unexpected(arming.error());
+  if (!lines_.find(named->machine))
+    return fail(ErrorCode::refused, fmt::format("machine {} has no line", named->machine));
+  const double minutes = given.value_or(arming->profile.line.arming_minutes);
+  const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
+  auto armed = lift(store_.jobs().move(id,
+                                       {.to = store::JobState::armed,
+                                        .reason = "armed",
+                                        .torn = false,
+                                        .expires_at_ms = expires_at_ms,
+                                        .reason_id = "armed"},
+                                       stamp(actor)));
+  if (!armed) return armed;
+  // Nothing is reserved before the control's start: of a job that was only armed the ledger proves that nothing left.
+  const std::string armed_text =
+      (rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds)) + store::words_of(named->restart);
+  const store::NewLedgerRow first{.job = id, .counts = {}, .note = armed_text};
+  const auto written = store_.ledger().append(std::span(&first, 1), clock_.wall_ms());
+  if (!written) return disarm_after(*armed, store::message_of(written.error()), actor);
+  if (!written->empty()) return disarm_after(*armed, written->front().why, actor);
+  if (const auto on_line = put_on_line(*arming, minutes, rounds); !on_line)
+    return disarm_after(*armed, on_line.error().text, actor);
+  spdlog::info("job {} armed on {} by {}", id, armed->machine, actor);
+  publish(*armed, fmt::format("{} by {}", armed_text, actor));
+  return armed;
+}
+
+// The books know the arming before the line does: the control's start may come at once.
+Result<void> Jobs::put_on_line(const Arming& arming, double minutes, std::uint32_t rounds) {
+  const std::uint64_t session = random_session();
+  books_.expect(arming.job.id, session, arming.job.machine);
+  books_.read_for(session, arming.source);
+  const auto line = lines_.find(arming.job.machine);
+  const auto on_line = line->arm({.job = arming.job.id,
+                                  .facts = arming.facts,
+                                  .source = arming.source,
+                                  .expires_after = feed::Time(static_cast<std::int64_t>(minutes * 60e9)),
+                                  .reserve = 0,
+                                  .rounds = rounds,
+                                  .session = session,
+                                  .file_name = arming.file_name});
+  if (!on_line) {
+    books_.forget(session);
+    return fail(ErrorCode::refused, on_line.error());
+  }
+  books_.wake();
+  return {};
+}
+
+// Nothing went out: the job waits again, and the caller hears why.
+Result<store::Job> Jobs::disarm_after(const store::Job& job, const std::string& why, std::string_view actor) {
+  const auto moved = store_.jobs().move(
+      job.id, {.to = store::JobState::queued, .reason = why, .torn = false, .reason_id = "not_armed"}, stamp(actor));
+  if (moved) publish(*moved, why);
+  return fail(ErrorCode::refused, fmt::format("{} cannot be armed: {}", job.machine, why));
+}
+
+Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::string_view action, std::string_view reason,
+                                 std::string_view actor, std::string_view note) {
+  const auto job = store_.jobs().get(id);
+  if (!job) return std::unexpected(from_store(job.error()));
+  const auto line = line_with(*job);
+  if (!line) return std::unexpected(line.error());
+  const auto audit = [&] {
+    return store_.audit().append({std::string(action), fmt::format("job/{}", id), std::string(reason)}, stamp(actor));
+  };
+  // The audit comes first: what lets bytes go out is never without its row. What ends them takes effect even when no
+  // row can be written.
+  const bool restrains = command != feed::Command::resume && command != feed::Command::resume_as_if_dc1;
+  if (!restrains) {
+    if (const auto noted = audit(); !noted) return std::unexpected(from_store(noted.error()));
+  }
+  if (const auto done = (*line)->command(command); !done) return fail(ErrorCode::refused, done.error());
+  if (restrains) {
+    if (const auto noted = audit(); !noted) {
+      spdlog::error("audit: {} of job {} by {}: {}", action, id, actor, store::message_of(noted.error()));
+    }
+  }
+  if (!note.empty()) books_.note(id, note);
+  static_cast<void>(books_.settle());
+  auto now = store_.jobs().get(id);
+  if (!now) return std::unexpected(from_store(now.error()));
+  return std::move(*now);
+}
+
+bool Jobs::protects_number(std::string_view text_sha256) {
+  constexpr std::size_t kBeginning = 2048;
+  std::string text(kBeginning, '\0');
+  const auto count = store_.contents().read(text_sha256, 0, text);
+  if (!count) return true;  // what cannot be read is not loaded either
+  text.resize(*count);
+  for (const std::string& program : receive::split_programs(text)) {
+    const auto name = receive::find_name(program);
+    if (!name || name->style != receive::NameStyle::number) continue;
+    std::uint32_t number = 0;
+    std::from_chars(name->name.data() + 1, name->name.data() + name->name.size(), number);
+    if (number >= 8000 && number <= 9999) return true;
+  }
+  return false;
+}
+
+Result<store::Job> Jobs::stop(store::Id id, std::string_view actor) {
+  return command(id, feed::Command::stop, "job.stop", "", actor);
+}
+
+Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
+  const auto job = store_.jobs().get(id);
+  if (!job) return std::unexpected(from_store(job.error()));
+  if (job->state == store::JobState::queued) return cancel_queued(*job, actor);
+  if (job->state != store::JobState::armed) return command(id, feed::Command::cancel, "job.cancel", "", actor);
+  auto disarmed = command(id, feed::Command::disarm, "job.cancel", "", actor);
+  if (disarmed) return disarmed->state == store::JobState::queued ? cancel_queued(*disarmed, actor) : disarmed;
+  // The control may have asked for it in between; after a round its row says so.
+  static_cast<void>(books_.settle());
+  const auto now = store_.jobs().get(id);
+  if (!now) return std::unexpected(from_store(now.error()));
+  if (now->state == store::JobState::armed) return disarmed;
+  return command(id, feed::Command::cancel, "job.cancel", "", actor);
+}
+
+Result<store::Job> Jobs::cancel_queued(const store::Job& job, std::string_view actor) {
+  auto moved = lift(store_.jobs().move(
+      job.id, {.to = store::JobState::cancelled, .reason = "cancelled", .torn = false, .reason_id = "cancelled"},
+      stamp(actor)));
+  if (moved) publish(*moved, fmt::format("cancelled by {}", actor));
+  return moved;
+}
+
+Result<store::Job> Jobs::move_before(store::Id id, store::Id before, std::string_view actor) {
+  const auto changed = lift(store_.jobs().move_before(id, before, stamp(actor)));
+  if (!changed) return std::unexpected(changed.error());
+  for (const store::Job& job : *changed) publish(job, fmt::format("reordered by {}", actor));
+  return lift(store_.jobs().get(id));
+}
+
+Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::string_view actor) {
+  const auto job = store_.jobs().get(id);
+  if (!job) return std::unexpected(from_store(job.error()));
+  const auto line = line_with(*job);
+  if (!line) return std::unexpected(line.error());
+  if ((*line)->report().stop_wanted) {
+    return command(id, feed::Command::resume, "job.resume", reason, actor);
+  }
+  if (reason.empty())
+    return fail(ErrorCode::invalid, "a reason is needed to go on as if DC1 had come",
+                {{.pointer = "/reason", .text = "a reason"}});
+  return command(id, feed::Command::resume_as_if_dc1, "job.resume-as-if-dc1", reason, actor,
+                 fmt::format("{} resumes as if DC1 had come: {}", actor, reason));
+}
+
+// A line that was torn inside an answer, or by another program, has no job.
+Result<store::Job> Jobs::confirm_without_job(const std::string& machine, std::string_view reason,
+                                             std::string_view actor) {
+  const auto line = lines_.find(machine);
+  const LineReport report = line ? line->report() : LineReport{};
+  const bool is_refused = !books_.why_refused(machine).empty();
+  if (is_refused && report.job != 0 && report.end == JobEnd::none && report.state != LineState::torn)
+    return fail(ErrorCode::refused, fmt::format("job {} waits on the line: cancel it first", report.job));
+  const bool torn = report.state == LineState::torn || is_refused;
+  const auto answer = lift(store_.answers().torn_on(machine));
+  if (!answer) return std::unexpected(answer.error());
+  if ((!torn && !*answer) || reason.empty())
+    return fail(ErrorCode::not_found, fmt::format("nothing of {} waits for a confirmation", machine));
+  if (*answer) {
+    const auto confirmed = lift(store_.answers().confirm_reset(machine, reason, stamp(actor)));
+    if (!confirmed) return std::unexpected(confirmed.error());
+  } else {
+    const auto noted = lift(store_.audit().append(
+        {"machine.confirm-reset", fmt::format("machine/{}", machine), std::string(reason)}, stamp(actor)));
+    if (!noted) return std::unexpected(noted.error());
+  }
+  if (auto cleared = clear_line(machine, reason); !cleared) return std::unexpected(cleared.error());
+  store::Job none;
+  none.machine = machine;
+  return none;
+}
+
+// A line that knows of nothing torn has no use for it, but for a block transfer: the receiver may still have the
+// session of a server before this one.
+Result<void> Jobs::clear_line(const std::string& machine, std::string_view reason) {
+  if (const auto line = lines_.find(machine)) {
+    const bool torn = line->report().state == LineState::torn;
+    const auto cleared = line->command(feed::Command::confirm_reset);
+    if (!cleared && torn) return fail(ErrorCode::refused, cleared.error());
+  }
+  books_.reset_confirmed(machine, reason);
+  return {};
+}
+
+// The torn job and a torn answer are confirmed by one word: it was one reset.
+Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {
+  const std::string name(machine);
+  const auto hold = lines_.hold(name);
+  static_cast<void>(books_.settle());  // what was torn is in the books before it is confirmed
+  auto job = lift(store_.jobs().confirm_reset(name, reason, stamp(actor)));
+  if (!job && job.error().code == ErrorCode::not_found) return confirm_without_job(name, reason, actor);
+  if (!job) return job;
+  const auto answer = lift(store_.answers().torn_on(name));
+  if (!answer) return std::unexpected(answer.error());
+  if (*answer) {
+    if (auto both = lift(store_.answers().confirm_reset(name, reason, stamp(actor))); !both)
+      return std::unexpected(both.error());
+  }
+  if (auto cleared = clear_line(name, reason); !cleared) return std::unexpected(cleared.error());
+  publish(*job, fmt::format("reset confirmed by {}: {}", actor, reason));
+  return job;
+}
+
+}  // namespace dripfeed::app

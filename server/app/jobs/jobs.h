@@ -1,0 +1,93 @@
+// The use cases of a transfer: queue a released text, arm it (a person, for one line), stop, cancel, resume, and
+// confirm that a control was reset. Nothing here ever starts or resumes motion by itself.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/app/base/documents.h"
+#include "server/app/base/error.h"
+#include "server/app/checks/checked_texts.h"
+#include "server/app/jobs/books.h"
+#include "server/app/lines/lines.h"
+#include "server/app/out/events.h"
+#include "server/app/shop/called_programs.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+class Jobs {
+ public:
+  // Where the text was read for a machine that had changed again by then.
+  static constexpr std::string_view kMachineChanges = "the machine is being changed: try again";
+
+  Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock, const Documents& documents,
+       CalledPrograms called);
+
+  // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
+  // fed: with the place), unavailable (the disk is full).
+  Result<store::Job> add(store::Id release, std::string_view actor);
+  // The same in steps, for one transaction with what belongs to it. The row alone: nothing where the text has to be
+  // read first, which takes too long for a transaction.
+  Result<std::optional<store::Job>> add_known(store::Id release, std::string_view actor, store::Id order = 0);
+  Result<void> read_text(store::Id release);
+  // Whether the verdict of a release is of the programs that are called now; the store knows all else that a step of
+  // it needs. Errors: not_found, refused.
+  Result<void> refuse_changed_calls(const store::Release& release);
+  // Once the transaction is durable.
+  void announce(const store::Job& job) { publish(job, "queued"); }
+  // The named person arms it for its machine's line, for so long or as the profile says; to be sent `rounds` times,
+  // each with the control's own start. Errors: not_found, invalid, refused with the reason (torn, busy, link down,
+  // machine changed, …).
+  Result<store::Job> arm(store::Id job, std::optional<double> minutes, std::string_view actor,
+                         std::uint32_t rounds = 1);
+  // At a block end: the feed stops and waits / is over. A queued job is cancelled at once.
+  Result<store::Job> stop(store::Id job, std::string_view actor);
+  Result<store::Job> cancel(store::Id job, std::string_view actor);
+  // Queued jobs have an order that people make; nothing is armed by it. Before another one of its machine, or to the
+  // end for 0. Errors: not_found, refused (not queued), invalid.
+  Result<store::Job> move_before(store::Id job, store::Id before, std::string_view actor);
+  // A stopped job goes on; a held one goes on "as if DC1" had come, with the reason in the ledger and the audit.
+  Result<store::Job> resume(store::Id job, std::string_view reason, std::string_view actor);
+  // The books follow the lines now: a job that its line ended is not armed in the store any more.
+  void settle() { static_cast<void>(books_.settle()); }
+  // Whether the text's own number is from O8000 to O9999: the machine builder's in many controls, so that a memory load
+  // of it needs a right of its own.
+  [[nodiscard]] bool protects_number(std::string_view text_sha256);
+  // A person says that the control was reset: a torn line may be used again.
+  Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor);
+
+ private:
+  // A text and the profile of its machine, read and checked. Errors: `invalid`, `refused`.
+  Result<CheckedTexts::Fit> read_fit(const CheckedTexts::Key& text, std::string_view document);
+  // A release that may become a job as far as the disk goes, and its machine as it is now.
+  struct Wanted;
+  Result<Wanted> find_wanted(store::Id release);
+  Result<void> refuse_outdated(std::string_view text_sha256, const store::Machine& machine, store::Delivery delivery);
+  Result<std::shared_ptr<Line>> line_with(const store::Job& job);
+  Result<std::string> file_name(const machine::Profile& profile, store::Id program);
+  // `note`: what stands in the ledger, where something does.
+  Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
+                             std::string_view actor, std::string_view note = {});
+  Result<store::Job> confirm_without_job(const std::string& machine, std::string_view reason, std::string_view actor);
+  Result<void> clear_line(const std::string& machine, std::string_view reason);
+  Result<store::Job> cancel_queued(const store::Job& job, std::string_view actor);
+  struct Arming;
+  Result<Arming> prepare_arming(store::Id job, std::uint32_t rounds);
+  Result<void> put_on_line(const Arming& arming, double minutes, std::uint32_t rounds);
+  Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
+  store::Stamp stamp(std::string_view actor) const;
+  void publish(const store::Job& job, std::string_view text);
+
+  store::Store& store_;
+  Lines& lines_;
+  Books& books_;
+  Events& events_;
+  const Clock& clock_;
+  const Documents& documents_;
+  CalledPrograms called_;
+  CheckedTexts checked_texts_;
+};
+
+}  // namespace dripfeed::app

@@ -1,0 +1,33 @@
+// What could not be written is tried again at the next look, if it still holds.
+#include "server/app/out/line_events.h"
+
+#include <spdlog/spdlog.h>
+
+namespace dripfeed::app {
+
+void LineEvents::look() {
+  const feed::Time now = clock_.now();
+  for (const Progress& shown : events_.snapshot()) {
+    Seen& seen = seen_.try_emplace(shown.machine, Seen{.state = shown.report.state, .since = now}).first->second;
+    if (seen.state != shown.report.state) seen = {.state = shown.report.state, .since = now};
+    if (seen.is_told || now - seen.since < kStands) continue;
+    const auto told = told_.find(shown.machine);
+    const bool is_known = told != told_.end() && told->second == seen.state;  // it went and came back within the second
+    seen.is_told = is_known || tell(shown);
+    if (seen.is_told) told_[shown.machine] = seen.state;
+  }
+}
+
+bool LineEvents::tell(const Progress& shown) {
+  const auto written = store_.event_log().append({.topic = store::EventTopic::line,
+                                                  .word = std::string(name_of(shown.report.state)),
+                                                  .machine = shown.machine,
+                                                  .job = shown.report.job,
+                                                  .cause = std::string(shown.report.stall),
+                                                  .text = shown.report.link_error},
+                                                 {"dripfeed", clock_.wall_ms()});
+  if (!written) spdlog::warn("{}: its line's state is no event: {}", shown.machine, store::message_of(written.error()));
+  return written.has_value();
+}
+
+}  // namespace dripfeed::app

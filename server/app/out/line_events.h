@@ -1,0 +1,39 @@
+// The states of lines as events for other systems. A line changes far too often for them while it feeds (each hold is a
+// change), so a state counts that has stood for a second.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+
+#include "server/app/out/events.h"
+#include "server/app/ports/clock.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+class LineEvents {
+ public:
+  static constexpr std::chrono::milliseconds kStands{1000};
+
+  LineEvents(store::Store& store, const Events& events, const Clock& clock)
+      : store_(store), events_(events), clock_(clock) {}
+  // Looks at all lines, and writes what is new. On one thread.
+  void look();
+
+ private:
+  struct Seen {
+    LineState state = LineState::disconnected;
+    feed::Time since{};
+    bool is_told = false;
+  };
+  bool tell(const Progress& shown);
+
+  store::Store& store_;
+  const Events& events_;
+  const Clock& clock_;
+  std::map<std::string, Seen> seen_;
+  std::map<std::string, LineState> told_;  // the last state of each machine that is in the log
+};
+
+}  // namespace dripfeed::app
