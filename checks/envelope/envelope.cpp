@@ -211,7 +211,7 @@ void Envelope::check_units() {
     const double travel = *axis->max - *axis->min;
     const double span = spans_[i].span();
     if (span <= kFar * travel || span / kInch_mm > travel) continue;
-    add(span, travel, fmt::format("distance along {}", kLetters[i]),
+    add(span, travel, fmt::format("distance along {}", ir::kAxisLetters[i]),
         fmt::format("it is {} mm long, the machine's {} mm, and it would fit if divided by 25.4", figure(span),
                     figure(travel)));
   }

@@ -8,11 +8,11 @@
 
 #include "checks/finding.h"
 #include "checks/machine.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/motion.h"
 
 namespace dripfeed::envelope {
 
-inline constexpr std::string_view kLetters = "XYZABCUVW";  // by ir::Axis
 constexpr bool is_rotary(std::size_t axis) { return axis >= 3 && axis <= 5; }
 
 struct Settings {

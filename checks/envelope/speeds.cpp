@@ -115,8 +115,8 @@ void Speeds::check_axis_feeds(const ir::Motion& cut, double feed_mm_min) {
     if (!is_beyond(share * feed_mm_min, axis.feed_limit_mm_min)) continue;
     report_.findings.add(
         text::DiagnosticId::axis_feed_too_high, cut.place, share * feed_mm_min, axis.feed_limit_mm_min, [&] {
-          return std::vector<std::string>{std::string(1, kLetters[i]), text::format_fixed(share * feed_mm_min, 0),
-                                          figure(axis.feed_limit_mm_min)};
+          return std::vector<std::string>{std::string(1, ir::kAxisLetters[i]),
+                                          text::format_fixed(share * feed_mm_min, 0), figure(axis.feed_limit_mm_min)};
         });
   }
 }

@@ -118,13 +118,14 @@ bool Travel::knows_zero(const ir::Motion& move, std::size_t axis) {
     report_.lost_place = true;
     say_once(said_changed_, axis, line, [&] {
       return fmt::format("the program changes coordinates or work offsets: the travel of {} was not checked from there",
-                         kLetters[axis]);
+                         ir::kAxisLetters[axis]);
     });
     return false;
   }
   if ((zero_unknown_ >> axis & 1U) != 0) {
     say_once(said_zero_, axis, line, [&] {
-      return fmt::format("work offset {} is not known for {}: its travel was not checked", offset_, kLetters[axis]);
+      return fmt::format("work offset {} is not known for {}: its travel was not checked", offset_,
+                         ir::kAxisLetters[axis]);
     });
     return false;
   }
@@ -142,7 +143,7 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
     say_once(said_end_, i, move.place.line, [&] {
       return fmt::format(
           "{} is at a place that is not known, and an increment moves it: its travel was not checked there",
-          kLetters[i]);
+          ir::kAxisLetters[i]);
     });
     return;
   }
@@ -150,14 +151,14 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   if (known == nullptr) {
     if (!settings_.machine.axes.empty())
       say_once(said_no_axis_, i, move.place.line, [&] {
-        return fmt::format("the machine's profile has no axis {}: its moves were not checked", kLetters[i]);
+        return fmt::format("the machine's profile has no axis {}: its moves were not checked", ir::kAxisLetters[i]);
       });
     return;
   }
   const bool has_limits = known->min || known->max;
   if (!has_limits)
     say_once(said_no_travel_, i, move.place.line,
-             [&] { return fmt::format("the travel of {} is not known", kLetters[i]); });
+             [&] { return fmt::format("the travel of {} is not known", ir::kAxisLetters[i]); });
   double at = value;
   if (!move.machine_coordinates) {
     const bool no_zero = (zero_unknown_ >> i & 1U) != 0 || (move.gaps & ir::kZerosChanged) != 0;
@@ -171,7 +172,7 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
     report_.machine[i].include(at);
   } else if (has_limits) {
     say_once(said_length_, i, move.place.line, [&] {
-      return fmt::format("{} is not known: the travel of {} was checked without it", length_.name, kLetters[i]);
+      return fmt::format("{} is not known: the travel of {} was checked without it", length_.name, ir::kAxisLetters[i]);
     });
   }
   const bool below = known->min && at < *known->min - kTravelSlack;
@@ -189,12 +190,13 @@ void Travel::exceed(const ir::Motion& move, std::size_t axis, double at, bool is
   // A length that lifts the slide makes what is above the travel already only worse.
   if (is_unknown && (is_below || !length_.lengthens)) {
     report_.findings.add(text::DiagnosticId::travel_uncertain, move.place, at, limit, [&] {
-      return std::vector<std::string>{std::string(1, kLetters[axis]), figure(at), length_.name, travel()};
+      return std::vector<std::string>{std::string(1, ir::kAxisLetters[axis]), figure(at), length_.name, travel()};
     });
     return;
   }
-  report_.findings.add(text::DiagnosticId::travel_exceeded, move.place, at, limit,
-                       [&] { return std::vector<std::string>{std::string(1, kLetters[axis]), figure(at), travel()}; });
+  report_.findings.add(text::DiagnosticId::travel_exceeded, move.place, at, limit, [&] {
+    return std::vector<std::string>{std::string(1, ir::kAxisLetters[axis]), figure(at), travel()};
+  });
 }
 
 }  // namespace dripfeed::envelope

@@ -1,8 +1,6 @@
 // One answer a kind of statement.
 #include "dialects/facts/calls.h"
 
-#include <string_view>
-
 namespace dripfeed::facts {
 
 using ir::StatementKind;
@@ -47,8 +45,7 @@ bool keeps_modes(StatementKind kind) {
 }
 
 bool is_standard_cycle(const ir::Program& program, const ir::Statement& call) {
-  const std::string_view name = program.strings.at(program.calls[call.payload].name);
-  return name.starts_with("CYCLE") || name.starts_with("HOLES");
+  return program.calls[call.payload].cycle != nullptr;
 }
 
 }  // namespace dripfeed::facts

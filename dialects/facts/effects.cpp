@@ -13,6 +13,7 @@
 #include "dialects/facts/shape_blocks.h"
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/ir/frame_use.h"
 
 namespace dripfeed::facts {
 
@@ -120,10 +121,15 @@ struct Effects::Walk {
     const std::optional<Mode> mode = mode_of(code);
     if (loses_positions(code)) facts.forget_positions(statement);
     if (ir::follows_shape(code)) forget_what_shapes_set();
+    if (shifts(code)) take_shift(code);
     if (!mode) return;
     switch (*mode) {
       case Mode::motion: set(Mode::cycle, Function::cycle_off); break;
-      case Mode::unit: forget_unless_zero(Number::feed); break;
+      case Mode::unit:
+        for (const Number length : {Number::feed, Number::shift_x, Number::shift_y, Number::shift_z})
+          forget_unless_zero(length);
+        break;
+      case Mode::frame: return take_frame(code);
       case Mode::feed:
         if (!feed_before.is({.function = code.function})) forget_unless_zero(Number::feed);
         // One group there: a feed code ends constant surface speed.
@@ -140,6 +146,32 @@ struct Effects::Walk {
       default: break;
     }
     set(*mode, code.function, code.argument);
+  }
+
+  static bool shifts(const ir::Code& code) {
+    return code.function == Function::local_shift || code.function == Function::local_shift_add ||
+           code.function == Function::axial_shift;
+  }
+
+  // G52. TRANS, which takes the place of the whole frame, and ATRANS are not followed.
+  void take_shift(const ir::Code& code) {
+    const bool of_words = code.function == Function::local_shift && code.argument != ir::kFrameReplaces;
+    for (const Address axis : {Address::x, Address::y, Address::z}) {
+      const auto number = static_cast<Number>(static_cast<int>(Number::shift_x) +
+                                              (static_cast<int>(axis) - static_cast<int>(Address::x)));
+      if (!of_words) facts[number].forget(statement);
+      if (const ir::Word* word = of_words ? values.word(axis) : nullptr; word != nullptr)
+        set_or_forget(number, coordinate(*word, *axis_of(axis)));
+    }
+    if (!of_words) facts[Mode::frame].forget(statement);
+  }
+
+  // What joins or replaces the programmable frame of SINUMERIK is not followed.
+  void take_frame(const ir::Code& code) {
+    if (code.argument == ir::kFrameEnds) return set(Mode::frame, Function::none);
+    if (code.argument == ir::kFrameAboutPoint) return set(Mode::frame, code.function);
+    facts[Mode::frame].forget(statement);
+    for (const Number shift : {Number::shift_x, Number::shift_y, Number::shift_z}) facts[shift].forget(statement);
   }
 
   void take_work_offset(const ir::Code& code) {

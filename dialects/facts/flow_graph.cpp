@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "dialects/ir/called_cycle.h"
 #include "dialects/ir/repetition.h"
 #include "dialects/text/upper_case.h"
 
@@ -70,12 +71,12 @@ namespace {
 
 // The name of a contour; nullptr where the call has none.
 const ir::Expression* contour_of(const ir::Program& program, const ir::Call& call) {
-  if (program.strings.at(call.name) != "CYCLE95" || call.argument_count == 0) return nullptr;
-  const ir::ExpressionId name = program.arguments_of(call).front().value;
+  if (!ir::is_called(call, ir::CalledSort::removal)) return nullptr;
+  const ir::ExpressionId name = ir::value_of(program, call, ir::CycleValue::contour);
   return name == ir::ExpressionId::none ? nullptr : &program.at(name);
 }
 
-// CYCLE95("BEGIN:END") runs the blocks between its labels: where they begin, kNoIndex for other contours.
+// A contour "BEGIN:END" is the blocks between its labels: where they begin, kNoIndex for other contours.
 std::uint32_t contour_begin(const ir::Program& program, std::uint32_t call) {
   const ir::Expression* contour = contour_of(program, program.calls[program.statements[call].payload]);
   if (contour == nullptr || contour->op != ir::Operator::string) return ir::kNoIndex;

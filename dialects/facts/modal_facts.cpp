@@ -57,6 +57,9 @@ constexpr FunctionRow kFunctions[] = {
     {Function::length_offset_plus, Mode::length, "a tool length"},
     {Function::length_offset_minus, Mode::length, "a subtracted tool length"},
     {Function::length_offset_off, Mode::length, "no tool length"},
+    {Function::rotate, Mode::frame, "a rotation"},
+    {Function::scale, Mode::frame, "a scaling"},
+    {Function::mirror, Mode::frame, "a mirror image"},
 };
 
 const FunctionRow* row_of(Function function) {
@@ -122,6 +125,7 @@ Setting power_on(Mode mode, const ir::Control& control) {
     case Mode::coolant: return {Function::coolant_off};
     case Mode::length: return {Function::length_offset_off};
     case Mode::work_offset:
+    case Mode::frame:
     case Mode::modal_call:
     case Mode::count_: break;
   }

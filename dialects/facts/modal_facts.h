@@ -29,6 +29,7 @@ enum class Mode : std::uint8_t {
   spindle,
   coolant,
   length,      // length_offset_off: no tool length is in effect; see tool_length()
+  frame,       // none, or one about a point (G68, G51, G51.1) in effect
   modal_call,  // none, or a call that each move makes; Setting::argument is then its statement's number
   count_,
 };
@@ -42,9 +43,29 @@ struct Setting {
 };
 
 // Numbers. Positions are those of the program's coordinates, in its unit, an X of a lathe as it is written (a diameter
-// or a radius). `feed` and `speed` are F and S as written, 0 before the first one; `next_tool` is T, `tool` the one in
-// the spindle, kToolByName where it has a name; `length_number` is H, D or the offset of T0101.
-enum class Number : std::uint8_t { feed, speed, next_tool, tool, length_number, x, y, z, a, b, c, u, v, w, count_ };
+// or a radius). `shift_x` to `shift_z` are what G52 has set, as written. `feed` and `speed` are F and S as written, 0
+// before the first one; `next_tool` is T, `tool` the one in the spindle, kToolByName where it has a name;
+// `length_number` is H, D or the offset of T0101.
+enum class Number : std::uint8_t {
+  feed,
+  speed,
+  next_tool,
+  tool,
+  length_number,
+  shift_x,
+  shift_y,
+  shift_z,
+  x,
+  y,
+  z,
+  a,
+  b,
+  c,
+  u,
+  v,
+  w,
+  count_
+};
 inline constexpr double kToolByName = -1.0;
 inline constexpr std::size_t kNumbers = static_cast<std::size_t>(Number::count_);
 inline constexpr Number kFirstAxis = Number::x;

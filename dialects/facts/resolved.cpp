@@ -191,7 +191,7 @@ Facts Resolved::start_of(const Part& part) const {
     const Setting begin = power_on(static_cast<Mode>(m), control_);
     if (inherits)
       facts.modes[m].inherited = true;
-    else if (begin.function == Function::none)
+    else if (begin.function == Function::none && static_cast<Mode>(m) != Mode::frame)
       facts.modes[m].forget(kPowerOn);
     else
       facts.modes[m].set(begin, kPowerOn);
@@ -201,7 +201,8 @@ Facts Resolved::start_of(const Part& part) const {
     if (!inherits) number.forget(kPowerOn);
   }
   if (!inherits)
-    for (const Number number : {Number::feed, Number::speed}) facts[number].set(0.0, kPowerOn);
+    for (const Number number : {Number::feed, Number::speed, Number::shift_x, Number::shift_y, Number::shift_z})
+      facts[number].set(0.0, kPowerOn);
   // A modal call that a caller outside of the text left on is not looked for.
   facts[Mode::modal_call] = {};
   facts[Mode::modal_call].set({}, kPowerOn);

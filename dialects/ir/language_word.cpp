@@ -131,4 +131,10 @@ std::string about_code(const CodeRow& row) {
   return std::string(name_of(function));
 }
 
+WordState state_of(const CodeRow& row) {
+  // What an M function of its builder does, the machine's profile states.
+  if (row.function == Function::not_modelled || row.function == Function::machine_function) return WordState::reported;
+  return row.function == Function::no_effect ? WordState::without_effect : WordState::interpreted;
+}
+
 }  // namespace dripfeed::ir

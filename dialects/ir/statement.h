@@ -12,6 +12,8 @@
 
 namespace dripfeed::ir {
 
+struct CalledCycle;
+
 inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
 // Addresses: single letters, and those with a name. `axis_*` numbering of the letters is by Control::axes.
@@ -230,7 +232,8 @@ struct Call {
   ExpressionId start = ExpressionId::none;     // block number in the called program; none: its beginning
   ExpressionId first_label = ExpressionId::none;  // of a part of it, as texts; none: all of it
   ExpressionId last_label = ExpressionId::none;
-  bool in_other_language = false;  // ISOCALL: the program begins in the control's other language
+  bool in_other_language = false;      // ISOCALL: the program begins in the control's other language
+  const CalledCycle* cycle = nullptr;  // of the control (called_cycle.h); nullptr: a program of somebody's own
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
 };
@@ -260,6 +263,7 @@ struct Native {
   bool effects_known = false;  // declared to neither move nor change state
   bool moves = false;          // axes may be anywhere after it
   bool writes = false;         // to a file or a device, for others to read
+  bool smooths = false;        // tolerance and smoothing: how the machine follows the path, not which path
 };
 
 // A part of the program that is run again: from the first label to where this stands, to the block of the last label

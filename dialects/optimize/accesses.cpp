@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dialects/facts/calls.h"
+#include "dialects/ir/called_cycle.h"
 #include "dialects/optimize/expressions.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/walk.h"
@@ -173,7 +174,7 @@ std::string obstacle(const ir::Program& program) {
       return found + " (line " + std::to_string(s.line) + ")";
     if (s.kind != StatementKind::call) continue;
     const ir::Call& call = program.calls[s.payload];
-    if (program.strings.at(call.name) == "CYCLE95")
+    if (ir::is_called(call, ir::CalledSort::removal))
       return "a cycle that runs blocks of the program as its contour (line " + std::to_string(s.line) + ")";
   }
   return {};

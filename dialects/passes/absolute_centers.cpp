@@ -6,6 +6,8 @@
 #include <array>
 #include <optional>
 
+#include "dialects/passes/refusal.h"
+
 namespace dripfeed::passes {
 
 namespace {
@@ -72,9 +74,8 @@ class Centers {
 
   void center(const ir::Statement& s, ir::Word& w, std::size_t axis) {
     if (!mill_ || (turned_ && !known_[axis])) {
-      diagnostics_.push_back(
-          text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
-                                {"an absolute arc centre, whose start is not known here,", to_.title}));
+      diagnostics_.push_back(passes::diagnose(
+          passes::not_known("an absolute arc centre, whose start is not known here,"), s.span, to_.title));
       return;
     }
     w.mode = ir::WordMode::as_modal;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "dialects/passes/live_ranges.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/walk.h"
 
@@ -162,8 +163,8 @@ class Allocator {
   // A called program and its caller may need other places for theirs.
   void refuse_whole_bank(const ir::Variable& v) {
     report_.diagnostics.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
-                              {"a variable of computed number, which called programs and callers share,", to_.title}));
+        passes::diagnose(passes::computed("a variable of computed number, which called programs and callers share,"),
+                         v.span, to_.title));
   }
 
   // Two arrays whose sizes nobody knows would lie in each other.
@@ -171,19 +172,19 @@ class Allocator {
     const ir::Symbol& symbol = program_.at(v.symbol);
     if (symbol.dimension1 != 0 || wanted.told) return;
     wanted.told = true;
-    report_.diagnostics.push_back(text::make_diagnostic(
-        text::DiagnosticId::cannot_translate, v.span,
-        {"the array " + std::string(program_.strings.at(symbol.name)) + ", whose size the program does not state,",
-         to_.title}));
+    report_.diagnostics.push_back(
+        passes::diagnose(passes::not_known("the array " + std::string(program_.strings.at(symbol.name)) +
+                                           ", whose size the program does not state,"),
+                         v.span, to_.title));
   }
 
   void take_symbol(Wanted& wanted, ir::SymbolId id, text::Span used) {
     const ir::Symbol& symbol = program_.at(id);
     wanted.place.count = count_of(symbol);
     if (is_number(symbol)) return;
-    report_.diagnostics.push_back(text::make_diagnostic(
-        text::DiagnosticId::cannot_translate, symbol.span.empty() ? used : symbol.span,
-        {"the variable " + std::string(program_.strings.at(symbol.name)) + ", which is no number,", to_.title}));
+    report_.diagnostics.push_back(passes::diagnose(
+        passes::of_value("the variable " + std::string(program_.strings.at(symbol.name)) + ", which is no number,"),
+        symbol.span.empty() ? used : symbol.span, to_.title));
   }
 
   // R[R1] may be any R: all of them move together.

@@ -8,6 +8,7 @@
 
 #include "dialects/facts/flow_graph.h"
 #include "dialects/facts/resolved.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::passes {
 
@@ -70,8 +71,7 @@ class ArcWords {
     if (center || radius || std::ranges::any_of(words, is_other_form) ||
         std::ranges::none_of(words, ir::is_axis, &ir::Word::address))
       return;
-    diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
-                                                 {"an arc without a centre or radius", to_.title}));
+    diagnostics_.push_back(passes::diagnose(passes::of_shape("an arc without a centre or radius"), s.span, to_.title));
   }
 
   void take_radius(ir::Block& block) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::passes {
@@ -56,8 +57,7 @@ std::vector<text::Diagnostic> settle_variables(ir::Program& program, const ir::C
         continue;
       }
       const text::Span span = v.span.empty() ? s.span : v.span;
-      out.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
-                                          {"the variable #" + std::to_string(v.number), to.title}));
+      out.push_back(passes::diagnose(passes::of_value("the variable #" + std::to_string(v.number)), span, to.title));
     }
   }
   return out;

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/structures.h"
@@ -35,9 +36,8 @@ bool is_logic(Operator op) {
          op == Operator::logic_not;
 }
 
-void cannot(StructureReport& report, const ir::Statement& statement, std::string what) {
-  report.diagnostics.push_back(
-      text::make_diagnostic(text::DiagnosticId::cannot_translate, statement.span, {std::move(what), "this control"}));
+void cannot(StructureReport& report, const ir::Statement& statement, passes::Refusal what) {
+  report.diagnostics.push_back(passes::diagnose(std::move(what), statement.span, "this control"));
 }
 
 class Logic {
@@ -83,7 +83,8 @@ class Logic {
       return out_.label_next(behind);
     }
     if (e.op == Operator::logic_not) return jump_if(negated(program_, e.a), jump);
-    if (e.op == Operator::logic_xor) cannot(report_, program_.statements[at_], "XOR between conditions");
+    if (e.op == Operator::logic_xor)
+      cannot(report_, program_.statements[at_], passes::of_value("XOR between conditions"));
     if (e.op == Operator::constant) {
       jump.condition = ExpressionId::none;
       if (e.value != 0.0) out_.emit_jump(jump);

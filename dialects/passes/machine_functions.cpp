@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "dialects/passes/refusal.h"
+
 namespace dripfeed::passes {
 
 namespace {
@@ -47,9 +49,7 @@ std::vector<text::Diagnostic> foreign_machine_functions(const ir::Program& progr
       const std::string name = "M" + std::to_string(code.argument);
       const text::Span span = code.span.empty() ? s.span : code.span;
       if (is_own(code.argument, to)) {
-        out.push_back(
-            text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
-                                  {name + ", which that control takes for a function of its own,", to.title}));
+        out.push_back(passes::diagnose(name + ", which that control takes for a function of its own,", span, to.title));
         continue;
       }
       out.push_back(text::make_diagnostic(text::DiagnosticId::not_interpreted, span,

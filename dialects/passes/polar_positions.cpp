@@ -15,6 +15,7 @@
 #include "dialects/facts/calls.h"
 #include "dialects/facts/flow_graph.h"
 #include "dialects/facts/resolved.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::passes {
@@ -139,7 +140,7 @@ class PolarPositions {
     const bool leaves = s.kind == StatementKind::go_to || s.kind == StatementKind::native ||
                         (facts::is_call(s.kind) && !facts::is_standard_cycle(program_, s));
     if (meets || leaves) forget();
-    if (letters_ && (meets || leaves)) cannot("G16 over a jump, a loop or a call");
+    if (letters_ && (meets || leaves)) cannot(passes::not_known("G16 over a jump, a loop or a call"));
     if (s.kind == StatementKind::block) return block(s);
     out_.keep();
   }
@@ -164,9 +165,10 @@ class PolarPositions {
     for (const ir::Code& c : codes)
       if (switches_letters(c)) letters_ = c.function == Function::polar_words_on;
     if (!pole && !words && !switches && !letters_) return out_.keep();
-    if (block.rest_level != 0 || s.skip_level != 0) return refuse("a polar position in a block that may be skipped");
+    if (block.rest_level != 0 || s.skip_level != 0)
+      return refuse(passes::at_switch("a polar position in a block that may be skipped"));
     const std::optional<Plane> plane = plane_here(codes);
-    if (!plane) return refuse("a polar position in a plane that is not known");
+    if (!plane) return refuse(passes::not_known("a polar position in a plane that is not known"));
     if (pole) return set_pole(codes, list(program_.words_of(block)), *plane);
     position(codes, list(program_.words_of(block)), *plane);
   }
@@ -191,8 +193,8 @@ class PolarPositions {
 
   void set_pole(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words, const Plane& plane) {
     const Function from = std::ranges::find_if(codes, sets_pole)->function;
-    if (codes.size() > 1) return refuse("a pole in the same block as another code");
-    if (from == Function::pole_from_last) return refuse("a pole that counts from the last position");
+    if (codes.size() > 1) return refuse(passes::together("a pole in the same block as another code"));
+    if (from == Function::pole_from_last) return refuse(passes::not_known("a pole that counts from the last position"));
     const std::array<Address, 2> letters = {plane.p, plane.q};
     Pole base = zero();
     if (from == Function::pole_from_pole) base = pole_here();
@@ -200,7 +202,7 @@ class PolarPositions {
       const auto* const at = std::ranges::find(letters, w.address);
       if (at == letters.end()) return refuse("a pole by radius and angle");
       Value& value = base[static_cast<std::size_t>(at - letters.begin())];
-      if (!value) return refuse("a pole that counts from one that is not known here");
+      if (!value) return refuse(passes::not_known("a pole that counts from one that is not known here"));
       value = held(sum(*value, w.value));
     }
     set_[index_] = base;
@@ -230,9 +232,11 @@ class PolarPositions {
     if (!moves && kept.size() == codes.size()) return out_.keep();
     if (!moves) return emit(kept, words);
     const Pole pole = letters_ ? zero() : pole_here();
-    if (!radius_ || !angle_) return refuse("a polar position whose radius or angle is not known here");
-    if (!pole[0] || !pole[1]) return refuse("a polar position whose pole is not known here");
-    if (motion_ == Function::none && has_arcs_) return refuse("a polar position whose motion is not known here");
+    if (!radius_ || !angle_)
+      return refuse(passes::not_known("a polar position whose radius or angle is not known here"));
+    if (!pole[0] || !pole[1]) return refuse(passes::not_known("a polar position whose pole is not known here"));
+    if (motion_ == Function::none && has_arcs_)
+      return refuse(passes::not_known("a polar position whose motion is not known here"));
     const bool repeats = drills_ && letters_ && !angles.empty() && std::ranges::any_of(words, counts_holes);
     if (repeats)
       each_hole(kept, words, angles.front(), plane, counts_from_zero(codes));
@@ -247,7 +251,7 @@ class PolarPositions {
     constexpr double kMostHoles = 1000.0;
     const auto count = number(std::ranges::find_if(words, counts_holes)->value);
     if (!count || *count < 1.0 || *count > kMostHoles)
-      return refuse("a number of holes by angle that is not known here");
+      return refuse(passes::not_known("a number of holes by angle that is not known here"));
     std::erase_if(words, counts_holes);
     emit(codes, with_coordinates(words, plane, zero(), absolute));
     for (auto left = static_cast<std::uint32_t>(*count); left > 1; --left) {
@@ -259,8 +263,9 @@ class PolarPositions {
   // The block's radius or angle; false when it was refused.
   bool take(Value& value, const ir::Word& w, bool radius, const std::vector<ir::Code>& codes) {
     const bool further = adds(w, codes);
-    if (further && letters_ && radius) return refuse("a radius from where the tool stands"), false;
-    if (further && !value) return refuse("a polar increment to a value that is not known here"), false;
+    if (further && letters_ && radius) return refuse(passes::not_known("a radius from where the tool stands")), false;
+    if (further && !value)
+      return refuse(passes::not_known("a polar increment to a value that is not known here")), false;
     value = further ? sum(*value, w.value) : w.value;
     return true;
   }
@@ -344,11 +349,10 @@ class PolarPositions {
     return program_.add_variable(variable);
   }
 
-  void cannot(std::string what) {
-    diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, program_.statements[index_].span,
-                                                 {std::move(what), to_.title}));
+  void cannot(passes::Refusal what) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), program_.statements[index_].span, to_.title));
   }
-  void refuse(std::string what) {
+  void refuse(passes::Refusal what) {
     cannot(std::move(what));
     forget();
   }

@@ -11,6 +11,7 @@
 #include "dialects/facts/flow_graph.h"
 #include "dialects/facts/resolved.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::passes {
@@ -59,7 +60,7 @@ class Taps {
       const ir::Statement s = program_.statements[i];
       const bool plain = s.kind == StatementKind::block && program_.blocks[s.payload].rest_level == 0;
       if (own_feed_ && !goes_straight(i))
-        refuse(s, "a rigid tap whose feed counts otherwise here, with a jump before its end,");
+        refuse(s, passes::by_parameter("a rigid tap whose feed counts otherwise here, with a jump before its end,"));
       if (plain)
         block(i, s);
       else
@@ -85,7 +86,7 @@ class Taps {
       return;
     }
     // Whether the spindle goes on being turned by its position, nothing that was found says.
-    if (std::exchange(in_announced_tap_, rigid_) && !rigid_) refuse(s, "a second tap after one M29");
+    if (std::exchange(in_announced_tap_, rigid_) && !rigid_) refuse(s, passes::together("a second tap after one M29"));
     const bool rigid = takes_rigid(*tap, words, s);
     if (!rigid) tell_taken_as_rigid(s);
     if (rigid) {
@@ -95,18 +96,17 @@ class Taps {
     out_.emit_block(codes, words);
   }
 
-  void refuse(const ir::Statement& s, std::string what) {
+  void refuse(const ir::Statement& s, passes::Refusal what) {
     own_feed_.reset();
     tell(s, std::move(what));
   }
-  void tell(const ir::Statement& s, std::string what) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::move(what), to_.title}));
+  void tell(const ir::Statement& s, passes::Refusal what) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), s.span, to_.title));
   }
   // SINUMERIK names rigid taps and those in a compensating chuck apart; a rigid one is right in either chuck.
   void tell_taken_as_rigid(const ir::Statement& s) {
     if (form_of(to_) != Form::usual || std::exchange(told_rigid_, true)) return;
-    tell(s, "a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,");
+    tell(s, passes::by_parameter("a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,"));
     diagnostics_.back().severity = text::Severity::warning;
   }
   static bool ends_cycle(const std::vector<ir::Code>& codes) {
@@ -169,13 +169,13 @@ class Taps {
     if ((said_ == Form::comma_r) == feeds_taps_by_lead(to_)) return;
     const ir::Statement s = program_.statements[i];
     const std::optional<Function> mode = feed_mode_at(i);
-    if (!mode) return refuse(s, "a rigid tap where the kind of feed is not known");
+    if (!mode) return refuse(s, passes::not_known("a rigid tap where the kind of feed is not known"));
     if (*mode == Function::feed_per_rev) return;
     const auto feed = std::ranges::find(words, Address::f, &ir::Word::address);
     const double value = feed == words.end() ? 0.0 : constant_of(*feed);
     const double speed_rpm = speed_at(i).value_or(0.0);
     if (*mode != Function::feed_per_min || value <= 0.0 || speed_rpm <= 0.0)
-      return refuse(s, "a rigid tap whose feed or speed is not written, as far as is known here,");
+      return refuse(s, passes::not_known("a rigid tap whose feed or speed is not written, as far as is known here,"));
     own_feed_ = *feed;
     feed->value =
         program_.add_constant(said_ == Form::comma_r ? value * speed_rpm : value / speed_rpm, feed->span, true);
@@ -189,7 +189,9 @@ class Taps {
     const bool ends = ends_cycle(codes);
     const bool changes = has(Address::f) || has(Address::s) ||
                          std::ranges::any_of(codes, [](const ir::Code& c) { return c.group == ir::ModalGroup::feed; });
-    if (!ends && changes) refuse(s, "a feed or speed that changes under a rigid tap whose feed counts otherwise here");
+    if (!ends && changes)
+      refuse(s,
+             passes::by_parameter("a feed or speed that changes under a rigid tap whose feed counts otherwise here"));
     if (!ends || !own_feed_) return false;
     const bool says = has(Address::f);
     if (!says) words.push_back(*own_feed_);
@@ -206,8 +208,7 @@ class Taps {
       if (w.address != Address::rounding) continue;
       const ir::Expression& e = program_.at(w.value);
       if (e.op != ir::Operator::constant)
-        diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
-                                                     {"a tap whose ,R is computed", to_.title}));
+        diagnostics_.push_back(passes::diagnose(passes::computed("a tap whose ,R is computed"), s.span, to_.title));
       rigid = e.value == 1.0;
     }
     std::erase_if(words, [](const ir::Word& w) { return w.address == Address::rounding; });

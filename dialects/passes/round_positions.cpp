@@ -111,11 +111,10 @@ class Rounding {
 
   // Its place in rest_.
   [[nodiscard]] std::optional<std::size_t> axis_of(Address a) const {
-    constexpr std::string_view kAxes = "XYZABCUVW";
     if (a > Address::z) return std::nullopt;
     char letter = static_cast<char>('A' + static_cast<int>(a));
     if (const auto incremented = ir::incremented_axis(control_, letter)) letter = *incremented;
-    const std::size_t at = kAxes.find(letter);
+    const std::size_t at = ir::kAxisLetters.find(letter);
     if (at == std::string_view::npos || !control_.axes.contains(letter)) return std::nullopt;
     return at;
   }

@@ -12,6 +12,7 @@
 
 #include "dialects/facts/resolved.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::passes {
 
@@ -212,8 +213,8 @@ class Settling {
     const auto inverse = std::ranges::find(program_.codes, Function::feed_inverse_time, &ir::Code::function);
     if (inverse != program_.codes.end()) {
       diagnostics_.push_back(
-          text::make_diagnostic(text::DiagnosticId::cannot_translate, program_.statements[i].span,
-                                {"a feed without a point together with inverse time feed", to_.title}));
+          passes::diagnose(passes::by_parameter("a feed without a point together with inverse time feed"),
+                           program_.statements[i].span, to_.title));
       return;
     }
     for (std::uint32_t k = block.first_word; k < block.first_word + block.word_count; ++k) {
@@ -357,8 +358,7 @@ class Assuming {
                        std::ranges::any_of(codes, [](const ir::Code& c) { return mode_of(c) == Mode::surface_speed; });
     if (turns_ || !speed || std::exchange(said_speed_, true)) return;
     diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
-                              {"a speed of the spindle that only the caller has started", "plain blocks"}));
+        passes::diagnose("a speed of the spindle that only the caller has started", s.span, "plain blocks"));
   }
 
   const ir::Program& program_;

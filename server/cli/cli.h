@@ -55,6 +55,7 @@ void add_optimize(CLI::App& app, int& exit_code);
 void add_completion(CLI::App& app, int& exit_code);
 void add_man(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
+void add_words(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);
 
 }  // namespace dripfeed::cli

@@ -20,8 +20,8 @@ constexpr AddCommand kCommands[] = {
     dripfeed::cli::add_optimize,   dripfeed::cli::add_backup,    dripfeed::cli::add_restore,
     dripfeed::cli::add_doctor,     dripfeed::cli::add_compare,   dripfeed::cli::add_openapi,
     dripfeed::cli::add_completion, dripfeed::cli::add_man,       dripfeed::cli::add_user,
-    dripfeed::cli::add_audit,      dripfeed::cli::add_explain,   dripfeed::cli::add_restart,
-    dripfeed::cli::add_renumber,
+    dripfeed::cli::add_audit,      dripfeed::cli::add_explain,   dripfeed::cli::add_words,
+    dripfeed::cli::add_restart,    dripfeed::cli::add_renumber,
 };
 
 }  // namespace

@@ -81,7 +81,7 @@ def pages(dripfeed, root):
     """Triples (path, text as it is, text as it should be)."""
     api = json.loads(_printed(dripfeed, 'openapi'))
     tables = {'routes': lambda: route_table(api), 'problems': lambda: problem_table(api), 'profile': lambda: profile_table(api)}
-    whole = {'diagnostics.md': lambda: _printed(dripfeed, 'explain', '--all', '--markdown')}
+    whole = {'diagnostics.md': lambda: _printed(dripfeed, 'explain', '--all', '--markdown'), 'words.md': lambda: _printed(dripfeed, 'words', '--markdown')}
     for path in sorted((root / 'docs').glob('*.md')):
         text = path.read_text(encoding='utf-8')
         yield path, text, whole[path.name]() if path.name in whole else written(text, tables)

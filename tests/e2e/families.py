@@ -210,7 +210,7 @@ def on_other_machines(family):
         elif family.language not in (None, machine["dialect"]):
             wanted = [f"in the language {family.language}"]
         elif family.lacks(machine):
-            wanted = ["error[cannot-translate]", *(f"axis {axis}" for axis in family.lacks(machine))]
+            wanted = ["error[translation-axis]", *(f"axis {axis}" for axis in family.lacks(machine))]
         else:
             continue
         refused(family, name, wanted)

@@ -19,13 +19,19 @@ class Language {
   void add_codes(std::span<const ir::CodeRow> rows) {
     for (const ir::CodeRow& row : rows) {
       if (row.function == ir::Function::none) continue;
-      add({.spelling = std::string(row.name), .about = ir::about_code(row), .reference = row.reference});
+      add({.spelling = std::string(row.name),
+           .about = ir::about_code(row),
+           .reference = row.reference,
+           .state = ir::state_of(row)});
     }
   }
 
   void add_words(const std::vector<ir::LanguageWord>& words) {
     for (const ir::LanguageWord& word : words)
-      add({.spelling = std::string(word.spelling), .sort = word.sort, .about = std::string(word.about)});
+      add({.spelling = std::string(word.spelling),
+           .sort = word.sort,
+           .about = std::string(word.about),
+           .state = word.state});
   }
 
   void add_variables(std::span<const ir::SystemVariableRow> rows) {
@@ -36,7 +42,8 @@ class Language {
            .sort = ir::WordSort::variable,
            .about = row.writable ? "system variable" : "system variable, to read only",
            .reference = row.reference,
-           .last = is_numbered && row.last > row.first ? row.last : 0});
+           .last = is_numbered && row.last > row.first ? row.last : 0,
+           .state = row.kind == ir::SystemValue::not_modelled ? ir::WordState::reported : ir::WordState::interpreted});
     }
   }
 

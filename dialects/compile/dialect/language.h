@@ -19,6 +19,7 @@ struct DialectWord {
   std::string about;                // a few words
   std::string_view reference = {};  // manual and section; "" where the table has none
   std::uint32_t last = 0;           // of numbered variables: the last of the range; 0: no range
+  ir::WordState state = ir::WordState::interpreted;
 };
 
 // Each spelling once: codes first, then the words of the language, then variables.

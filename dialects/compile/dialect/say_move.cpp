@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/dialect/motion_codes.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::compile {
 
 std::string say_move(const ir::Motion& m, const ir::Motion& other) {
-  constexpr std::string_view kAxes = "XYZABCUVW";
   constexpr std::array kKinds = {"rapid", "line", "arc G2", "arc G3", "curve", "thread", "dwell"};
   static_assert(kKinds.size() == static_cast<std::size_t>(ir::MotionKind::dwell) + 1);
   std::string out = kKinds[static_cast<std::size_t>(m.kind)];
@@ -23,7 +23,8 @@ std::string say_move(const ir::Motion& m, const ir::Motion& other) {
   };
   if (m.kind == ir::MotionKind::dwell) return out + " " + number(m.feed, true) + " s";
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
-    if ((axes_to_name(m) & (1U << axis)) != 0) out += fmt::format(" {}{}", kAxes[axis], number(m.end[axis], false));
+    if ((axes_to_name(m) & (1U << axis)) != 0)
+      out += fmt::format(" {}{}", ir::kAxisLetters[axis], number(m.end[axis], false));
   if (m.feed != 0.0) out += " F" + number(m.feed, true);
   constexpr std::array kComps = {" G40", " G41", " G42"};
   constexpr std::array kSpindles = {" M5", " M3", " M4"};

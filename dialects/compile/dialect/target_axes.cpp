@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dialects/ir/axis_letters.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::compile {
 
@@ -59,8 +60,7 @@ std::vector<text::Diagnostic> foreign_axis_words(const ir::Program& program, con
       if (!axis || to.axes.contains(*axis) || said.contains(*axis)) continue;
       said.push_back(*axis);
       const text::Span span = word.span.empty() ? s.span : word.span;
-      out.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
-                                          {std::string("the axis ") + *axis, to.title}));
+      out.push_back(passes::diagnose(passes::of_axis(std::string("the axis ") + *axis), span, to.title));
     }
   }
   return out;

@@ -13,14 +13,16 @@
 #include "dialects/compile/plain/block_writer.h"
 #include "dialects/compile/plain/carried_words.h"
 #include "dialects/compile/plain/lost_writes.h"
+#include "dialects/ir/called_cycle.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
 
 namespace {
 
-text::Diagnostic cannot_say(std::string_view what, text::Span span) {
-  return text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::string(what), "plain blocks"});
+text::Diagnostic cannot_say(passes::Refusal what, text::Span span) {
+  return passes::diagnose(std::move(what), span, "plain blocks");
 }
 
 // The control that the explicit blocks are written for: neutral, but with the tool words of the source.
@@ -69,7 +71,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
       calls_.push_back({main_line_, place.ordinal});
     }
     if (const CarriedBlock* carried = carried_.at(place.program, names_.programs, place.line)) {
-      for (const std::string& word : carried->computed) lose(word);
+      for (const std::string& word : carried->computed) lose(passes::computed(word));
       pending_.push_back({place.ordinal, main_line_, carried});
     }
     if (!source_.source.text().empty())
@@ -108,7 +110,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   void take(const ir::Motion& motion) {
     watch_spindle(motion);
     const bool cuts = ir::is_move(motion.kind) && motion.kind != ir::MotionKind::rapid;
-    if (cuts && motion.feed == 0.0) lose("a cut whose feed is not known");
+    if (cuts && motion.feed == 0.0) lose(passes::not_known("a cut whose feed is not known"));
     carry_until(motion.place.ordinal);
     if (!std::exchange(started_, true)) start(&motion);
     const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
@@ -145,8 +147,9 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     cut_by_ = cuts ? motion.spindle : ir::SpindleState::stopped;
   }
 
-  void lose(const std::string& word) {
-    if (lost_.insert(word).second) out_.lost.push_back(cannot_say(word, span_of_line(out_.source, main_line_)));
+  void lose(passes::Refusal word) {
+    if (lost_.insert(word.what).second)
+      out_.lost.push_back(cannot_say(std::move(word), span_of_line(out_.source, main_line_)));
   }
 
   struct Pending {
@@ -253,7 +256,7 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunT
   // What is carried is taken from the text, where the number of such a code does not stand.
   for (const interpreter::ComputedCodeUse& code : run.computed_codes) {
     if (!is_carried(code.function)) continue;
-    out.push_back(cannot_say("a calculated code, here " + code.name, {}));
+    out.push_back(cannot_say(passes::computed("a calculated code, here " + code.name), {}));
     texts.place(out.back(), run, code.program, code.first_line);
   }
   for (const text::Diagnostic& lost : made.lost) {
@@ -311,14 +314,23 @@ text::Span call_of(const ir::Program& main, std::string_view name) {
   return call == main.statements.end() ? text::Span{} : call->span;
 }
 
+// By a cycle of the control that the run came to.
+bool calls_tap(const ir::Program& program, const std::vector<std::string>& called) {
+  return std::ranges::any_of(program.calls, [&](const ir::Call& call) {
+    return ir::is_called(call, ir::CalledSort::hole) && call.cycle->hole == ir::DrillCycle::tap_right &&
+           std::ranges::find(called, program.strings.at(call.name)) != called.end();
+  });
+}
+
 Taps taps_of_all(const ir::Program& main, const ir::Control& control, const std::vector<std::string>& called,
                  interpreter::ProgramFinder& finder) {
   Taps out = taps_of(main, control);
+  out.cycles |= calls_tap(main, called);
   for (std::size_t i = 1; i < called.size(); ++i) {
     const ir::Program* program = finder.find(called[i]);
     if (program == nullptr) continue;
     const Taps more = taps_of(*program, control);
-    out.cycles |= more.cycles || called[i] == "CYCLE84" || called[i] == "CYCLE840";
+    out.cycles |= more.cycles || calls_tap(*program, called);
     out.rigid |= more.rigid;
     out.floating |= more.floating;
     if (out.first.empty() && (more.cycles || more.rigid || more.floating)) out.first = call_of(main, called[i]);

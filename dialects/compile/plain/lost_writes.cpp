@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::compile {
@@ -18,9 +19,8 @@ using ir::Bank;
 constexpr std::size_t kMostNames = 8;  // in one sentence
 constexpr std::string_view kPlainBlocks = "plain blocks";
 
-text::Diagnostic cannot_say(std::string what, text::Span span) {
-  return text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
-                               {std::move(what), std::string(kPlainBlocks)});
+text::Diagnostic cannot_say(passes::Refusal what, text::Span span) {
+  return passes::diagnose(std::move(what), span, std::string(kPlainBlocks));
 }
 
 std::string_view bank_name(Bank bank) { return bank == Bank::hash ? "#" : bank == Bank::r ? "R" : "$"; }
@@ -128,9 +128,10 @@ std::vector<text::Diagnostic> LostWrites::found() const {
     const bool may_be_read = read_.contains(key) || read_.contains(key.substr(0, 1)) || key.size() == 1;
     if (!one.write.is_shared || !may_be_read) {
       const bool is_variable = one.write.is_shared;
-      out.push_back(cannot_say(is_variable ? fmt::format("the value that {} keeps for others", one.write.name)
-                                           : fmt::format("the write to {}", one.write.name),
-                               one.place));
+      out.push_back(
+          cannot_say(passes::kept_value(is_variable ? fmt::format("the value that {} keeps for others", one.write.name)
+                                                    : fmt::format("the write to {}", one.write.name)),
+                     one.place));
       continue;
     }
     if (computed_with.empty()) first = one.place;
@@ -139,8 +140,8 @@ std::vector<text::Diagnostic> LostWrites::found() const {
   if (computed_with.empty()) return out;
   const std::size_t more = computed_with.size() - std::min(computed_with.size(), kMostNames);
   computed_with.resize(computed_with.size() - more);
-  out.push_back(cannot_say(fmt::format("what {}{} hold at the end", fmt::join(computed_with, ", "),
-                                       more == 0 ? "" : fmt::format(" and {} more", more)),
+  out.push_back(cannot_say(passes::kept_value(fmt::format("what {}{} hold at the end", fmt::join(computed_with, ", "),
+                                                          more == 0 ? "" : fmt::format(" and {} more", more))),
                            first));
   out.back().severity = text::Severity::warning;
   return out;

@@ -7,6 +7,7 @@
 
 #include "dialects/facts/needs.h"
 #include "dialects/facts/resolved.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::compile {
 
@@ -85,9 +86,8 @@ class MachineMoves {
     return here ? facts::tool_length(*here) : facts::ToolLength::unknown;
   }
 
-  void tell(std::string_view what, const ir::Statement& s, text::Severity severity) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::string(what), to_.title}));
+  void tell(passes::Refusal what, const ir::Statement& s, text::Severity severity) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), s.span, to_.title));
     diagnostics_.back().severity = severity;
   }
 

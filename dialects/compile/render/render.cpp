@@ -26,6 +26,7 @@
 #include "dialects/family/native_text.h"
 #include "dialects/family/read.h"
 #include "dialects/ir/axis_letters.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
@@ -98,8 +99,8 @@ class Renderer {
         const bool is_axis = letter != 0 && control_.axes.contains(letter);
         if (!is_axis || request_.target.axes.contains(letter) || refused.contains(letter)) continue;
         refused.push_back(letter);
-        report({text::make_diagnostic(text::DiagnosticId::cannot_translate, step.span,
-                                      {std::string("the axis ") + letter, request_.target.title})});
+        report(
+            {passes::diagnose(passes::of_axis(std::string("the axis ") + letter), step.span, request_.target.title)});
       }
     }
   }
@@ -329,8 +330,7 @@ std::vector<std::uint32_t> family_lines(const RenderRequest& request, const Rend
 RenderResult render(const RenderRequest& request) {
   if (const Dialect* dialect = find_dialect(request.target.dialect)) return Renderer(request, *dialect).render();
   RenderResult out;
-  out.diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, {},
-                                                  {"the family", fmt::format("'{}'", request.target.dialect)}));
+  out.diagnostics.push_back(passes::diagnose("the family", {}, fmt::format("'{}'", request.target.dialect)));
   return out;
 }
 

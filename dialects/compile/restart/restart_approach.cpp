@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dialects/interpreter/machine/trace.h"
+#include "dialects/ir/axis_letters.h"
 
 namespace dripfeed::compile {
 
@@ -60,7 +61,7 @@ class Approach {
   [[nodiscard]] const std::vector<Motion>& moves() const { return draft_.run.motions; }
   [[nodiscard]] bool known(std::size_t axis) const { return (state_.unknown & bit(axis)) == 0; }
   [[nodiscard]] bool has_axis(std::size_t axis) const {
-    return draft_.control.axes.find(interpreter::kAxisLetters[axis]) != std::string::npos;
+    return draft_.control.axes.find(ir::kAxisLetters[axis]) != std::string::npos;
   }
   [[nodiscard]] std::string axis(std::size_t axis, double value) const { return words_.axis(axis, value); }
   [[nodiscard]] std::string axis(std::size_t axis) const { return words_.axis(axis, state_.position[axis]); }
@@ -96,7 +97,7 @@ class Approach {
       for (std::size_t one = 0; one < ir::kAxisCount; ++one)
         if (cuts(m) && (stays & bit(one)) != 0)
           return RestartRefusal{DiagnosticId::restart_unknown,
-                                fmt::format("the position of {} is", interpreter::kAxisLetters[one])};
+                                fmt::format("the position of {} is", ir::kAxisLetters[one])};
       open = stays;
     }
     return std::nullopt;

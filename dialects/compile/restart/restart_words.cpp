@@ -6,6 +6,7 @@
 
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/interpreter/machine/trace.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/sinumerik/tables/code_names.h"
 #include "dialects/text/number.h"
 
@@ -40,7 +41,7 @@ std::string RestartWords::number(double value, int decimals) const {
 }
 
 std::string RestartWords::axis(std::size_t axis, double position) const {
-  const char letter = interpreter::kAxisLetters[axis];
+  const char letter = ir::kAxisLetters[axis];
   const double programmed = axis == 0 ? position / rules_.x_factor(modes_, false) : position;
   const bool turns = letter <= 'C';
   return letter + number(turns ? programmed : programmed / unit_mm(), turns ? 3 : decimals());

@@ -11,6 +11,7 @@
 #include "dialects/compile/dialect/target_axes.h"
 #include "dialects/compile/translate/convert_thin.h"
 #include "dialects/compile/translate/converter.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::compile {
 
@@ -103,9 +104,9 @@ void Converter::translate() {
 void Converter::forget_what_is_told() {
   const auto begin = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(told_);
   const auto is_told = [&](const text::Diagnostic& one) {
-    return one.id == text::DiagnosticId::cannot_translate &&
+    return passes::is_refusal(one.id) &&
            std::any_of(result_.diagnostics.begin(), begin, [&](const text::Diagnostic& earlier) {
-             return earlier.id == one.id && earlier.severity == text::Severity::error &&
+             return passes::is_refusal(earlier.id) && earlier.severity == text::Severity::error &&
                     earlier.span.begin <= one.span.begin && one.span.begin < earlier.span.end;
            });
   };
@@ -172,9 +173,35 @@ void Converter::proofread() {
   if (text::has_error(result_.diagnostics)) result_.text.clear();
 }
 
-ConvertResult convert(const ConvertRequest& request) {
+namespace {
+
+ConvertResult convert_once(const ConvertRequest& request) {
   auto thin = convert_thin(request);
   return thin ? std::move(*thin) : convert_whole(request);
+}
+
+// Whether plain blocks would do where a macro does not: found out by writing them.
+void note_whether_explicit_does(const ConvertRequest& request, ConvertResult& result) {
+  const auto refusal = std::ranges::find_if(result.diagnostics, [](const text::Diagnostic& d) {
+    return d.severity == text::Severity::error && passes::is_refusal(d.id);
+  });
+  const bool same_control = request.from.dialect == request.to.dialect;
+  if (request.mode != ConvertMode::macro || same_control || refusal == result.diagnostics.end()) return;
+  ConvertRequest plain = request;
+  plain.mode = ConvertMode::explicit_blocks;
+  const bool does = !convert_once(plain).text.empty();
+  refusal->notes.push_back(
+      {.span = refusal->span,
+       .text = does ? "in explicit mode the whole program can be translated, as the moves that it makes now"
+                    : "in explicit mode this program cannot be translated either"});
+}
+
+}  // namespace
+
+ConvertResult convert(const ConvertRequest& request) {
+  ConvertResult result = convert_once(request);
+  note_whether_explicit_does(request, result);
+  return result;
 }
 
 ConvertResult convert_whole(const ConvertRequest& request) {
@@ -187,7 +214,7 @@ ConvertResult convert_whole(const ConvertRequest& request) {
   }
   ConvertResult out;
   const std::string& unknown = from == nullptr ? request.from.dialect : request.to.dialect;
-  out.diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, {}, {"the program", unknown}));
+  out.diagnostics.push_back(passes::diagnose("the program", {}, unknown));
   return out;
 }
 

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "dialects/facts/resolved.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::compile {
 
@@ -101,9 +102,8 @@ class Increments {
     if (kind == Counts::nothing) return id;
     if (kind == Counts::angle) return constant(value * deg_, id);
     if (kind == Counts::unknown) {
-      diagnostics_.push_back(
-          text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
-                                {"a number without a point, which counts increments in ISO mode,", to_.title}));
+      diagnostics_.push_back(passes::diagnose(
+          passes::by_parameter("a number without a point, which counts increments in ISO mode,"), span, to_.title));
       return id;
     }
     const std::optional<Function> unit = mode(Mode::unit, "the unit of lengths", span);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::compile {
 
@@ -38,9 +39,8 @@ bool dwells(const ir::Code& c) { return c.function == Function::dwell; }
 
 }  // namespace
 
-void IsoWords::cannot(std::string what, text::Span span) {
-  diagnostics_.push_back(
-      text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), to_.title}));
+void IsoWords::cannot(passes::Refusal what, text::Span span) {
+  diagnostics_.push_back(passes::diagnose(std::move(what), span, to_.title));
 }
 
 void IsoWords::begin_program() { state_ = {}; }
@@ -74,7 +74,8 @@ std::vector<ir::Word> IsoWords::settle(std::span<const ir::Code> codes, std::spa
     const bool letters = iso_.semantics.incremental_letters_uvw && std::ranges::none_of(codes, has_own_letters);
     for (ir::Word w : words) {
       if (w.address == Address::r && radius) w.address = Address::arc_radius;
-      if (w.address == Address::r && state_.unsure) cannot("R after a motion code that a switch may leave out", w.span);
+      if (w.address == Address::r && state_.unsure)
+        cannot(passes::at_switch("R after a motion code that a switch may leave out"), w.span);
       if (w.address == Address::q && state_.drills) w.value = with_point(w.value);
       if (letters) settle_increment(w);
       out.push_back(w);
@@ -120,7 +121,7 @@ void IsoWords::settle_dwell(std::span<const ir::Word> words, std::vector<ir::Wor
       out.push_back(w);
       continue;
     }
-    if (std::exchange(timed, true)) return cannot("a dwell with two times", w.span);
+    if (std::exchange(timed, true)) return cannot(passes::together("a dwell with two times"), w.span);
     const bool counts = iso_.semantics.decimal_mode == ir::DecimalMode::least_increment && lacks_point(w.value);
     const bool per_thousand = w.address == Address::p || counts;
     out.push_back(ir::word(Address::f, program_.add_constant(per_thousand ? *value / kMsPerSecond : *value, w.span)));

@@ -11,6 +11,7 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::compile {
@@ -49,7 +50,7 @@ class IsoWords {
   [[nodiscard]] ir::ExpressionId with_point(ir::ExpressionId value);
   [[nodiscard]] std::optional<double> number(ir::ExpressionId value) const;
   [[nodiscard]] bool lacks_point(ir::ExpressionId value) const;
-  void cannot(std::string what, text::Span span);
+  void cannot(passes::Refusal what, text::Span span);
 
   ir::Program& program_;
   const ir::Control& iso_;

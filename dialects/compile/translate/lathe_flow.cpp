@@ -15,7 +15,7 @@
 #include "dialects/facts/subprogram.h"
 #include "dialects/interpreter/block/initial_state.h"
 #include "dialects/interpreter/cycles/repetitive.h"
-#include "dialects/ir/cycle.h"
+#include "dialects/ir/called_cycle.h"
 
 namespace dripfeed::compile {
 
@@ -34,16 +34,17 @@ bool is_move(Function f) {
          f == Function::thread || f == Function::thread_changing;
 }
 
-std::string_view called(const ir::Program& program, const ir::Statement& s) {
-  return s.kind == StatementKind::call ? program.strings.at(program.calls[s.payload].name) : std::string_view();
+// A turning cycle leaves the modes as they were. HOLES1 may call a program of the shop's.
+bool is_cycle(const ir::Program& program, const ir::Statement& s) {
+  if (s.kind != StatementKind::call) return false;
+  const ir::CalledCycle* cycle = program.calls[s.payload].cycle;
+  return cycle != nullptr && cycle->sort != ir::CalledSort::holes_in_row &&
+         cycle->sort != ir::CalledSort::holes_on_circle && cycle->sort != ir::CalledSort::holes_anywhere;
 }
-
-// A cycle leaves the modes as they were. HOLES1 may call a program of the shop's.
-bool is_cycle(const ir::Program& program, const ir::Statement& s) { return called(program, s).starts_with("CYCLE"); }
 // … and these do not cut with the feed that is in effect.
 bool brings_its_feed(const ir::Program& program, const ir::Statement& s) {
-  const std::string_view name = called(program, s);
-  return name == "CYCLE95" || name == "CYCLE97";
+  const ir::Call& call = program.calls[s.payload];
+  return ir::is_called(call, ir::CalledSort::removal) || ir::is_called(call, ir::CalledSort::thread);
 }
 
 // The place has other numbers behind these, or is only known to the machine.

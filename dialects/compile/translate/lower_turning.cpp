@@ -21,6 +21,7 @@
 #include "dialects/compile/translate/thread_leads.h"
 #include "dialects/facts/axis_words.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/round_positions.h"
 
@@ -62,7 +63,7 @@ class Lowering {
         out_.keep();
       else if (statement_.kind == StatementKind::block)
         block(*state);
-      else if (statement_.kind == StatementKind::call && is_thread_call(program_, program_.calls[statement_.payload]))
+      else if (statement_.kind == StatementKind::call && is_thread_call(program_.calls[statement_.payload]))
         thread_call(*state);
       else
         out_.keep();
@@ -107,7 +108,7 @@ class Lowering {
   };
 
   void pass(const LatheState& before, const ir::Block& block, std::int16_t cycle, bool begins) {
-    if (block.rest_level != 0) return cannot("block skip inside a block");
+    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
     if (!settle_distance()) return;
     std::vector<ir::Code> rest_codes;
     std::vector<ir::Word> rest;
@@ -119,8 +120,9 @@ class Lowering {
       if (!rest_codes.empty() || !rest.empty()) out_.emit_block(rest_codes, rest);
       return;
     }
-    if (!before.x.value || !before.z.value) return cannot("a turning cycle that begins at a place not known here");
-    if (cycle == kThread && !lead_) return cannot("the lead of a thread, not known here,");
+    if (!before.x.value || !before.z.value)
+      return cannot(passes::not_known("a turning cycle that begins at a place not known here"));
+    if (cycle == kThread && !lead_) return cannot(passes::not_known("the lead of a thread, not known here,"));
     const ExpressionId x0 = constant(*before.x.value);
     const ExpressionId z0 = constant(*before.z.value);
     first_codes_ = std::move(rest_codes);
@@ -182,7 +184,7 @@ class Lowering {
     if (kept(pass.x, before.has_x, before.end_x) && kept(pass.z, before.has_z, before.end_z) &&
         (tapers || before.taper.value))
       return pass;
-    cannot("a word that a turning cycle keeps, not known here,");
+    cannot(passes::not_known("a word that a turning cycle keeps, not known here,"));
     return std::nullopt;
   }
 
@@ -196,7 +198,7 @@ class Lowering {
     if (!value || !*increment) return value;
     const Known<double>& place = axis == Address::x ? before.x : before.z;
     if (!place.value) {
-      cannot("a turning cycle that begins at a place not known here");
+      cannot(passes::not_known("a turning cycle that begins at a place not known here"));
       return std::nullopt;
     }
     return sum(constant(*place.value), *value, 1.0);
@@ -212,7 +214,7 @@ class Lowering {
   // --- G74, G75, G76
 
   void repetitive(const LatheState& before, const ir::Block& block) {
-    if (block.rest_level != 0) return cannot("block skip inside a block");
+    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
     if (!settle_distance()) return;
     first_codes_.clear();
     first_words_.clear();
@@ -227,7 +229,7 @@ class Lowering {
       if (rest) first_words_.push_back(w);
     }
     const std::optional<LatheFlow::Repeated> done = flow_.repeat(index_, here);
-    if (!done) return cannot("a turning cycle whose numbers or whose place are not known here");
+    if (!done) return cannot(passes::not_known("a turning cycle whose numbers or whose place are not known here"));
     if (done->fails || done->motions.size() > kMostMoves) return cannot("a turning cycle with such numbers");
     moves(done->motions, done->inch ? 25.4 : 1.0);
     if (!first_codes_.empty() || !first_words_.empty())
@@ -235,19 +237,21 @@ class Lowering {
     if (!done->motions.empty()) motion_again(before, {});
   }
 
-  // --- CYCLE97
+  // --- threads by a call
 
   void thread_call(const LatheState& before) {
-    if (!is_lathe(to_) || !is_lathe(from_)) return cannot("CYCLE97 between a lathe and a mill");
+    const std::string name(program_.strings.at(program_.calls[statement_.payload].name));
+    if (!is_lathe(to_) || !is_lathe(from_)) return cannot(name + " between a lathe and a mill");
     const std::optional<Function> unit = flow_.mode(facts::Mode::unit, index_);
-    if (!unit) return cannot("CYCLE97 where the unit of lengths is not known");
+    if (!unit) return cannot(passes::not_known(name + " where the unit of lengths is not known"));
     const bool inch = *unit == Function::unit_inch;
     const std::expected<std::vector<ir::Motion>, std::string> done =
         moves_of_thread(program_, program_.calls[statement_.payload], from_, inch);
     if (!done) return cannot(done.error());
     const std::optional<Function> distance = flow_.mode(facts::Mode::distance, index_);
     const std::optional<Function> diameter = flow_.mode(facts::Mode::diameter, index_);
-    if (!distance || !diameter) return cannot("CYCLE97 where absolute, incremental, diameter or radius is not known");
+    if (!distance || !diameter)
+      return cannot(passes::not_known(name + " where absolute, incremental, diameter or radius is not known"));
     x_scale_ = *diameter == Function::diameter_off ? 0.5 : 1.0;
     mode_ = *distance == Function::incremental ? ir::WordMode::absolute : ir::WordMode::as_modal;
     first_codes_.clear();
@@ -259,7 +263,8 @@ class Lowering {
     std::vector<ir::Word> feed;
     if (before.feed.value && *before.feed.value != 0.0) feed.push_back(word(Address::f, constant(*before.feed.value)));
     motion_again(before, feed);
-    if (!before.feed.value && flow_.needs_feed(index_)) cannot("the feed after CYCLE97, which is not known here,");
+    if (!before.feed.value && flow_.needs_feed(index_))
+      cannot(passes::not_known("the feed after " + name + ", which is not known here,"));
   }
 
   static bool is_lathe(const ir::Control& control) { return control.kind != ir::MachineKind::mill; }
@@ -370,9 +375,8 @@ class Lowering {
     if (address == Address::x || address == Address::z) w.mode = mode_;
     return w;
   }
-  void cannot(std::string what) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, statement_.span, {std::move(what), to_.title}));
+  void cannot(passes::Refusal what) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), statement_.span, to_.title));
   }
   void unknown(std::string what, std::string why) {
     diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::unknown_modal_state, statement_.span,
@@ -403,7 +407,7 @@ std::vector<text::Diagnostic> lower_turning(ir::Program& program, const ir::Cont
     return (c.function == Function::turning_cycle || c.function == Function::repetitive_cycle) &&
            !has_row(to, c.function);
   });
-  const bool calls = std::ranges::any_of(program.calls, [&](const ir::Call& c) { return is_thread_call(program, c); });
+  const bool calls = std::ranges::any_of(program.calls, is_thread_call);
   return codes || calls ? Lowering(program, from, to).run() : std::vector<text::Diagnostic>();
 }
 

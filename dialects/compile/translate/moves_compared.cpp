@@ -17,6 +17,7 @@
 #include "dialects/compile/dialect/source_lines.h"
 #include "dialects/compile/plain/lost_writes.h"
 #include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/round_positions.h"
 
 namespace dripfeed::compile {
@@ -162,11 +163,11 @@ std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translati
     const std::optional<Difference> other = first_difference(translation, origin_lines, setting);
     if (!other) continue;
     const auto span = spans_.find(other->line);
-    return {text::make_diagnostic(
-        text::DiagnosticId::cannot_translate, span == spans_.end() ? text::Span{} : span->second,
-        {fmt::format("what moves here{} ({})",
-                     owners_.empty() ? "" : " together with statements that are written as their moves", other->what),
-         to_.title})};
+    return {passes::diagnose(
+        passes::differs(fmt::format("what moves here{} ({})",
+                                    owners_.empty() ? "" : " together with statements that are written as their moves",
+                                    other->what)),
+        span == spans_.end() ? text::Span{} : span->second, to_.title)};
   }
   return {};
 }
@@ -191,8 +192,8 @@ std::vector<text::Diagnostic> MovesInPlace::alarm_of(const ir::Program& translat
     const bool is_alarm = d.diagnostic.severity == text::Severity::error && d.program == 0;
     if (!is_alarm || std::ranges::find(kElsewhere, d.diagnostic.id) != kElsewhere.end()) continue;
     const std::uint32_t line = d.line > 0 && d.line <= origin_lines.size() ? origin_lines[d.line - 1] : 0;
-    return {text::make_diagnostic(text::DiagnosticId::cannot_translate, span_of_line(source_, line),
-                                  {"what stops here (" + text::message_of(d.diagnostic) + ")", to_.title})};
+    return {passes::diagnose(passes::differs("what stops here (" + text::message_of(d.diagnostic) + ")"),
+                             span_of_line(source_, line), to_.title)};
   }
   return {};
 }

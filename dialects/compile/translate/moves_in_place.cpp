@@ -12,6 +12,7 @@
 
 #include "dialects/compile/dialect/motion_codes.h"
 #include "dialects/compile/plain/lost_writes.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
@@ -96,9 +97,8 @@ bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b) {
   });
 }
 
-void MovesInPlace::cannot(std::string what, text::Span span) {
-  diagnostics_.push_back(
-      text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), to_.title}));
+void MovesInPlace::cannot(passes::Refusal what, text::Span span) {
+  diagnostics_.push_back(passes::diagnose(std::move(what), span, to_.title));
 }
 
 // What a cycle's numbers meant can no longer be seen, nor changed at the machine: whoever takes the translation over is
@@ -123,7 +123,7 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
     for (std::size_t i = 0; i < kinds_.size(); ++i)
       if (const ir::Statement& s = program.statements[i];
           kinds_[i] != WithoutEqual::no && kinds_[i] != WithoutEqual::tap_part)
-        cannot(name_of(kinds_[i], program, s) + " together with " + what, s.span);
+        cannot(passes::together(name_of(kinds_[i], program, s) + " together with " + what), s.span);
     return std::move(diagnostics_);
   }
   const facts::Resolved flow(program, from_);
@@ -219,7 +219,9 @@ void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const fact
     if (!what.empty()) return cannot(fmt::format("{} {}", name, what), s.span);
   const bool plain_arc = kinds_[index] == WithoutEqual::arc && !has_curve(motions);
   if (!plain_arc && compensates(program, s, motions))
-    return cannot(name + " where the radius is compensated, which the control may do by a method of its own,", s.span);
+    return cannot(
+        passes::together(name + " where the radius is compensated, which the control may do by a method of its own,"),
+        s.span);
   PlainMoves moves(program, out, terms);
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);

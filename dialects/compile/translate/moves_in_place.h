@@ -24,6 +24,7 @@
 #include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::compile {
@@ -101,7 +102,7 @@ class MovesInPlace {
                                                            std::size_t setting) const;
   void find_cycles(const ir::Program& program);
   [[nodiscard]] std::string lost_with_shape(const ir::Program& program) const;
-  void cannot(std::string what, text::Span span);
+  void cannot(passes::Refusal what, text::Span span);
   void say_written(std::string name, text::Span span);
 
   const ir::Control& from_;

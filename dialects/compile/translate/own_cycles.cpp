@@ -6,6 +6,7 @@
 #include <string>
 
 #include "dialects/facts/calls.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::compile {
 
@@ -20,8 +21,8 @@ std::vector<text::Diagnostic> own_cycles(const ir::Program& program, const ir::C
     const ir::Program* found = in_text || library == nullptr ? nullptr : library->find(name);
     const bool is_own = in_text || (found != nullptr && !found->is_standard);
     if (!is_own || !said.insert(name).second) continue;
-    out.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
-                                        {"a program of the shop's own with the name " + name, to.title}));
+    out.push_back(
+        passes::diagnose(passes::of_call("a program of the shop's own with the name " + name), s.span, to.title));
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "dialects/ir/called_cycle.h"
 #include "dialects/text/upper_case.h"
 
 namespace dripfeed::compile {
@@ -36,8 +37,8 @@ class Shapes {
 
   // "BEGIN:END"
   void of_call(const ir::Call& call) {
-    if (program_.strings.at(call.name) != "CYCLE95" || call.argument_count == 0) return;
-    const ir::ExpressionId id = program_.arguments_of(call).front().value;
+    if (!ir::is_called(call, ir::CalledSort::removal)) return;
+    const ir::ExpressionId id = ir::value_of(program_, call, ir::CycleValue::contour);
     if (id == ir::ExpressionId::none || program_.at(id).op != ir::Operator::string) return;
     const std::string_view name = program_.strings.at(program_.at(id).string);
     const std::size_t colon = name.find(':');

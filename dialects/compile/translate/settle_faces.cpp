@@ -13,6 +13,7 @@
 #include "dialects/compile/translate/lathe_flow.h"
 #include "dialects/facts/flow_graph.h"
 #include "dialects/ir/transformation_use.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/text/number.h"
 
@@ -115,13 +116,13 @@ class Faces {
   void begin(const ir::Code& written, const ir::Block& block) {
     const ir::Code code = written;
     if (program_.codes_of(block).size() != 1 || block.rest_level != 0)
-      return cannot("a code in the same block as polar or cylindrical interpolation");
+      return cannot(passes::together("a code in the same block as polar or cylindrical interpolation"));
     if (!before_[index_] || !before_[index_]->is(kNowhere))
-      return cannot("polar or cylindrical interpolation inside of another");
+      return cannot(passes::together("polar or cylindrical interpolation inside of another"));
     if (is_face(code.argument)) {
       const LatheState* state = flow_.before(index_);
       if (state == nullptr || !state->c.is(0.0))
-        return cannot("polar interpolation where C is not known to stand at 0");
+        return cannot(passes::not_known("polar interpolation where C is not known to stand at 0"));
       if (state->x.value && *state->x.value < 0.0) return cannot("polar interpolation from a negative X");
       emit(to_rotary_ ? ir::kFaceByRotary : ir::kFaceByY, "TRANSMIT", {});
       if (!to_rotary_) plane(Function::plane_xy);
@@ -146,7 +147,8 @@ class Faces {
 
   void end() {
     if (!before_[index_]) return;
-    if (!before_[index_]->value) return cannot("the end of what began on one control-flow path only");
+    if (!before_[index_]->value)
+      return cannot(passes::not_known("the end of what began on one control-flow path only"));
     if (before_[index_]->is(kNowhere)) return out_.keep();  // ends nothing
     const bool cylinder = is_cylinder_here();
     const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
@@ -159,7 +161,7 @@ class Faces {
       emit(ir::kTransformationEnds, to_rotary_ ? "" : "TRAFOOF", {});
     // What the program has in effect behind it.
     if (here && now != here) plane(*here);
-    if (!here) cannot("the plane after polar or cylindrical interpolation, not known here,");
+    if (!here) cannot(passes::not_known("the plane after polar or cylindrical interpolation, not known here,"));
   }
 
   [[nodiscard]] bool is_cylinder_here() const {
@@ -189,11 +191,11 @@ class Faces {
   void inside(const ir::Block& block) {
     if (statement_.kind == StatementKind::call || statement_.kind == StatementKind::modal_call ||
         statement_.kind == StatementKind::native)
-      return cannot("a call inside of polar or cylindrical interpolation");
+      return cannot(passes::together("a call inside of polar or cylindrical interpolation"));
     if (statement_.kind != StatementKind::block) return out_.keep();
     if (!before_[index_]->value)
-      return cannot("a block that stands in polar interpolation on one control-flow path only");
-    if (block.rest_level != 0) return cannot("block skip inside a block");
+      return cannot(passes::not_known("a block that stands in polar interpolation on one control-flow path only"));
+    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
     const bool cylinder = is_cylinder_here();
     const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
     std::vector<ir::Code> codes;
@@ -256,9 +258,8 @@ class Faces {
   // --- small parts
 
   ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }
-  void cannot(std::string what) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, statement_.span, {std::move(what), to_.title}));
+  void cannot(passes::Refusal what) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), statement_.span, to_.title));
   }
 
   ir::Program& program_;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "dialects/facts/subprogram.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::compile {
@@ -50,9 +51,8 @@ ir::Program program_of(const ir::Program& text, const ir::Section& section) {
   return out;
 }
 
-void JoinedPrograms::cannot(std::string what, text::Span span) {
-  diagnostics_.push_back(
-      text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), control_.title}));
+void JoinedPrograms::cannot(passes::Refusal what, text::Span span) {
+  diagnostics_.push_back(passes::diagnose(std::move(what), span, control_.title));
 }
 
 text::Span JoinedPrograms::span_of(const ir::Program& program) const {
@@ -77,11 +77,12 @@ std::string JoinedPrograms::name_there(const ir::Program& program) {
   // A subprogram can be called by a file's name; two main programs would both be O0001.
   const bool by_name = facts::is_subprogram(program);
   const bool findable = tape_of_files || is_numbered(name, 'O') || by_name || names_.empty();
-  if (!findable) cannot("the name of the program " + name, span_of(program));
+  if (!findable) cannot(passes::of_call("the name of the program " + name), span_of(program));
   // An end of the program in a called one ends all; SINUMERIK's goes back to the caller.
   if (tape_of_files && called && has(program, StatementKind::program_end))
-    cannot("the end of the whole program in the called program " + program.name, span_of(program));
-  if (std::ranges::find(names_, name) != names_.end()) cannot("a second program " + name, span_of(program));
+    cannot(passes::of_call("the end of the whole program in the called program " + program.name), span_of(program));
+  if (std::ranges::find(names_, name) != names_.end())
+    cannot(passes::of_call("a second program " + name), span_of(program));
   names_.push_back(name);
   return findable ? name : std::string();
 }
@@ -99,8 +100,8 @@ void JoinedPrograms::compare_variables(const ir::Program& program, const ir::Pro
       const auto clash = std::ranges::find_if(
           variables_, [&](const auto& known) { return (known.first == now.first) != (known.second == now.second); });
       if (clash != variables_.end())
-        return cannot(fmt::format("the variable {}, another number in another program of the text,",
-                                  before.span.in(program.source.text())),
+        return cannot(passes::of_value(fmt::format("the variable {}, another number in another program of the text,",
+                                                   before.span.in(program.source.text()))),
                       before.span);
       if (std::ranges::find(variables_, now) == variables_.end()) variables_.push_back(now);
     }
@@ -114,7 +115,7 @@ void JoinedPrograms::refuse_sharing(const ir::Program& program, const ir::Progra
   for (const ir::Statement& s : text_.statements) {
     if (s.kind != StatementKind::call || text_.calls[s.payload].name != name) continue;
     if (text_.calls[s.payload].kind != ir::CallKind::macro)
-      cannot("a subprogram (M98) that reads the local variables of its caller", s.span);
+      cannot(passes::kept_value("a subprogram (M98) that reads the local variables of its caller"), s.span);
   }
 }
 

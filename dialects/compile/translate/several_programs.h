@@ -9,6 +9,7 @@
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/ir/stage.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::compile {
@@ -33,7 +34,7 @@ class JoinedPrograms {
   using Place = std::pair<ir::Bank, std::uint32_t>;
   void refuse_sharing(const ir::Program& program, const ir::Program& raised);
   void compare_variables(const ir::Program& program, const ir::Program& raised);
-  void cannot(std::string what, text::Span span);
+  void cannot(passes::Refusal what, text::Span span);
   [[nodiscard]] text::Span span_of(const ir::Program& program) const;
   [[nodiscard]] bool is_called(const ir::Program& program) const;
 

@@ -15,6 +15,7 @@
 #include "dialects/facts/flow_graph.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::compile {
@@ -188,7 +189,7 @@ class Splicing {
     const bool ends = index + 1 == part.last && part.ends_by_switch && part.last < statements.size();
     for (const auto& [is_switch, at] : {std::pair(begins, index), std::pair(ends, index + 1)})
       if (is_switch && statements[at].skip_level != 0)
-        cannot("a switch of the language that block skip may leave out", statements[at].span);
+        cannot(passes::at_switch("a switch of the language that block skip may leave out"), statements[at].span);
   }
 
   // A number that a block of Siemens mode has, too, stays that block's: jumps to it are not to find another.
@@ -232,9 +233,9 @@ class Splicing {
     for (const ir::Word& w : iso_.words_of(old)) words.push_back(copy_.word(w));
     words = words_.settle(codes, words, s.skip_level != 0 || old.rest_level != 0);
     if (own_.frames && std::ranges::any_of(codes, is_frame))
-      cannot("a frame of ISO mode together with one of Siemens mode", s.span);
+      cannot(passes::together("a frame of ISO mode together with one of Siemens mode"), s.span);
     if (own_.poles && std::ranges::any_of(codes, names_polar))
-      cannot("G16 of ISO mode together with poles of Siemens mode", s.span);
+      cannot(passes::together("G16 of ISO mode together with poles of Siemens mode"), s.span);
     if (std::ranges::any_of(codes, ir::follows_shape)) refuse_shape_elsewhere(s, words);
     if (calls_each_move_) cannot("a block of ISO mode after MCALL", s.span);
     ir::Block made = old;
@@ -317,9 +318,8 @@ class Splicing {
     return behind != program_.foreign_parts.begin() && place < std::prev(behind)->text.end;
   }
 
-  void cannot(std::string what, text::Span span) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), to_.title}));
+  void cannot(passes::Refusal what, text::Span span) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), span, to_.title));
   }
 
   ir::Program& program_;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "dialects/compile/dialect/motion_codes.h"
+#include "dialects/ir/called_cycle.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -19,21 +20,6 @@ using ir::Address;
 using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
-
-// CYCLE84(RTP, RFP, SDIS, DP, DPR, DTB, SDAC, MPIT, PIT, POSS, SST, SST1, AXN, PITA, TECHNO, VARI, …),
-// CYCLE840(RTP, RFP, SDIS, DP, DPR, DTB, SDR, SDAC, ENC, MPIT, PIT, AXN, PITA, TECHNO, …) (PGZ, "Drilling cycles").
-struct CallRow {
-  std::string_view name;
-  bool rigid;
-  std::size_t after;      // SDAC
-  std::size_t axis;       // AXN, which the run follows; what is behind it must be nothing
-  std::size_t angle = 0;  // POSS; 0: it has none
-  std::size_t encoder = 0;
-};
-constexpr auto kCalls = std::to_array<CallRow>({
-    {.name = "CYCLE84", .rigid = true, .after = 6, .axis = 12, .angle = 9},
-    {.name = "CYCLE840", .rigid = false, .after = 7, .axis = 11, .encoder = 8},
-});
 
 bool taps_along_z(const ir::Control& control) {
   return has_row(control, Function::drill, ir::drill_argument(ir::DrillCycle::tap_right, ir::kDrillAlongZ));
@@ -175,28 +161,28 @@ class TapWalk {
 
   [[nodiscard]] std::optional<TapStatement> tap_of(const ir::Call& call) const {
     if (call.computed != ir::ExpressionId::none) return std::nullopt;
-    const auto* const row = std::ranges::find(kCalls, program_.strings.at(call.name), &CallRow::name);
-    if (row == kCalls.end()) return std::nullopt;
-    return TapStatement{
-        .role = TapRole::tap, .rigid = row->rigid, .own_speed = row->rigid, .fault = fault_of_call(*row, call)};
+    const bool taps = ir::is_called(call, ir::CalledSort::hole) && call.cycle->hole == ir::DrillCycle::tap_right;
+    if (!taps) return std::nullopt;
+    const bool rigid = !call.cycle->floats;
+    return TapStatement{.role = TapRole::tap, .rigid = rigid, .own_speed = rigid, .fault = fault_of_call(call)};
   }
 
-  [[nodiscard]] std::string fault_of_call(const CallRow& row, const ir::Call& call) const {
+  [[nodiscard]] std::string fault_of_call(const ir::Call& call) const {
     if (!taps_along_z(to_)) return "on a lathe";
-    const auto arguments = program_.arguments_of(call);
-    const auto at = [&](std::size_t place) {
-      return place < arguments.size() ? number(arguments[place].value) : std::optional(0.0);
+    using ir::CycleValue;
+    const auto value = [&](CycleValue which) {
+      const ir::ExpressionId id = ir::value_of(program_, call, which);
+      return id == ir::ExpressionId::none ? std::optional(0.0) : number(id);
     };
-    const std::optional<double> after = at(row.after);
+    const std::optional<double> after = value(CycleValue::spindle_after);
     if (after != 3.0 && after != 4.0 && after != 5.0) return "without what its spindle does after it (SDAC)";
-    if (row.angle != 0 && at(row.angle) != 0.0) return "with an angle of its spindle";
-    if (row.encoder != 0) {
-      const std::optional<double> encoder = at(row.encoder);
-      if (encoder != 0.0 && encoder != 1.0 && encoder != 20.0) return "with that use of its encoder (ENC)";
-    }
-    if (!at(row.axis)) return "with a computed axis (AXN)";
-    for (std::size_t further = row.axis + 1; further < arguments.size(); ++further)
-      if (at(further) != 0.0) return "with pecks or a unit of its own";
+    if (value(CycleValue::spindle_angle) != 0.0) return "with an angle of its spindle";
+    const std::optional<double> encoder = value(CycleValue::encoder);
+    if (encoder != 0.0 && encoder != 1.0 && encoder != 20.0) return "with that use of its encoder (ENC)";
+    if (!value(CycleValue::axis)) return "with a computed axis (AXN)";
+    for (const ir::Argument& further : ir::arguments_after(program_, call, CycleValue::axis))
+      if (further.value != ir::ExpressionId::none && number(further.value) != 0.0)
+        return "with pecks or a unit of its own";
     return {};
   }
 

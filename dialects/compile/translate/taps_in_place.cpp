@@ -7,6 +7,7 @@
 
 #include "dialects/compile/dialect/motion_codes.h"
 #include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
@@ -54,7 +55,7 @@ void MovesInPlace::replace_tap(ir::Program& program, std::uint32_t index, const 
     if (!what.empty()) return cannot(fmt::format("{} {}", name, what), s.span);
   const bool compensates = std::ranges::any_of(
       motions, [](const ir::Motion& m) { return ir::is_move(m.kind) && m.comp != ir::CompSide::off; });
-  if (compensates) return cannot(name + " where the radius is compensated", s.span);
+  if (compensates) return cannot(passes::together(name + " where the radius is compensated"), s.span);
   if (tap.own_speed) {
     const RecordedRun& run = runs_.front();
     for (std::size_t v = 0; v < run.visits.size(); ++v)

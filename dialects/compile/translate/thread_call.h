@@ -11,7 +11,7 @@
 
 namespace dripfeed::compile {
 
-bool is_thread_call(const ir::Program& program, const ir::Call& call);
+bool is_thread_call(const ir::Call& call);
 
 // Moves and events, X as a diameter; `inch`: what the call's lengths are in. The error names what of the call cannot be
 // said.

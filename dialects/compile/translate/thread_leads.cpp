@@ -9,6 +9,7 @@
 
 #include "dialects/compile/translate/lathe_flow.h"
 #include "dialects/facts/axis_words.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::compile {
@@ -81,7 +82,7 @@ class Leads {
   // the lead on the other.
   void changing() {
     const ir::Block block = program_.blocks[statement_.payload];
-    if (block.rest_level != 0) return cannot("block skip inside a block");
+    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
     std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     const bool by_letters = leads_by_letters(from_);
@@ -89,18 +90,18 @@ class Leads {
         by_letters ? std::ranges::find_if(words, is_lead) : std::ranges::find(words, Address::f, &ir::Word::address);
     const auto change = std::ranges::find(words, by_letters ? Address::f : Address::k, &ir::Word::address);
     if (lead == words.end() || change == words.end())
-      return cannot("a thread whose lead changes, without its lead and the change in the block");
+      return cannot(passes::not_known("a thread whose lead changes, without its lead and the change in the block"));
     const auto in_inch_alone = [](const ir::Code& c) { return c.function == Function::unit_inch && c.argument == 1; };
     if (by_letters && std::ranges::any_of(program_.codes, in_inch_alone))
       return cannot("the change of a lead where lengths alone are in inch (G70)");
-    if (!by_letters && counts(*change)) return cannot("the change of a lead without a point");
+    if (!by_letters && counts(*change)) return cannot(passes::by_parameter("the change of a lead without a point"));
     if (flow_.needs_feed(index_) && !thread_goes_on_changing())
       return cannot("the feed after a thread whose lead changes");
     if (!by_letters) lead_along_axis(*flow_.before(index_), words);
     if (by_letters) {
       lead->address = Address::f;
       change->address = Address::k;
-      if (!take_sign(codes, *change)) return cannot("the change of a lead whose sign is not known");
+      if (!take_sign(codes, *change)) return cannot(passes::not_known("the change of a lead whose sign is not known"));
     }
     out_.emit_block(codes, words);
   }
@@ -136,7 +137,7 @@ class Leads {
   static bool is_lead(const ir::Word& w) { return w.address >= Address::i && w.address <= Address::k; }
 
   void lead_as_feed(const LatheState& before, const ir::Block& block) {
-    if (block.rest_level != 0) return cannot("block skip inside a block");
+    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
     std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     // Each block says that its F is a lead: lengths may be in inch and feeds not (G70).
     if (std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group) == codes.end())
@@ -151,7 +152,8 @@ class Leads {
     }
     out_.emit_block(codes, words);
     if (thread_goes_on()) return;
-    if (!feed && flow_.needs_feed(index_)) cannot("the feed after a thread, which is not known here,");
+    if (!feed && flow_.needs_feed(index_))
+      cannot(passes::not_known("the feed after a thread, which is not known here,"));
     if (feed && *feed != 0.0) out_.emit_block({}, {word(Address::f, constant(*feed))});
   }
 
@@ -162,7 +164,7 @@ class Leads {
     std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     const auto written = std::ranges::find(words, Address::f, &ir::Word::address);
     const bool known = before.feed.value && *before.feed.value != 0.0;
-    if (written == words.end() && !known) return cannot("the lead of a thread, not known here,");
+    if (written == words.end() && !known) return cannot(passes::not_known("the lead of a thread, not known here,"));
     ir::Word lead = written == words.end() ? word(Address::f, constant(*before.feed.value)) : *written;
     if (written == words.end()) words.push_back(lead);
     lead_along_axis(before, words);
@@ -209,9 +211,8 @@ class Leads {
     return code;
   }
   ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }
-  void cannot(std::string what) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, statement_.span, {std::move(what), to_.title}));
+  void cannot(passes::Refusal what) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), statement_.span, to_.title));
   }
 
   ir::Program& program_;

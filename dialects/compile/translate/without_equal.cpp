@@ -2,10 +2,9 @@
 #include "dialects/compile/translate/without_equal.h"
 
 #include <algorithm>
-#include <array>
 
 #include "dialects/compile/dialect/motion_codes.h"
-#include "dialects/ir/cycle.h"
+#include "dialects/ir/called_cycle.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
@@ -17,9 +16,10 @@ using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
 
-// Calls that drill and whose counterpart is a modal cycle of mills.
-constexpr auto kDrillingCalls = std::to_array<std::string_view>(
-    {"CYCLE81", "CYCLE82", "CYCLE83", "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89"});
+// A call that drills and whose counterpart is a modal cycle of mills.
+bool drills(const ir::Call& call) {
+  return ir::is_called(call, ir::CalledSort::hole) && call.cycle->hole != ir::DrillCycle::tap_right;
+}
 
 bool moves(const ir::Word& w) {
   return ir::is_axis(w.address) || w.address == Address::polar_angle || w.address == Address::polar_radius ||
@@ -46,11 +46,9 @@ class Walk {
  private:
   [[nodiscard]] WithoutEqual of_call(const ir::Call& call) const {
     const bool calls_too = from_.dialect == to_.dialect;
-    const std::string_view name = program_.strings.at(call.name);
     if (calls_too || call.computed != ir::ExpressionId::none) return WithoutEqual::no;
-    if (name == "CYCLE95") return WithoutEqual::removal;
-    const bool drills = std::ranges::find(kDrillingCalls, name) != kDrillingCalls.end();
-    return drills && from_.kind != ir::MachineKind::mill ? WithoutEqual::drilling : WithoutEqual::no;
+    if (ir::is_called(call, ir::CalledSort::removal)) return WithoutEqual::removal;
+    return drills(call) && from_.kind != ir::MachineKind::mill ? WithoutEqual::drilling : WithoutEqual::no;
   }
 
   WithoutEqual of_block(const ir::Block& block) {

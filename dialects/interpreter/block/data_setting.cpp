@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dialects/interpreter/state/axis_words.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -15,7 +16,6 @@ using ir::Address;
 constexpr std::uint32_t kFirstOffset = 5201;    // external; G54 … follow
 constexpr std::uint32_t kFirstExtended = 7001;  // G54.1 P1
 constexpr std::uint32_t kOffsetStep = 20;
-constexpr std::string_view kAxes = "XYZABCUVW";
 
 // L of a mill's tool offset memory, and the number before that of tool 1.
 struct ToolRow {
@@ -49,7 +49,7 @@ std::uint32_t number_in(const PlainBlock& block, Address address, double last) {
 std::uint32_t axis_index(const BlockRules& rules, std::size_t axis) {
   std::uint32_t index = 0;
   for (std::size_t before = 0; before < axis; ++before) {
-    const auto address = static_cast<Address>(kAxes[before] - 'A');
+    const auto address = static_cast<Address>(ir::kAxisLetters[before] - 'A');
     const bool has = (rules.axis_addresses & bit_of(address)) != 0 && !rules.axis_words[index_of(address)].incremental;
     if (has) ++index;
   }

@@ -207,6 +207,7 @@ struct CallSite {
   Operand start = Operand::none;        // block number where it begins
   bool itself = false;                  // the calling program, from its block `start`
   bool in_other_language = false;       // … of the control
+  bool cuts_contour = false;            // a cycle that runs the blocks of its contour
   Operand text = Operand::none;         // the name is a text that is computed
   Operand first_label = Operand::none;  // of the part that is called, as texts
   Operand last_label = Operand::none;

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "dialects/ir/called_cycle.h"
+
 namespace dripfeed::interpreter {
 
 namespace {
@@ -28,6 +30,7 @@ std::optional<std::uint32_t> CallCompiler::compile_site(const ir::Call& call, te
 
   CallSite site{.kind = call.kind, .name = std::string(program.strings.at(call.name))};
   site.in_other_language = call.in_other_language || out.is_foreign;
+  site.cuts_contour = ir::is_called(call, ir::CalledSort::removal);
   site.itself = call.name == ir::StringId::none && call.number == ir::ExpressionId::none &&
                 call.computed == ir::ExpressionId::none;
   if (call.start != ir::ExpressionId::none) site.start = expressions_.compile_number(call.start).operand;

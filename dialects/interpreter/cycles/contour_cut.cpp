@@ -58,7 +58,7 @@ class ContourCutter {
     const bool finishes = cycle_.kind >= 5;
     if ((roughs && cycle_.rough_feed <= 0.0) || (finishes && cycle_.finish_feed <= 0.0)) return {kAlarmFeed, {}};
     if (roughs && cycle_.depth_mm <= 0.0) return {kAlarmKind, {}};
-    if (state_.modes.has_matrix) return {0, "CYCLE95 under a frame that turns"};
+    if (state_.modes.has_matrix) return {0, "under a frame that turns"};
     if (const ContourOutcome fault = build(contour); fault.alarm != 0 || !fault.not_interpreted.empty()) return fault;
     const double before = state_.feed;
     if (roughs) {
@@ -90,7 +90,7 @@ class ContourCutter {
       const ir::Motion& m = moves[i];
       const bool arc = m.kind == MotionKind::arc_cw || m.kind == MotionKind::arc_ccw;
       if ((m.axes_unknown & m.axes_commanded & (1U << kX | 1U << kZ)) != 0)
-        return {0, "CYCLE95 along a contour whose places are not known"};
+        return {0, "along a contour whose places are not known"};
       if (!arc && m.kind != MotionKind::linear) return {kAlarmShape, {}};
       if (!arc && m.start[kX] == m.end[kX] && m.start[kZ] == m.end[kZ]) continue;
       add(m, arc);
@@ -99,7 +99,7 @@ class ContourCutter {
     // Levels rise away from the material; a contour that falls is drawn from its other end.
     const double rise = (pieces_.back().segment.to.level - pieces_.front().segment.from.level) * -side_;
     if (rise < -kSmall) reverse();
-    if (!shift()) return {0, "CYCLE95 with an allowance along the contour (FAL) that a piece of it is too short for"};
+    if (!shift()) return {0, "with an allowance along the contour (FAL) that a piece of it is too short for"};
     ContourSections sections = sections_of(rough_, -side_);
     if (!sections.not_interpreted.empty()) return {0, std::move(sections.not_interpreted)};
     if (std::abs(rise) < kSmall && sections.reliefs.empty()) return {kAlarmShape, {}};

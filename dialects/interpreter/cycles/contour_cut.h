@@ -32,7 +32,7 @@ struct ContourCycle {
 // What came of it: an alarm of the cycle by number, or what of it is not interpreted here; then nothing was cut.
 struct ContourOutcome {
   std::uint32_t alarm = 0;
-  std::string not_interpreted;
+  std::string not_interpreted;  // "along a contour that …", of the cycle
 };
 
 // `contour` is what its blocks do from any place on: the first move leads to its first point. The state is where the

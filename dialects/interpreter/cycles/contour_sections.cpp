@@ -19,7 +19,7 @@ class Sections {
   ContourSections run() {
     ContourSections out;
     if (const std::uint32_t line = line_of_way_back(); line != 0)
-      return {{}, {}, "CYCLE95 along a contour that reverses in line " + std::to_string(line)};
+      return {{}, {}, "along a contour that reverses in line " + std::to_string(line)};
     for (at_ = 0; at_ < pieces_.size();) {
       const ContourPiece& piece = pieces_[at_];
       if (height(piece.segment.to) >= height(piece.segment.from) - kSmall) {
@@ -29,8 +29,7 @@ class Sections {
       }
       const std::uint32_t line = piece.segment.line;
       Relief relief;
-      if (!take(relief))
-        return {{}, {}, "CYCLE95 with a relief cut that is no plain one, in line " + std::to_string(line)};
+      if (!take(relief)) return {{}, {}, "with a relief cut that is no plain one, in line " + std::to_string(line)};
       ContourPiece bridge;
       bridge.segment = {.from = relief.begin(), .to = relief.end(), .center = {}, .line = line};
       out.front.push_back(bridge);

@@ -98,6 +98,7 @@ class Machine {
   [[nodiscard]] bool takes_feed_from_caller(const CompiledProgram& main) const;
   void name_unset_inputs(const CompiledProgram& main);
   [[nodiscard]] bool is_called_by_others(const CompiledProgram& main) const;
+  void forget_arguments(const CompiledProgram& main);
   void name_missing_arguments();
   void note_values_at_alarm();
   void name_input(const ir::Program& source, const ir::Variable& variable);

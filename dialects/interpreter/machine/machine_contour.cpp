@@ -18,13 +18,12 @@ using text::DiagnosticId;
 
 namespace {
 
-constexpr std::string_view kCycle = "CYCLE95";
 constexpr std::size_t kFirstNumber = 1;
 constexpr std::size_t kNumbers = 11;  // MID FALZ FALX FAL FF1 FF2 FF3 VARI DT DAM _VRT
 
 }  // namespace
 
-bool Machine::is_contour_cycle(const Instruction& i) const { return stack_.program().calls[i.a].name == kCycle; }
+bool Machine::is_contour_cycle(const Instruction& i) const { return stack_.program().calls[i.a].cuts_contour; }
 
 // Not interpreted: the axes may be anywhere behind it.
 bool Machine::leave_contour(std::string name) {
@@ -51,10 +50,10 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
       continue;
     }
     const double value = storage_.reg(raw_of(argument.value));
-    if (is_vacant(value)) return leave_contour("CYCLE95 with an argument that is not known");
+    if (is_vacant(value)) return leave_contour(site.name + " with an argument that is not known");
     numbers[n - kFirstNumber] = value;
   }
-  if (name.empty() || is_unknown(name)) return leave_contour("CYCLE95 along a contour that is not known");
+  if (name.empty() || is_unknown(name)) return leave_contour(site.name + " along a contour that is not known");
   const double mm = state_.modes.inch ? 25.4 : 1.0;
   const double feed_mm = state_.modes.inch_feed ? 25.4 : 1.0;
   contour_.cycle = {.depth_mm = numbers[0] * mm,
@@ -125,10 +124,11 @@ bool Machine::end_contour() {
   out_.place = contour_.place;
   BlockResult result;
   const std::uint64_t before = out_.count();
+  const std::string& name = stack_.program().calls[call.a].name;
   ContourOutcome outcome = cut_contour(contour_.motions, contour_.cycle, rules_, state_, out_, result);
   if (!count_steps(call, out_.count() - before)) return false;
-  if (outcome.alarm != 0) return report_.fail_user(call, outcome.alarm, kCycle);
-  return outcome.not_interpreted.empty() || leave_contour(std::move(outcome.not_interpreted));
+  if (outcome.alarm != 0) return report_.fail_user(call, outcome.alarm, name);
+  return outcome.not_interpreted.empty() || leave_contour(name + " " + outcome.not_interpreted);
 }
 
 }  // namespace dripfeed::interpreter

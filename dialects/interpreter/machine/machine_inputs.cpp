@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <bitset>
 #include <set>
+#include <vector>
 
 #include "dialects/interpreter/arithmetic/unknown.h"
 #include "dialects/interpreter/machine/machine.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/sections.h"
 #include "dialects/text/number.h"
 
@@ -16,6 +18,22 @@ namespace {
 std::string describe_value(double value, const ir::Semantics& semantics) {
   if (is_unknown(value, semantics)) return "not known";
   return is_vacant(value) ? "vacant" : text::format_shortest(value);
+}
+
+// The places that name a local variable which the text never sets.
+std::vector<const ir::Variable*> unset_arguments(const ir::Program& program) {
+  constexpr std::uint32_t kHighestArgument = 33;
+  std::bitset<kHighestArgument + 1> is_set = 1;  // #0 is no argument
+  for (const ir::Assign& assign : program.assigns) {
+    const ir::Variable& target = program.at(assign.target);
+    if (target.index == ir::ExpressionId::none && target.number <= kHighestArgument) is_set.set(target.number);
+  }
+  std::vector<const ir::Variable*> found;
+  for (const ir::Variable& variable : program.variables) {
+    const bool is_numbered = variable.bank == ir::Bank::hash && variable.index == ir::ExpressionId::none;
+    if (is_numbered && variable.number <= kHighestArgument && !is_set[variable.number]) found.push_back(&variable);
+  }
+  return found;
 }
 
 }  // namespace
@@ -53,7 +71,8 @@ void Machine::set_inputs(const CompiledProgram& main) {
       storage_.frame_at(parameter.slot) = parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
   }
   state_.feed_unknown = state_.speed_unknown = main.has_procedure;
-  if (!control_.semantics.has_vacant || !is_called_by_others(main)) return;
+  if (!control_.semantics.has_vacant) return;
+  if (!is_called_by_others(main)) return forget_arguments(main);
   for (std::uint32_t i = 0; i < storage_.local_count(); ++i) storage_.local_at(storage_.bases().local + i) = kUnknown;
   state_.feed_unknown = state_.speed_unknown = true;
   access_.forget_modes();
@@ -80,23 +99,25 @@ void Machine::name_unset_inputs(const CompiledProgram& main) {
   }
 }
 
+// A program that ends by M30 and reads local variables which it never sets: it is called as a macro after all, or they
+// are empty by mistake. Where what is not given counts as unknown, neither is claimed.
+void Machine::forget_arguments(const CompiledProgram& main) {
+  if (!control_.semantics.unset_is_unknown || main.source == nullptr) return;
+  for (const ir::Variable* variable : unset_arguments(*main.source)) {
+    const Slot slot = variables_.find(variable->bank, variable->number);
+    if (slot.kind == SlotKind::local) storage_.local_at(storage_.bases().local + slot.index) = kUnknown;
+  }
+}
+
 // Where a macro ended by an alarm: the local variables that it names, never sets and was not given. Run by itself it
 // has no caller to give them.
 void Machine::name_missing_arguments() {
   const ir::Program* const source = stack_.program().source;
   if (source == nullptr) return;
-  constexpr std::uint32_t kHighestArgument = 33;
-  std::bitset<kHighestArgument + 1> passed_over = 1;  // #0 is no argument
-  for (const ir::Assign& assign : source->assigns) {
-    const ir::Variable& target = source->variables[static_cast<std::uint32_t>(assign.target)];
-    if (target.index == ir::ExpressionId::none && target.number <= kHighestArgument) passed_over.set(target.number);
-  }
-  for (const ir::Variable& variable : source->variables) {
-    if (variable.bank != ir::Bank::hash || variable.index != ir::ExpressionId::none) continue;
-    if (variable.number > kHighestArgument || passed_over[variable.number]) continue;
-    const Slot slot = variables_.find(variable.bank, variable.number);
-    if (slot.kind != SlotKind::local || !is_vacant(storage_.local_at(storage_.bases().local + slot.index))) continue;
-    name_input(*source, variable);
+  for (const ir::Variable* variable : unset_arguments(*source)) {
+    const Slot slot = variables_.find(variable->bank, variable->number);
+    if (slot.kind == SlotKind::local && is_vacant(storage_.local_at(storage_.bases().local + slot.index)))
+      name_input(*source, *variable);
   }
 }
 
@@ -137,7 +158,7 @@ void Machine::name_input(const ir::Program& source, const ir::Variable& variable
 bool Machine::set_touch(const InitialValue& value) {
   constexpr std::string_view kHead = "$AA_MW[";
   if (!value.name.starts_with(kHead) || value.name.size() != kHead.size() + 2) return false;
-  const std::size_t place = std::string_view("XYZABCUVW").find(value.name[kHead.size()]);
+  const std::size_t place = ir::kAxisLetters.find(value.name[kHead.size()]);
   if (place >= ir::kAxisCount) return false;
   state_.touch[place] = value.value;
   state_.touch_known |= static_cast<std::uint16_t>(1U << place);

@@ -6,6 +6,7 @@
 #include "dialects/interpreter/bytecode/variable_map.h"
 #include "dialects/interpreter/machine/trace.h"
 #include "dialects/interpreter/motion/polar.h"
+#include "dialects/ir/axis_letters.h"
 
 namespace dripfeed::interpreter {
 
@@ -316,7 +317,7 @@ void SystemValues::set_initial(std::uint32_t row, std::uint32_t number, double v
 // Axes are counted as the control has them; kAxisCount: it has no such.
 std::size_t SystemValues::place_of(std::uint32_t axis) const {
   if (axis >= control_.axes.size()) return ir::kAxisCount;
-  const std::size_t place = kAxisLetters.find(control_.axes[axis]);
+  const std::size_t place = ir::kAxisLetters.find(control_.axes[axis]);
   return place == std::string_view::npos ? ir::kAxisCount : place;
 }
 
@@ -342,7 +343,7 @@ std::optional<double> SystemValues::machine_position(std::uint32_t axis, const M
 
 // 0 is the external offset.
 std::optional<double> SystemValues::offset_mm(std::int32_t offset, std::size_t axis, const ModalState& state) const {
-  const std::size_t index = control_.axes.find(kAxisLetters[axis]);
+  const std::size_t index = control_.axes.find(ir::kAxisLetters[axis]);
   if (offset < 0 || index == std::string::npos) return std::nullopt;
   const std::uint32_t number = number_of_offset(offset) + static_cast<std::uint32_t>(index);
   const auto kept = [&](std::uint32_t row) -> std::optional<double> {

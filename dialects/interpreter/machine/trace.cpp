@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -48,8 +49,8 @@ TraceWriter::TraceWriter(const ir::Control& control, const RunNames& names, Cons
       edges_(control.semantics.d_selects_edge),
       pairs_(control.semantics.tool_word == ir::ToolWord::number_and_offset),
       consumer_(std::move(consumer)) {
-  for (std::size_t i = 0; i < kAxisLetters.size(); ++i)
-    if (control.axes.find(kAxisLetters[i]) != std::string::npos) axes_.push_back(static_cast<ir::Axis>(i));
+  for (std::size_t i = 0; i < ir::kAxisLetters.size(); ++i)
+    if (control.axes.find(ir::kAxisLetters[i]) != std::string::npos) axes_.push_back(static_cast<ir::Axis>(i));
 }
 
 void TraceWriter::consume(std::span<const ir::Motion> motions) {
@@ -97,7 +98,7 @@ void TraceWriter::append_word(std::string_view letter, double value) {
 void TraceWriter::write_move(const ir::Motion& motion) {
   for (const ir::Axis axis : axes_) {
     const auto index = static_cast<std::size_t>(axis);
-    append_word(kAxisLetters.substr(index, 1), motion.end[index]);
+    append_word(ir::kAxisLetters.substr(index, 1), motion.end[index]);
   }
   if (motion.machine_coordinates) text_ += " G53";
   if (motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw) {

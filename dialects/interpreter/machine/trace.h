@@ -53,7 +53,4 @@ class TraceWriter : public ir::MotionSink {
   std::string text_;
 };
 
-// Letters of Motion::end in its order.
-inline constexpr std::string_view kAxisLetters = "XYZABCUVW";
-
 }  // namespace dripfeed::interpreter

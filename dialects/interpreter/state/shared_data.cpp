@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -77,7 +78,6 @@ std::uint32_t SharedData::nameless() {
 }
 
 void SharedData::set(std::string_view written, double value) {
-  constexpr std::string_view kAxes = "XYZABCUVW";
   constexpr std::array<std::string_view, 5> kParts = {"TR", "FI", "RT", "SC", "MI"};
   const std::size_t bracket = std::min(written.find('['), written.size());
   const std::uint32_t id = id_of(written.substr(0, bracket));
@@ -88,7 +88,7 @@ void SharedData::set(std::string_view written, double value) {
     rest.remove_prefix(1);
     const std::string_view part = rest.substr(0, rest.find_first_of(",]"));
     rest.remove_prefix(part.size());
-    const std::size_t axis = part.size() == 1 ? kAxes.find(part) : std::string_view::npos;
+    const std::size_t axis = part.size() == 1 ? ir::kAxisLetters.find(part) : std::string_view::npos;
     const auto named = std::ranges::find(kParts, part);
     if (axis != std::string_view::npos)
       indices[used++] = static_cast<std::uint32_t>(axis);

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/macro_b/reader/lex.h"
 #include "dialects/text/number.h"
 
@@ -203,7 +204,7 @@ Evidence evidence_of(const text::Source& source, const Grammar& grammar) {
 std::string axes_of(const Evidence& e, const ir::Control& usual) {
   const bool mill = usual.kind == ir::MachineKind::mill;
   std::string axes;
-  for (const char letter : std::string_view("XYZABCUVW")) {
+  for (const char letter : ir::kAxisLetters) {
     const bool used = e.axes[static_cast<std::size_t>(letter - 'A')];
     const bool increment_used = letter == 'C' && !mill && e.axes['H' - 'A'];
     const bool may_be_axis = mill || letter < 'U' || letter > 'W';

@@ -37,7 +37,12 @@ std::vector<ir::LanguageWord> language_words(const Grammar& grammar) {
   words.reserve(grammar.keywords.size());
   for (const Keyword& keyword : grammar.keywords) {
     const RoleText text = text_of(keyword);
-    words.push_back({keyword.spelling, text.sort, text.about});
+    const bool is_reported = keyword.role == KeywordRole::unmodelled_function;
+    const bool is_quiet = keyword.role == KeywordRole::output || keyword.role == KeywordRole::set_name;
+    words.push_back({keyword.spelling, text.sort, text.about,
+                     is_reported ? ir::WordState::reported
+                     : is_quiet  ? ir::WordState::without_effect
+                                 : ir::WordState::interpreted});
   }
   return words;
 }

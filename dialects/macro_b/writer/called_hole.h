@@ -1,10 +1,9 @@
-// What a called drilling cycle (CYCLE81 to CYCLE89) makes, as far as these controls can say it.
+// What a called drilling cycle makes, as far as these controls can say it.
 #pragma once
 
 #include <expected>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/program.h"
@@ -38,8 +37,8 @@ struct Hole {
   bool constant = false;  // all levels are numbers
 };
 
-// Whether the name is one of a drilling cycle, also of those that have no counterpart.
-bool is_drilling_cycle(std::string_view name);
+// Also of those that have no counterpart.
+bool is_drilling_cycle(const ir::Call& call);
 // Adds constants to `program`. The error names what of the call cannot be said.
 std::expected<Hole, std::string> called_hole(ir::Program& program, const ir::Call& call);
 // A number with or without sign; nothing for what is computed or left out.

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::macro_b {
@@ -80,8 +81,7 @@ std::vector<text::Diagnostic> complete_statements(ir::Program& program, const st
   Completer completer(program);
   for (const ir::Statement& statement : program.statements) {
     if (!completer.fill(statement)) continue;
-    diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, statement.span,
-                                                {"a statement that is not whole", target}));
+    diagnostics.push_back(passes::diagnose("a statement that is not whole", statement.span, target));
   }
   return diagnostics;
 }

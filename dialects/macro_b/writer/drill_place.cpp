@@ -9,6 +9,7 @@
 #include "dialects/facts/axis_words.h"
 #include "dialects/facts/flow_graph.h"
 #include "dialects/macro_b/writer/called_hole.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::macro_b {
 
@@ -162,14 +163,13 @@ void DrillPlace::take_turning(const ir::Block& block) {
 
 // --- what is told
 
-void DrillPlace::tell(std::string what) {
+void DrillPlace::tell(passes::Refusal what) {
   cannot(std::move(what));
   diagnostics_.back().severity = text::Severity::warning;
 }
 
-void DrillPlace::cannot(std::string what) {
-  diagnostics_.push_back(
-      text::make_diagnostic(text::DiagnosticId::cannot_translate, statement().span, {std::move(what), to_.title}));
+void DrillPlace::cannot(passes::Refusal what) {
+  diagnostics_.push_back(passes::diagnose(std::move(what), statement().span, to_.title));
 }
 
 }  // namespace dripfeed::macro_b

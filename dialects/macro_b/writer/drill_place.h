@@ -15,6 +15,7 @@
 #include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::macro_b {
@@ -61,9 +62,9 @@ class DrillPlace {
   std::optional<ir::Function> settle_distance();
 
   // The other control has no counterpart for it.
-  void cannot(std::string what);
+  void cannot(passes::Refusal what);
   // … and it is said without all the same.
-  void tell(std::string what);
+  void tell(passes::Refusal what);
   std::vector<text::Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
 
   DrillState state;  // who writes a hole says here what it leaves

@@ -13,6 +13,7 @@
 
 #include "dialects/macro_b/writer/print_expression.h"
 #include "dialects/macro_b/writer/tolerance.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/structures.h"
@@ -296,11 +297,10 @@ class Flattener {
 
   void cannot(const ir::Expression& e) {
     const std::string_view written = e.span.in(program_.source.text());
-    diagnostics_.push_back(text::make_diagnostic(
-        text::DiagnosticId::cannot_translate, program_.statements[index_].span,
-        {written.empty() ? fmt::format("the operator in line {}", program_.statements[index_].line)
-                         : std::string(written),
-         to_.title}));
+    diagnostics_.push_back(passes::diagnose(
+        passes::of_value(written.empty() ? fmt::format("the operator in line {}", program_.statements[index_].line)
+                                         : std::string(written)),
+        program_.statements[index_].span, to_.title));
   }
 
   [[nodiscard]] bool is_leaf(ExpressionId id) const { return ir::operand_count(program_.at(id).op) == 0; }

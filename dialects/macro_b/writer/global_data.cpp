@@ -6,6 +6,7 @@
 #include <string>
 
 #include "dialects/macro_b/writer/raise_parameters.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/passes/walk.h"
 
@@ -32,15 +33,16 @@ class Refusal {
         if (!watched(v)) continue;
         // The elements of an array are not followed one by one.
         const bool element = v.index != ir::ExpressionId::none;
-        if (company) refuse(v, s, ", which other programs share,");
-        if (element && !use.set) refuse(v, s, ", whose value is not known here,");
+        if (company) refuse(v, s, passes::kept_value(", which other programs share,"));
+        if (element && !use.set) refuse(v, s, passes::not_known(", whose value is not known here,"));
       }
     }
     const auto scalar = [this](const ir::Variable& v) {
       return v.index == ir::ExpressionId::none ? watched(v) : std::nullopt;
     };
     for (const passes::UnsetRead& read : passes::reads_before_set(program_, scalar))
-      refuse(program_.at(read.variable), program_.statements[read.statement], ", whose value is not known here,");
+      refuse(program_.at(read.variable), program_.statements[read.statement],
+             passes::not_known(", whose value is not known here,"));
     return std::move(out_);
   }
 
@@ -51,11 +53,11 @@ class Refusal {
     return global && placed_.defined.contains(v.symbol) ? std::nullopt : global;
   }
 
-  void refuse(const ir::Variable& v, const ir::Statement& s, std::string_view why) {
+  // `why`: what is wrong with it, after its name.
+  void refuse(const ir::Variable& v, const ir::Statement& s, passes::Refusal why) {
     if (!told_.insert(v.symbol).second) return;
-    const std::string name(program_.strings.at(program_.at(v.symbol).name));
-    out_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span.empty() ? s.span : v.span,
-                                         {"the global data " + name + std::string(why), to_.title}));
+    why.what = "the global data " + std::string(program_.strings.at(program_.at(v.symbol).name)) + why.what;
+    out_.push_back(passes::diagnose(std::move(why), v.span.empty() ? s.span : v.span, to_.title));
   }
 
   const ir::Program& program_;

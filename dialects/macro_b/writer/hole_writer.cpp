@@ -3,6 +3,7 @@
 
 #include "dialects/facts/needs.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::macro_b {
@@ -46,11 +47,11 @@ bool HoleWriter::fits_modal_cycle(const Hole& hole) const {
 
 bool HoleWriter::has_moves(const Hole& hole) {
   if (hole.floats && !cutting_way(hole)) {
-    place_.cannot(hole.name + " where it is not known how the spindle turns");
+    place_.cannot(passes::not_known(hole.name + " where it is not known how the spindle turns"));
     return false;
   }
   if (hole.lead != 0.0 && !place_.state.turning.is_known()) {
-    place_.cannot(hole.name + " after a feed or speed that is not known");
+    place_.cannot(passes::not_known(hole.name + " after a feed or speed that is not known"));
     return false;
   }
   if (drills_by_cycle(hole) && (to_.kind != ir::MachineKind::mill || place_.plane() != Function::plane_xy)) {
@@ -203,7 +204,7 @@ void HoleWriter::motion_again(bool always) {
   const std::optional<Function> motion = place_.motion();
   if (motion && (always || *motion != Function::rapid)) emit_code(*motion);
   if (!motion && facts::needs_motion(program_, place_.index()))
-    place_.cannot("the motion code in effect after a cycle, which is not known here,");
+    place_.cannot(passes::not_known("the motion code in effect after a cycle, which is not known here,"));
 }
 
 void HoleWriter::emit_code(Function function) { out_.emit_block({code(function)}, {}); }

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/passes/walk.h"
@@ -170,14 +171,17 @@ class Placing {
     const std::uint32_t count = elements_of(symbol);
     const std::string name(program_.strings.at(symbol.name));
     if (!global.fits)
-      return cannot(global, v, s,
-                    fmt::format("the global data {} ({} number{}), for which no permanent variables are left,", name,
-                                count, count == 1 ? "" : "s"));
+      return cannot(
+          global, v, s,
+          passes::kept_value(fmt::format("the global data {} ({} number{}), for which no permanent variables are left,",
+                                         name, count, count == 1 ? "" : "s")));
     if (symbol.dimension1 == 0) return;
-    if (v.index == ExpressionId::none) return cannot(global, v, s, "the array " + name + " as a whole");
+    if (v.index == ExpressionId::none)
+      return cannot(global, v, s, passes::of_value("the array " + name + " as a whole"));
     const auto element = element_of(v);
     if (element && *element >= count)
-      return cannot(global, v, s, fmt::format("an element of {} beyond its {} elements", name, count));
+      return cannot(global, v, s,
+                    passes::of_value(fmt::format("an element of {} beyond its {} elements", name, count)));
     // The elements of an array are not followed one by one: a value that is set later is there already.
     if (set) return;
     if (element)
@@ -186,10 +190,9 @@ class Placing {
       global.all = true;
   }
 
-  void cannot(Global& global, const ir::Variable& v, const ir::Statement& s, std::string what) {
+  void cannot(Global& global, const ir::Variable& v, const ir::Statement& s, passes::Refusal what) {
     if (std::exchange(global.told, true)) return;
-    placed_.diagnostics.push_back(text::make_diagnostic(
-        text::DiagnosticId::cannot_translate, v.span.empty() ? s.span : v.span, {std::move(what), to_.title}));
+    placed_.diagnostics.push_back(passes::diagnose(std::move(what), v.span.empty() ? s.span : v.span, to_.title));
   }
 
   void write() {

@@ -24,6 +24,7 @@
 #include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/outside_values.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/safe_start.h"
 #include "dialects/passes/structures.h"
@@ -38,9 +39,6 @@ using ir::StatementKind;
 
 constexpr double kHighestAlarm = 200.0;      // of #3000 = n
 constexpr double kForeignAlarms = 65'000.0;  // user alarms of controls that count from there
-
-// Tolerance and smoothing of the path: how the machine follows what is programmed, not what that is.
-constexpr std::string_view kSmoothing = "CYCLE832";
 
 // L100
 bool is_l_number(std::string_view name) {
@@ -79,7 +77,8 @@ class StatementRaiser {
       case StatementKind::return_to: return return_to_caller(s);
       case StatementKind::modal_call: return call(s);
       case StatementKind::repeat_section: return blocks_.cannot(s, "a part that is repeated from another loop");
-      case StatementKind::execute_text: return blocks_.cannot(s, "a text that is executed as a block");
+      case StatementKind::execute_text:
+        return blocks_.cannot(s, passes::of_value("a text that is executed as a block"));
       case StatementKind::go_to: return jump(s);
       case StatementKind::program_end: return end(s);
       case StatementKind::procedure:  // its parameters are raised
@@ -108,27 +107,31 @@ class StatementRaiser {
     const ir::Jump& jump = program_.jumps[s.payload];
     const bool unbound = jump.label != ir::StringId::none;
     if (unbound && jump.tolerant) return;  // no such label: the program goes on
-    if (jump.restart) return blocks_.cannot(s, "a jump to the start of the program");
+    if (jump.restart) return blocks_.cannot(s, passes::of_call("a jump to the start of the program"));
     // The value of a variable is a block number for all that have numbered variables; of others it is a text.
-    if (jump.computed != ExpressionId::none && !from_numbers_) return blocks_.cannot(s, "a calculated jump");
+    if (jump.computed != ExpressionId::none && !from_numbers_)
+      return blocks_.cannot(s, passes::computed("a calculated jump"));
     out_.keep();
   }
 
   // Block numbers of the caller are the same on all controls that have them.
   void return_to_caller(const ir::Statement& s) {
     const ir::Jump& jump = program_.jumps[s.payload];
-    if (jump.label != ir::StringId::none) return blocks_.cannot(s, "a return to a label of the caller");
-    if (jump.levels != 1) return blocks_.cannot(s, "a return over several levels");
+    if (jump.label != ir::StringId::none)
+      return blocks_.cannot(s, passes::of_call("a return to a label of the caller"));
+    if (jump.levels != 1) return blocks_.cannot(s, passes::of_call("a return over several levels"));
     if (jump.computed != ExpressionId::none && !from_numbers_)
-      return blocks_.cannot(s, "a return to a calculated block");
+      return blocks_.cannot(s, passes::computed("a return to a calculated block"));
     out_.keep();
   }
 
   void call(const ir::Statement& s) {
     const ir::Call& call = program_.calls[s.payload];
-    if (call.computed != ExpressionId::none) return blocks_.cannot(s, "a call of a program whose name is computed");
-    if (call.in_other_language) return blocks_.cannot(s, "a call in ISO mode (ISOCALL)");
-    if (call.first_label != ExpressionId::none) return blocks_.cannot(s, "a call of a part of a program");
+    if (call.computed != ExpressionId::none)
+      return blocks_.cannot(s, passes::computed("a call of a program whose name is computed"));
+    if (call.in_other_language) return blocks_.cannot(s, passes::of_call("a call in ISO mode (ISOCALL)"));
+    if (call.first_label != ExpressionId::none)
+      return blocks_.cannot(s, passes::of_call("a call of a part of a program"));
     // Numbered subprograms of other controls keep their number: L100 is O0100.
     const std::string_view name = program_.strings.at(call.name);
     if (!same_dialect_ && is_l_number(name))
@@ -162,7 +165,7 @@ class StatementRaiser {
     written.op = ir::Operator::string;
     written.string = program_.strings.add(written_parts(message.text));
     message.text = program_.add(written);
-    blocks_.leave_out(s, "a value in a message");
+    blocks_.leave_out(s, passes::of_value("a value in a message"));
   }
   [[nodiscard]] std::string written_parts(ExpressionId id) const {
     const ir::Expression& e = program_.at(id);
@@ -175,7 +178,7 @@ class StatementRaiser {
     const ir::Native& native = program_.natives[s.payload];
     if (same_dialect_ && s.tokens.first != s.tokens.last) return out_.keep();
     const std::string name(program_.strings.at(native.name));
-    if (name == kSmoothing) return blocks_.leave_out(s, name);
+    if (native.smooths) return blocks_.leave_out(s, name);
     if (!native.effects_known || native.writes) blocks_.cannot(s, name);
   }
 
@@ -221,8 +224,7 @@ void check_system_variables(const ir::Program& program, const ir::Control& to,
       const ir::Variable& v = program.at(use.variable);
       if (v.bank != ir::Bank::system) continue;
       const std::string written(v.span.in(program.source.text()));
-      diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
-                                                  {"the system variable " + written, to.title}));
+      diagnostics.push_back(passes::diagnose(passes::of_value("the system variable " + written), v.span, to.title));
     }
   }
 }
@@ -255,9 +257,9 @@ void refuse_unsayable(const ir::Program& program, const ir::Control& to, const G
       const ir::Operator op = program.at(id).op;
       if (can_print(grammar, op) || (shows_text && op == ir::Operator::string)) return;
       const std::string_view written = program.at(id).span.in(program.source.text());
-      diagnostics.push_back(text::make_diagnostic(
-          text::DiagnosticId::cannot_translate, s.span,
-          {written.empty() ? std::string("a part of an expression") : std::string(written), to.title}));
+      diagnostics.push_back(passes::diagnose(
+          passes::of_value(written.empty() ? std::string("a part of an expression") : std::string(written)), s.span,
+          to.title));
     };
     passes::for_each_root(
         program, s, [&](ExpressionId root) { passes::for_each_node(program, root, look); },
@@ -276,7 +278,7 @@ void tell_outside(std::span<const passes::OutsideValue> outside, std::span<const
     const std::string what =
         fmt::format("the value of R{}, which nothing here sets before it is read (#{}, empty until it is set),",
                     value.number, place->number + value.number - place->from_number);
-    diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, value.span, {what, to.title}));
+    diagnostics.push_back(passes::diagnose(what, value.span, to.title));
     diagnostics.back().severity = text::Severity::warning;
   }
 }

@@ -17,8 +17,8 @@
 #include "dialects/ir/idle_code.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/reader/lower.h"
-#include "dialects/macro_b/validator/findings.h"
 #include "dialects/macro_b/writer/print.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::macro_b {
 
@@ -30,7 +30,6 @@ using ir::ExpressionId;
 using ir::Function;
 using ir::Operator;
 
-constexpr std::string_view kAxisLetters = "XYZABCUVW";
 constexpr std::string_view kCenterLetters = "IJK";
 constexpr std::string_view kRotaryLetters = "ABC";
 constexpr std::int16_t kLastPlainOffset = 6;  // G59
@@ -78,13 +77,12 @@ BlockRaiser::BlockRaiser(ir::Program& program, const ir::Control& from, const ir
   });
 }
 
-void BlockRaiser::cannot(const ir::Statement& statement, std::string what) {
-  if (program_.source.text().empty()) what += fmt::format(" (line {})", statement.line);
-  diagnostics_.push_back(
-      text::make_diagnostic(text::DiagnosticId::cannot_translate, statement.span, {std::move(what), to_.title}));
+void BlockRaiser::cannot(const ir::Statement& statement, passes::Refusal what) {
+  if (program_.source.text().empty()) what.what += fmt::format(" (line {})", statement.line);
+  diagnostics_.push_back(passes::diagnose(std::move(what), statement.span, to_.title));
 }
 
-void BlockRaiser::leave_out(const ir::Statement& statement, std::string what) {
+void BlockRaiser::leave_out(const ir::Statement& statement, passes::Refusal what) {
   cannot(statement, std::move(what));
   diagnostics_.back().severity = text::Severity::warning;
 }
@@ -117,7 +115,7 @@ void BlockRaiser::block(const ir::Statement& statement, std::uint32_t index) {
   if (shifts_whole_ && !same_) whole_shift();
   distance_frame(traits);
   if (!same_) split_m_codes();
-  if (old.rest_level != 0 && !keeps_rest(old)) return cannot(statement, "block skip inside a block");
+  if (old.rest_level != 0 && !keeps_rest(old)) return cannot(statement, passes::at_switch("block skip inside a block"));
   draft_.rest_level = old.rest_level;
   draft_.rest_begin = old.rest_begin;
   emit_all();
@@ -140,7 +138,7 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
   for (const ir::Word& w : words) {
     if (w.address == Address::t && !foreign_) traits.tool = &w;
     if (w.address == Address::d && edges_ && !foreign_) traits.edge = &w;
-    if (!holds(kAxisLetters, w.address) || traits.dwell) continue;
+    if (!holds(ir::kAxisLetters, w.address) || traits.dwell) continue;
     traits.any_incremental |= is_incremental(w);
     traits.any_absolute |= !is_incremental(w);
   }
@@ -185,11 +183,12 @@ void BlockRaiser::code(const ir::Code& code) {
   if (f == Function::diameter_on || f == Function::diameter_off || f == Function::diameter_absolute_only) return;
   if (same_) return draft_.codes.push_back(code);
   if (f == Function::tool_change && to_.semantics.tool_word == ir::ToolWord::number_and_offset) return;
-  if (code.number != ExpressionId::none) return cannot(*statement_, "a code with a calculated number");
+  if (code.number != ExpressionId::none)
+    return cannot(*statement_, passes::computed("a code with a calculated number"));
   if (f == Function::machine_function) return draft_.codes.push_back(code);
   const bool factors = f == Function::scale && code.argument == ir::kFrameAboutPoint;
   if (factors && counts_factors_ && from_.semantics.scale_unit != to_.semantics.scale_unit)
-    return cannot(*statement_, "scaling, whose factors count otherwise here");
+    return cannot(*statement_, passes::by_parameter("scaling, whose factors count otherwise here"));
   if (f == Function::work_offset && code.argument > kLastPlainOffset) {
     ir::Code extended = code_of(Function::work_offset, 1);
     extended.argument = code.argument > kExtendedOffset
@@ -251,22 +250,23 @@ bool BlockRaiser::begins_transformation() const {
 
 void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   if (traits.tool == &word || traits.edge == &word) return;
-  if (same_ && !holds(kAxisLetters, word.address) && !is_center(word) && word.address != Address::r) {
+  if (same_ && !holds(ir::kAxisLetters, word.address) && !is_center(word) && word.address != Address::r) {
     return draft_.words.push_back(word);
   }
-  if (program_.at(word.value).op == Operator::string) return cannot(*statement_, "a word with a name as its value");
+  if (program_.at(word.value).op == Operator::string)
+    return cannot(*statement_, passes::of_value("a word with a name as its value"));
   if (traits.dwell && !from_.semantics.dwell_p_is_ms) return dwell_word(word);
   if (traits.repeats && word.address == Address::a) return draft_.words.push_back(word);  // the angle of a thread
-  if (holds(kAxisLetters, word.address) && !traits.dwell) return axis_word(word);
+  if (holds(ir::kAxisLetters, word.address) && !traits.dwell) return axis_word(word);
   if (traits.pattern >= 0 && (is_center(word) || word.address == Address::p)) return pattern_word(word, traits.pattern);
   // What it counts without a point, a parameter decides.
   const bool in_increments = from_.semantics.decimal_mode == ir::DecimalMode::least_increment &&
                              program_.at(word.value).op == Operator::constant && !program_.at(word.value).has_point;
   if (traits.changes_lead && !same_ && word.address == Address::k && in_increments)
-    return cannot(*statement_, "the change of a lead without a point");
+    return cannot(*statement_, passes::by_parameter("the change of a lead without a point"));
   // Mazak's second feed of G85, which others do not have.
   if (!same_ && word.address == Address::e && way_ == Way::holes)
-    return cannot(*statement_, "the word E together with a drilling cycle");
+    return cannot(*statement_, passes::together("the word E together with a drilling cycle"));
   if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
   ir::Word raised = word;
   raised.extension = 0;
@@ -287,7 +287,7 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
     if (!traits.drills) raised.value = with_point(raised.value, false);
     return draft_.words.push_back(raised);
   }
-  const bool length = (is_center(word) || holds(kAxisLetters, word.address) || raised.address == Address::r) &&
+  const bool length = (is_center(word) || holds(ir::kAxisLetters, word.address) || raised.address == Address::r) &&
                       !is_plain_number(word, traits);
   if (length || raised.address == Address::f) {
     const bool counts = length || from_.semantics.decimal_mode == ir::DecimalMode::calculator;
@@ -296,7 +296,9 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
       raised.value = scaled(raised.value, 1.0 / 25.4);
   }
   if (raised.address > Address::z && !(from_.dialect == to_.dialect)) {
-    return cannot(*statement_, "a word that this control has no address for");
+    const std::string_view written = word.span.in(program_.source.text());
+    return cannot(*statement_, written.empty() ? "a word that this control has no address for"
+                                               : fmt::format("the word {}", written));
   }
   draft_.words.push_back(raised);
 }
@@ -330,7 +332,7 @@ void BlockRaiser::axis_word(ir::Word word) {
 void BlockRaiser::distance_frame(const Traits& traits) {
   if (to_.semantics.incremental_letters_uvw || draft_.words.empty()) return;
   if (traits.any_incremental && traits.any_absolute)
-    return cannot(*statement_, "absolute and incremental words in one block");
+    return cannot(*statement_, passes::together("absolute and incremental words in one block"));
   const bool incremental = traits.any_incremental;
   if ((!traits.any_incremental && !traits.any_absolute) || incremental == incremental_) return;
   // G90 X=IC(5): the block's own code is the one behind it.

@@ -9,6 +9,7 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/tool_flow.h"
 #include "dialects/text/diagnostic.h"
@@ -23,9 +24,9 @@ class BlockRaiser {
   // The block statement that `out` is at, by its index: emits what says the same on the target, one block or several.
   void block(const ir::Statement& statement, std::uint32_t index);
   // Something of the statement that the target cannot say.
-  void cannot(const ir::Statement& statement, std::string what);
+  void cannot(const ir::Statement& statement, passes::Refusal what);
   // … which changes neither a move nor a value: a warning.
-  void leave_out(const ir::Statement& statement, std::string what);
+  void leave_out(const ir::Statement& statement, passes::Refusal what);
 
  private:
   // A block in the making.

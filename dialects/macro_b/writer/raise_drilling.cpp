@@ -11,21 +11,20 @@
 #include "dialects/macro_b/writer/raise_drilling.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <expected>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "dialects/facts/axis_words.h"
+#include "dialects/ir/called_cycle.h"
 #include "dialects/macro_b/writer/called_hole.h"
 #include "dialects/macro_b/writer/drill_place.h"
 #include "dialects/macro_b/writer/drill_region.h"
 #include "dialects/macro_b/writer/hole_writer.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::macro_b {
@@ -33,6 +32,8 @@ namespace dripfeed::macro_b {
 namespace {
 
 using ir::Address;
+using ir::CalledSort;
+using ir::CycleValue;
 using ir::Function;
 using ir::StatementKind;
 
@@ -79,12 +80,13 @@ class Drilling {
   void begin() {
     close();
     const ir::Call& call = program_.calls[place_.statement().payload];
-    if (!is_drilling_cycle(program_.strings.at(call.name))) return keep_unknown();
+    if (!is_drilling_cycle(call)) return keep_unknown();
     const std::optional<Hole> hole = hole_of(call);
     if (!hole) return;  // told
-    if (calls_in_region(program_, place_.index())) return place_.cannot("a call of another program after MCALL");
+    if (calls_in_region(program_, place_.index()))
+      return place_.cannot(passes::of_call("a call of another program after MCALL"));
     if (jumps_across_region(program_, place_.index(), jumps_))
-      return place_.cannot("a modal call that jumps lead into or out of");
+      return place_.cannot(passes::not_known("a modal call that jumps lead into or out of"));
     const bool taps = hole->lead != 0.0 || hole->floats;
     is_cycle_ = holes_.fits_modal_cycle(*hole) && place_.motion() == Function::rapid &&
                 region_positions(program_, place_.index(), taps);
@@ -103,9 +105,9 @@ class Drilling {
 
   void call() {
     const ir::Call& call = program_.calls[place_.statement().payload];
-    const std::string_view name = program_.strings.at(call.name);
-    if (name == "HOLES1" || name == "HOLES2") return pattern(std::string(name), call);
-    if (!is_drilling_cycle(name)) return keep_unknown();
+    if (ir::is_called(call, CalledSort::holes_in_row) || ir::is_called(call, CalledSort::holes_on_circle))
+      return pattern(call);
+    if (!is_drilling_cycle(call)) return keep_unknown();
     const std::optional<Hole> hole = hole_of(call);
     if (!hole) return;  // told
     if (holes_.fits_modal_cycle(*hole)) return holes_.write_hole(*hole);
@@ -139,44 +141,63 @@ class Drilling {
     if (modal_ && positions) holes_.write_moves(*modal_);
   }
 
-  // HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM), HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): positions in rapid.
-  void pattern(const std::string& name, const ir::Call& call) {
+  // A row or a circle of holes: positions in rapid.
+  struct Pattern {
+    double first, second, angle, start, step, radius, count;
+  };
+
+  void pattern(const ir::Call& call) {
+    const std::string name(program_.strings.at(call.name));
     place_.settle_plane();
     if (place_.plane() != Function::plane_xy) return place_.cannot(name + " in another plane than G17");
     holes_.settle_distance();
-    std::array<double, 6> v{};
-    const std::span<const ir::Argument> arguments = program_.arguments_of(call);
-    for (std::size_t i = 0; i < std::min(v.size(), arguments.size()); ++i) {
-      if (arguments[i].value == ir::ExpressionId::none) continue;  // left out: 0
-      const std::optional<double> value = constant_value(program_, arguments[i].value);
-      if (!value) return place_.cannot(name + " with computed arguments");
-      v[i] = *value;
-    }
-    if (v[5] < 1.0 || v[5] > kMostHoles) return place_.cannot(name + " with that number of holes");
-    const bool on_circle = name == "HOLES2";
-    if (!on_circle && v[5] > 1.0 && !begin_nearer(v))
-      return place_.cannot(name + " from a place that is not known here");
-    const double step = v[4] == 0.0 ? 360.0 / v[5] : v[4];
-    for (int n = 0; n < v[5]; ++n) {
-      const double angle = (on_circle ? v[3] + n * step : v[2]) * kRadiansPerDegree;
-      const double radius = on_circle ? v[2] : v[3] + n * v[4];
-      position(v[0] + radius * std::cos(angle), v[1] + radius * std::sin(angle));
+    std::optional<Pattern> found = pattern_of(call);
+    if (!found) return place_.cannot(passes::computed(name + " with computed arguments"));
+    Pattern& p = *found;
+    if (p.count < 1.0 || p.count > kMostHoles) return place_.cannot(name + " with that number of holes");
+    const bool on_circle = call.cycle->sort == CalledSort::holes_on_circle;
+    if (!on_circle && p.count > 1.0 && !begin_nearer(p))
+      return place_.cannot(passes::not_known(name + " from a place that is not known here"));
+    const double step = p.step == 0.0 ? 360.0 / p.count : p.step;
+    for (int n = 0; n < p.count; ++n) {
+      const double angle = (on_circle ? p.angle + n * step : p.angle) * kRadiansPerDegree;
+      const double radius = on_circle ? p.radius : p.start + n * p.step;
+      position(p.first + radius * std::cos(angle), p.second + radius * std::sin(angle));
     }
     if (!is_cycle_) holes_.motion_again(false);
   }
 
+  // Nothing where a value is computed; what is left out is 0.
+  [[nodiscard]] std::optional<Pattern> pattern_of(const ir::Call& call) const {
+    bool known = true;
+    const auto number = [&](CycleValue which) {
+      const ir::ExpressionId id = ir::value_of(program_, call, which);
+      const std::optional<double> value = id == ir::ExpressionId::none ? 0.0 : constant_value(program_, id);
+      known &= value.has_value();
+      return value.value_or(0.0);
+    };
+    const Pattern found = {.first = number(CycleValue::pattern_first),
+                           .second = number(CycleValue::pattern_second),
+                           .angle = number(CycleValue::pattern_angle),
+                           .start = number(CycleValue::pattern_start),
+                           .step = number(CycleValue::pattern_step),
+                           .radius = number(CycleValue::pattern_radius),
+                           .count = number(CycleValue::pattern_count)};
+    return known ? std::optional(found) : std::nullopt;
+  }
+
   // A row begins with its last hole where that one is nearer. False where the tool stands nobody knows.
-  bool begin_nearer(std::array<double, 6>& row) {
+  bool begin_nearer(Pattern& row) {
     const auto [x, y] = place_.state.in_plane;
     if (!x || !y) return false;
-    const double angle = row[2] * kRadiansPerDegree;
-    const double last = row[3] + (row[5] - 1.0) * row[4];
+    const double angle = row.angle * kRadiansPerDegree;
+    const double last = row.start + (row.count - 1.0) * row.step;
     const auto distance = [&](double along) {
-      return std::hypot(*x - row[0] - along * std::cos(angle), *y - row[1] - along * std::sin(angle));
+      return std::hypot(*x - row.first - along * std::cos(angle), *y - row.second - along * std::sin(angle));
     };
-    if (distance(last) >= distance(row[3])) return true;
-    row[3] = last;
-    row[4] = -row[4];
+    if (distance(last) >= distance(row.start)) return true;
+    row.start = last;
+    row.step = -row.step;
     return true;
   }
 
@@ -202,10 +223,7 @@ class Drilling {
 }  // namespace
 
 std::vector<text::Diagnostic> raise_drilling(ir::Program& program, const ir::Control& from, const ir::Control& to) {
-  const bool any = std::ranges::any_of(program.calls, [&](const ir::Call& call) {
-    const std::string_view name = program.strings.at(call.name);
-    return name.starts_with("CYCLE8") || name.starts_with("HOLES");
-  });
+  const bool any = std::ranges::any_of(program.calls, [](const ir::Call& call) { return call.cycle != nullptr; });
   return any ? Drilling(program, from, to).run() : std::vector<text::Diagnostic>();
 }
 

@@ -17,6 +17,7 @@
 
 #include "dialects/ir/frame_use.h"
 #include "dialects/macro_b/writer/called_hole.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::macro_b {
@@ -125,14 +126,15 @@ class Frames {
 
   // ATRANS: the shift so far and the words, said as one. Of a shift that was computed nothing is known by now.
   void add_shift(const std::vector<ir::Word>& words) {
-    if (stage_ == Stage::unknown) return cannot("ATRANS, which adds to a frame that is not known here,");
+    if (stage_ == Stage::unknown)
+      return cannot(passes::not_known("ATRANS, which adds to a frame that is not known here,"));
     if (stage_ > Stage::shift) return cannot("ATRANS after another part of the frame");
     const bool others = std::ranges::any_of(words, [](const ir::Word& w) {
       return ir::is_axis(w.address) && std::ranges::find(kLengths, w.address) == kLengths.end();
     });
     if (others || others_shifted_) return cannot("ATRANS of other axes than X, Y and Z");
     if (std::ranges::any_of(shift_, [](const auto& one) { return !one.has_value(); }))
-      return cannot("ATRANS after a shift that is computed");
+      return cannot(passes::computed("ATRANS after a shift that is computed"));
     std::vector<ir::Word> sums;
     for (std::size_t i = 0; i < kLengths.size(); ++i) {
       const ir::Word* more = find(words, kLengths[i]);
@@ -158,7 +160,8 @@ class Frames {
                       : function == Function::scale ? Stage::scale
                                                     : Stage::rotation;
     const std::string name(written.empty() ? ir::name_of(function) : written);
-    if (stage_ == Stage::unknown) return cannot(name + ", which adds to a frame that is not known here,");
+    if (stage_ == Stage::unknown)
+      return cannot(passes::not_known(name + ", which adds to a frame that is not known here,"));
     if (stage_ >= own) return cannot(name + " after another part of the frame");
     stage_ = own;
     if (function == Function::rotate) return rotate(name, words);
@@ -230,9 +233,8 @@ class Frames {
     c.group = ir::ModalGroup::frame;
     return c;
   }
-  void cannot(std::string what) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, statement_.span, {std::move(what), to_.title}));
+  void cannot(passes::Refusal what) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), statement_.span, to_.title));
   }
 
   ir::Program& program_;

@@ -8,6 +8,7 @@
 
 #include "dialects/facts/flow_graph.h"
 #include "dialects/passes/macro_arguments.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/walk.h"
 
@@ -18,13 +19,6 @@ namespace {
 using ir::ExpressionId;
 using ir::Operator;
 using ir::StatementKind;
-
-// Programs that SINUMERIK brings along, by how their names begin: nobody has them here.
-constexpr std::array<std::string_view, 6> kStandard = {"CYCLE", "HOLES", "SLOT", "POCKET", "LONGHOLE", "GROUP_"};
-
-bool is_standard(std::string_view name) {
-  return std::ranges::any_of(kStandard, [name](std::string_view begin) { return name.starts_with(begin); });
-}
 
 bool is_call(StatementKind kind) { return kind == StatementKind::call || kind == StatementKind::modal_call; }
 
@@ -60,9 +54,10 @@ class Parameters {
   void head(const ir::Statement& s) {
     const ir::Structure structure = program_.structures[s.payload];
     if (structure.saves_modal && changes_modes(program_))
-      cannot("SAVE, which gives the caller its modes back,", s.span);
+      cannot(passes::of_call("SAVE, which gives the caller its modes back,"), s.span);
     if (structure.symbol_count > passes::kArgumentLetters.size())
-      return cannot("a program with more than " + std::to_string(passes::kArgumentLetters.size()) + " parameters",
+      return cannot(passes::of_call("a program with more than " + std::to_string(passes::kArgumentLetters.size()) +
+                                    " parameters"),
                     s.span);
     for (std::uint32_t i = 0; i < structure.symbol_count; ++i)
       parameter(static_cast<ir::SymbolId>(structure.first_symbol + i), passes::kArgumentLetters[i].number);
@@ -75,9 +70,11 @@ class Parameters {
     const std::string name(program_.strings.at(symbol.name));
     const bool is_number = symbol.type == ir::ValueType::real || symbol.type == ir::ValueType::integer ||
                            symbol.type == ir::ValueType::boolean;
-    if (symbol.by_reference) return cannot("the parameter " + name + ", which gives a value back (VAR),", symbol.span);
-    if (symbol.dimension1 != 0) return cannot("the parameter " + name + ", which is an array,", symbol.span);
-    if (!is_number) return cannot("the parameter " + name + ", which is no number,", symbol.span);
+    if (symbol.by_reference)
+      return cannot(passes::of_call("the parameter " + name + ", which gives a value back (VAR),"), symbol.span);
+    if (symbol.dimension1 != 0)
+      return cannot(passes::of_call("the parameter " + name + ", which is an array,"), symbol.span);
+    if (!is_number) return cannot(passes::of_value("the parameter " + name + ", which is no number,"), symbol.span);
     result_.numbers.emplace(id, number);
 
     ir::Variable raw;  // without a type: what the caller gave
@@ -107,9 +104,8 @@ class Parameters {
     out_.emit_structure(StatementKind::if_end, {});
   }
 
-  void cannot(std::string what, text::Span span) {
-    result_.diagnostics.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), to_.title}));
+  void cannot(passes::Refusal what, text::Span span) {
+    result_.diagnostics.push_back(passes::diagnose(std::move(what), span, to_.title));
   }
 
   ir::Program& program_;
@@ -143,9 +139,11 @@ class Calls {
   void call(const ir::Statement& s) {
     ir::Call& call = program_.calls[s.payload];
     const std::string name(program_.strings.at(call.name));
-    if (is_standard(name)) return cannot(name, s.span);
+    if (call.cycle != nullptr) return cannot(name, s.span);
     if (call.argument_count > passes::kArgumentLetters.size())
-      return cannot("a call with more than " + std::to_string(passes::kArgumentLetters.size()) + " arguments", s.span);
+      return cannot(
+          passes::of_call("a call with more than " + std::to_string(passes::kArgumentLetters.size()) + " arguments"),
+          s.span);
     bool given = false;
     for (std::uint32_t i = 0; i < call.argument_count; ++i) {
       ir::Argument& argument = program_.arguments[call.first_argument + i];
@@ -154,16 +152,15 @@ class Calls {
       if (argument.value == ExpressionId::none) continue;
       given = true;
       const ir::Expression& e = program_.at(argument.value);
-      if (e.op == Operator::string) cannot("a text as an argument", s.span);
+      if (e.op == Operator::string) cannot(passes::of_value("a text as an argument"), s.span);
       // Without a point it would count increments.
       if (e.op == Operator::constant) argument.value = program_.add_constant(e.value, e.span, true);
     }
     if ((given || own_variables_) && call.kind == ir::CallKind::subprogram) call.kind = ir::CallKind::macro;
   }
 
-  void cannot(std::string what, text::Span span) {
-    diagnostics_.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), to_.title}));
+  void cannot(passes::Refusal what, text::Span span) {
+    diagnostics_.push_back(passes::diagnose(std::move(what), span, to_.title));
   }
 
   ir::Program& program_;

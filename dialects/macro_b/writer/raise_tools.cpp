@@ -7,6 +7,7 @@
 
 #include "dialects/facts/calls.h"
 #include "dialects/macro_b/writer/raise_block.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::macro_b {
 
@@ -28,11 +29,11 @@ bool changes_tool(const ir::Code& c) { return c.function == Function::tool_chang
 void BlockRaiser::tool_words(const Traits& traits) {
   if (!tools_) {
     const bool as_it_is = same_ || from_.semantics.tool_word == to_.semantics.tool_word;
-    if (!as_it_is) return cannot(*statement_, "a tool word with an offset number");
+    if (!as_it_is) return cannot(*statement_, passes::of_tool("a tool word with an offset number"));
     return draft_.words.push_back(*traits.tool);
   }
   if (traits.tool != nullptr && program_.at(traits.tool->value).op == Operator::string)
-    return cannot(*statement_, "a tool with a name");
+    return cannot(*statement_, passes::of_tool("a tool with a name"));
   const bool on_lathe = to_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (!on_lathe && traits.tool != nullptr) draft_.words.push_back(*traits.tool);
   if (traits.tool != nullptr && !traits.tool_change && !tools_->changes_at_once()) return prepare(traits);
@@ -51,7 +52,8 @@ void BlockRaiser::prepare(const Traits& traits) {
   if (!tool) return;
   if (to_.semantics.tool_word == ir::ToolWord::number_and_offset) return lathe_tool(*tool, edge);
   if (is_constant(edge, 0.0)) return change_first(traits, {{code_of(Function::length_offset_off)}, {}});
-  if (!is_constant(edge, 1.0)) return cannot(*statement_, "an edge that is not the first of a known tool");
+  if (!is_constant(edge, 1.0))
+    return cannot(*statement_, passes::of_tool("an edge that is not the first of a known tool"));
   change_first(traits, length_of(*tool));
 }
 
@@ -77,7 +79,7 @@ std::optional<ExpressionId> BlockRaiser::tool_in(const ToolState& state) {
   const bool between = state.caller != ir::kNoIndex && state.next.known != Known::none &&
                        !tools_->same_value(state.next.value, state.in.value);
   if (state.in.known == Known::differs || between || program_.at(state.in.value).op == Operator::string) {
-    cannot(*statement_, "a tool that is not known here, or not the same on all control-flow paths,");
+    cannot(*statement_, passes::not_known("a tool that is not known here, or not the same on all control-flow paths,"));
     return std::nullopt;
   }
   if (state.caller != ir::kNoIndex)
@@ -103,10 +105,10 @@ void BlockRaiser::compensation_number() {
 
 // T0606: each tool has the offset of its own number; edge 0 takes the offset away.
 void BlockRaiser::lathe_tool(ExpressionId tool, ExpressionId edge) {
-  if (tool == ExpressionId::none) return cannot(*statement_, "an edge before a tool");
+  if (tool == ExpressionId::none) return cannot(*statement_, passes::of_tool("an edge before a tool"));
   const bool off = is_constant(edge, 0.0);
   if (edge != ExpressionId::none && !off && !is_constant(edge, 1.0))
-    return cannot(*statement_, "a second edge of a tool");
+    return cannot(*statement_, passes::of_tool("a second edge of a tool"));
   draft_.words.push_back(word_of(Address::t, scaled(tool, off ? kToolPlaces : kToolPlaces + 1.0)));
 }
 
@@ -124,7 +126,7 @@ void BlockRaiser::length_offset(const Traits& traits, ExpressionId edge) {
       return change_first(traits, {});
     }
     if (tools_->changes_at_once() && calls_next())
-      return cannot(*statement_, "a tool that a called program brings in, without D after the call,");
+      return cannot(*statement_, passes::of_tool("a tool that a called program brings in, without D after the call,"));
     tell("the cutting edge after a tool change without D", "MD20270 decides, and it is taken as D1");
     length = length_of(*tool);
   } else if (is_constant(edge, 0.0)) {
@@ -133,7 +135,7 @@ void BlockRaiser::length_offset(const Traits& traits, ExpressionId edge) {
     const std::optional<ExpressionId> tool = tool_of(traits);
     if (!tool) return;
     if (*tool == ExpressionId::none || !is_constant(edge, 1.0))
-      return cannot(*statement_, "an edge that is not the first of a known tool");
+      return cannot(*statement_, passes::of_tool("an edge that is not the first of a known tool"));
     length = length_of(*tool);
   }
   change_first(traits, std::move(length));

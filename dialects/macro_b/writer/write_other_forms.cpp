@@ -9,6 +9,7 @@
 #include "dialects/facts/facts.h"
 #include "dialects/ir/hole_pattern.h"
 #include "dialects/macro_b/reader/other_forms.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::macro_b {
 
@@ -35,9 +36,8 @@ void write_other_forms(ir::Program& program, const ir::Control& control, const G
   std::optional<facts::Resolved> known;
   if (std::ranges::find(program.words, Address::k, &ir::Word::address) != program.words.end())
     known.emplace(program, control);
-  const auto refuse = [&](const ir::Statement& s, std::string_view what) {
-    diagnostics.push_back(
-        text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::string(what), control.title}));
+  const auto refuse = [&](const ir::Statement& s, passes::Refusal what) {
+    diagnostics.push_back(passes::diagnose(std::move(what), s.span, control.title));
   };
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     const ir::Statement s = program.statements[i];
@@ -54,7 +54,7 @@ void write_other_forms(ir::Program& program, const ir::Control& control, const G
     for (ir::Word& word : words) {
       if (!times || word.address != Address::p || word.value == ExpressionId::none) continue;
       if (!is_constant(program, word.value)) {
-        refuse(s, "a dwell time that is computed");
+        refuse(s, passes::computed("a dwell time that is computed"));
       } else if (const ir::Expression time = program.at(word.value); time.has_point) {
         word.value = program.add_constant(std::round(time.value), time.span, false);
       }
@@ -72,7 +72,7 @@ void write_other_forms(ir::Program& program, const ir::Control& control, const G
     if (here && (*here)[facts::Mode::cycle].is(kNoCycle)) continue;  // K of an arc or a thread
     const facts::Setting* cycle = here ? (*here)[facts::Mode::cycle].certain() : nullptr;
     if (cycle == nullptr)
-      refuse(s, "K where it is not known whether a drilling cycle is in effect");
+      refuse(s, passes::not_known("K where it is not known whether a drilling cycle is in effect"));
     else if (cycle->function == Function::drill)
       rename_words(words, Address::k, Address::l);
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/sinumerik/reader/lex.h"
 #include "dialects/sinumerik/sinumerik.h"
 #include "dialects/sinumerik/tables/name_index.h"
@@ -143,7 +144,7 @@ ir::Control infer_control(const text::Source& source) {
   ir::Control result = control(inference.sign() == Sign::lathe ? ir::MachineKind::lathe : ir::MachineKind::mill);
   if (inference.sign() != Sign::nothing) result.because_line = source.position(inference.offset()).line;
   std::string axes;
-  for (const char letter : std::string_view("XYZABCUVW"))
+  for (const char letter : ir::kAxisLetters)
     if (result.axes.find(letter) != std::string::npos || inference.moves(letter)) axes += letter;
   result.axes = axes;
   return result;

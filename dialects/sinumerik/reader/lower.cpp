@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "dialects/sinumerik/tables/called_cycles.h"
+#include "dialects/sinumerik/tables/keywords.h"
 #include "dialects/sinumerik/tables/name_index.h"
 
 namespace dripfeed::sinumerik {
@@ -213,9 +215,10 @@ void Lowering::add_structure(StatementKind kind, const ir::Structure& structure,
   push(kind, program_.structures, structure, span);
 }
 
-void Lowering::add_call(StatementKind kind, const ir::Call& call, text::Span span) {
+void Lowering::add_call(StatementKind kind, ir::Call call, text::Span span) {
   if (native_) return;
   flush_block();
+  call.cycle = find_called_cycle(program_.strings.at(call.name));
   push(kind, program_.calls, call, span);
 }
 
@@ -250,7 +253,10 @@ void Lowering::keep_as_native(std::string_view native_name, bool effects_known, 
                                       [](const ir::Statement& s) { return !is_control_flow(s.kind); });
   statements.erase(dropped, statements.end());
   const bool writes = std::ranges::find(kFileWriters, native_name) != std::end(kFileWriters);
-  push(StatementKind::native, program_.natives, ir::Native{name(native_name), effects_known, moves, writes}, span);
+  const Keyword* const keyword = find_keyword(native_name);
+  const bool smooths = keyword != nullptr && keyword->effect == Effect::smooths;
+  push(StatementKind::native, program_.natives, ir::Native{name(native_name), effects_known, moves, writes, smooths},
+       span);
   native_ = true;
 }
 

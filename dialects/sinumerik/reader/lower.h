@@ -50,7 +50,7 @@ class Lowering {
   void add_jump(const ir::Jump& jump, text::Span span);
   void add_return(const ir::Jump& jump, text::Span span);
   void add_structure(ir::StatementKind kind, const ir::Structure& structure, text::Span span);
-  void add_call(ir::StatementKind kind, const ir::Call& call, text::Span span);
+  void add_call(ir::StatementKind kind, ir::Call call, text::Span span);
   void add_message(ir::StatementKind kind, const ir::Message& message, text::Span span);
   void add_repeat(const ir::Repeat& repeat, text::Span span);
   void add_plain(ir::StatementKind kind, text::Span span);  // declaration, subprogram_return

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/sinumerik/reader/parse.h"
 #include "dialects/sinumerik/tables/codes.h"
 #include "dialects/sinumerik/tables/whole_number.h"
@@ -15,13 +16,13 @@ namespace {
 using ir::Address;
 using ir::TokenKind;
 
-constexpr std::string_view kAxes = "XYZABCUVW";
 constexpr GCode kReference = {
     {"G75", 750, ir::Function::reference_return, 1, ir::ModalGroup::non_modal, "PG, G group 2"}, 2, WordUse::usual};
 
 // X and X1, the usual name of its machine axis.
 bool is_axis(std::string_view name) {
-  return kAxes.contains(to_upper(name.front())) && (name.size() == 1 || (name.size() == 2 && name[1] == '1'));
+  return ir::kAxisLetters.contains(to_upper(name.front())) &&
+         (name.size() == 1 || (name.size() == 2 && name[1] == '1'));
 }
 
 // What stands behind G75, as far as it is a number of the fixed point and axes with numbers.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/sinumerik/reader/parse.h"
 #include "dialects/sinumerik/tables/name_index.h"
@@ -19,8 +20,8 @@ using text::DiagnosticId;
 // of addresses that move axes by themselves.
 bool may_move(std::string_view name) {
   constexpr std::string_view kAddresses[] = {"PO", "MEASA", "MEAWA", "MEAC", "POSP", "OSCILL", "MOVT"};
-  constexpr std::string_view kAxes = "XYZABCUVWEQ";
-  if (name.size() == 3 && name.ends_with("[]") && kAxes.contains(name.front())) return true;
+  constexpr std::string_view kOscillating = "XYZABCUVWEQ";
+  if (name.size() == 3 && name.ends_with("[]") && kOscillating.contains(name.front())) return true;
   if (name.starts_with("HOLES") || std::ranges::find(kAddresses, name) != std::end(kAddresses)) return true;
   const Keyword* keyword = find_keyword(name);
   return keyword != nullptr && (keyword->effect == Effect::moves || keyword->effect == Effect::shifts);
@@ -109,11 +110,10 @@ void Parser::native(std::string_view name, bool effects_known, text::Span head) 
 
 // X10 or Z=R1 at the cursor, with which a block moves whatever else stands in it.
 bool Parser::is_axis_address() const {
-  constexpr std::string_view kAxes = "XYZABCUVW";
   if (cursor_.kind() != TokenKind::address || cursor_.span().size() != 1) return false;
   const TokenCursor value = cursor_.after();
   const bool has_value = value.kind() == TokenKind::number || value.is_symbol('=') || value.is_symbol('-');
-  return has_value && kAxes.contains(to_upper(cursor_.first()));
+  return has_value && ir::kAxisLetters.contains(to_upper(cursor_.first()));
 }
 
 // CYCLE802(111111111,111111111,…): a digit a position, 1 absolute. Of mixed ones the cycle is said (PGZ, CYCLE802).

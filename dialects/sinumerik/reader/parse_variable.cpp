@@ -1,4 +1,5 @@
 // Variables: R parameters, names, system variables, and the lists in their brackets.
+#include "dialects/ir/axis_letters.h"
 #include "dialects/sinumerik/reader/parse.h"
 #include "dialects/sinumerik/tables/name_index.h"
 #include "dialects/sinumerik/tables/system_variables.h"
@@ -71,12 +72,11 @@ ir::VariableId Parser::r_variable() {
 // An index of a system variable: an axis letter becomes the axis' number in the order of the trace, TR FI RT SC MI the
 // part of a frame, and a name that is nowhere defined is the name of an axis of the machine. None for a plain value.
 ir::ExpressionId Parser::system_index() {
-  static constexpr std::string_view kAxes = "XYZABCUVW";
   static constexpr std::string_view kParts[] = {"TR", "FI", "RT", "SC", "MI"};
   const bool letter = cursor_.kind() == TokenKind::address && cursor_.span().size() == 1;
-  const std::size_t axis = letter ? kAxes.find(to_upper(cursor_.first())) : kAxes.npos;
+  const std::size_t axis = letter ? ir::kAxisLetters.find(to_upper(cursor_.first())) : ir::kAxisLetters.npos;
   const text::Span span = cursor_.span();
-  if (axis != kAxes.npos) {
+  if (axis != ir::kAxisLetters.npos) {
     cursor_.advance();
     return constant(static_cast<double>(axis), span);
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/sinumerik/reader/parse.h"
 #include "dialects/sinumerik/tables/codes.h"
 #include "dialects/sinumerik/tables/whole_number.h"
@@ -201,11 +202,10 @@ bool Parser::is_list_here() const {
 // POS[X]=10: the axis goes there by itself, at its own feed (FA), which is said; the block ends when it has arrived.
 // After POSA the next blocks do not wait for it, and that is said as well. (PG, "Positioning axes".)
 void Parser::positioning(const Keyword& keyword, ir::StringId name, ir::ExpressionId axis, text::Span head) {
-  constexpr std::string_view kAxes = "XYZABCUVW";
   const ir::Expression* named = axis == ir::ExpressionId::none ? nullptr : &program_.at(axis);
   if (named == nullptr || !cursor_.is_symbol('=')) return word(Address::other, 0, name, head);
   const std::string written(named->op == ir::Operator::string ? program_.strings.at(named->string) : "");
-  if (!written.empty() && (written.size() != 1 || !kAxes.contains(written.front())))
+  if (!written.empty() && (written.size() != 1 || !ir::kAxisLetters.contains(written.front())))
     return word(Address::other, 0, name, head);
   const bool letter = !written.empty();
   cursor_.advance();

@@ -34,6 +34,7 @@ enum class Effect : std::uint8_t {
   none,     // nothing of motion or state
   moves,    // axes may be anywhere afterwards
   shifts,   // coordinates may lie elsewhere afterwards
+  smooths,  // how the machine follows the path, not which path: tolerance, smoothing
 };
 
 enum class Verb : std::uint8_t {

@@ -1,7 +1,7 @@
 // What a word is for stands with its role or, of a statement, with its verb; of a function it is the operator's.
 #include "dialects/sinumerik/tables/language_words.h"
 
-#include "dialects/sinumerik/tables/cycle_texts.h"
+#include "dialects/sinumerik/tables/called_cycles.h"
 #include "dialects/sinumerik/tables/keywords.h"
 
 namespace dripfeed::sinumerik {
@@ -59,8 +59,14 @@ std::string_view about_effect(Effect effect) {
     case Effect::none: return "of the control; neither moves nor changes what is checked";
     case Effect::moves: return "of the control; axes may be anywhere afterwards";
     case Effect::shifts: return "of the control; changes where coordinates lie";
+    case Effect::smooths: return "of the control; tolerance and smoothing of the path";
   }
   return {};
+}
+
+// Of a statement that is kept as it is.
+ir::WordState state_of(Effect effect) {
+  return effect == Effect::none ? ir::WordState::without_effect : ir::WordState::reported;
 }
 
 ir::LanguageWord word_of(const Keyword& keyword) {
@@ -69,13 +75,16 @@ ir::LanguageWord word_of(const Keyword& keyword) {
     case Role::infix:
     case Role::prefix: return {keyword.name, WordSort::keyword, ir::about_operator(keyword.op)};
     case Role::function: return {keyword.name, WordSort::function, ir::about_operator(keyword.op)};
-    case Role::foreign: return {keyword.name, WordSort::function, "known to the control; its value is the control's"};
+    case Role::foreign:
+      return {keyword.name, WordSort::function, "known to the control; its value is the control's",
+              ir::WordState::reported};
     case Role::constant: return {keyword.name, WordSort::keyword, "a constant"};
     case Role::word_mode: return {keyword.name, WordSort::function, "how the value of this word is meant"};
     case Role::address: return {keyword.name, WordSort::keyword, "a word that takes a value"};
     case Role::statement: return {keyword.name, WordSort::keyword, about_verb(keyword.verb)};
-    case Role::procedure: return {keyword.name, WordSort::keyword, about_effect(keyword.effect)};
-    case Role::cycle: return {keyword.name, WordSort::cycle, "standard cycle of the control"};
+    case Role::procedure:
+      return {keyword.name, WordSort::keyword, about_effect(keyword.effect), state_of(keyword.effect)};
+    case Role::cycle: return {keyword.name, WordSort::cycle, "standard cycle of the control", state_of(keyword.effect)};
     case Role::type: return {keyword.name, WordSort::keyword, "type of a variable"};
     case Role::attribute: return {keyword.name, WordSort::keyword, "part of a declaration"};
   }
@@ -87,9 +96,8 @@ ir::LanguageWord word_of(const Keyword& keyword) {
 std::vector<ir::LanguageWord> language_words() {
   std::vector<ir::LanguageWord> words;
   for (const Keyword& keyword : keywords()) words.push_back(word_of(keyword));
-  for (const auto cycles : {drilling_cycles(), turning_cycles()})
-    for (const CycleText& cycle : cycles)
-      words.push_back({cycle.name, ir::WordSort::cycle, "standard cycle of the control; a check runs it"});
+  for (const ir::CalledCycle& cycle : called_cycles())
+    words.push_back({cycle.name, ir::WordSort::cycle, "standard cycle of the control; a check runs it"});
   return words;
 }
 

@@ -121,7 +121,7 @@ constexpr WordList kLists[] = {
     {Role::procedure, Effect::shifts, kShiftingProcedure},
     {Role::procedure, Effect::none, kQuietProcedure},
     {Role::cycle, Effect::moves, kCycle},
-    {Role::cycle, Effect::unknown, kSettingCycle},
+    {Role::cycle, Effect::smooths, kSettingCycle},
     {Role::cycle, Effect::none, kNamingCycle},
     {Role::attribute, Effect::none, kAttribute},
 };

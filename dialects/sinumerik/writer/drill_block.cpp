@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "dialects/passes/refusal.h"
+
 namespace dripfeed::sinumerik {
 
 namespace {
@@ -19,7 +21,7 @@ bool is_cycle_word(Address a) {
 double repeats_of(const Raising& raising, const ir::Word& w) {
   const ir::Expression& e = raising.program.at(w.value);
   if (e.op == Operator::constant && e.value >= 0.0) return std::floor(e.value);
-  raising.cannot("a cycle with a computed number of repeats", w.span);
+  raising.cannot(passes::computed("a cycle with a computed number of repeats"), w.span);
   return 1.0;
 }
 

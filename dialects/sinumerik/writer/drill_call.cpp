@@ -2,10 +2,12 @@
 #include "dialects/sinumerik/writer/drill_call.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "dialects/passes/refusal.h"
+#include "dialects/sinumerik/tables/called_cycles.h"
 #include "dialects/sinumerik/tables/system_variables.h"
 #include "dialects/sinumerik/writer/drill_block.h"
 
@@ -14,42 +16,13 @@ namespace dripfeed::sinumerik {
 namespace {
 
 using ir::Address;
+using ir::CycleValue;
 using ir::DrillCycle;
 using ir::ExpressionId;
 using ir::Function;
 using ir::Operator;
 
 constexpr std::string_view kStandingSpindle = "a boring cycle whose spindle does not turn, as far as is known here,";
-// Places of arguments, behind RTP, RFP, SDIS, DP and DPR; the cycles that have them.
-constexpr std::size_t kDwell = 5;         // DTB: CYCLE82, 84 to 86, 88
-constexpr std::size_t kPeck = 6;          // FDPR: CYCLE83
-constexpr std::size_t kClears = 11;       // VARI
-constexpr std::size_t kRetract = 14;      // VRT
-constexpr std::size_t kLastDwell = 15;    // DTD
-constexpr std::size_t kClearance = 16;    // DIS1
-constexpr std::size_t kSpindleTurns = 6;  // SDAC of CYCLE84, SDIR of CYCLE86 and CYCLE88
-constexpr std::size_t kLead = 8;          // PIT: CYCLE84
-constexpr std::size_t kTapSpeed = 10;     // SST
-constexpr std::size_t kShiftX = 7;        // RPA and RPO: CYCLE86
-constexpr std::size_t kShiftY = 8;
-
-struct Row {
-  DrillCycle cycle;
-  std::string_view name;
-};
-constexpr auto kRows = std::to_array<Row>({
-    {DrillCycle::drill, "CYCLE81"},
-    {DrillCycle::drill_dwell, "CYCLE82"},
-    {DrillCycle::deep_hole, "CYCLE83"},
-    {DrillCycle::chip_break, "CYCLE83"},
-    {DrillCycle::tap_right, "CYCLE84"},
-    {DrillCycle::tap_left, "CYCLE84"},
-    {DrillCycle::feed_out, "CYCLE85"},
-    {DrillCycle::feed_out_dwell, "CYCLE85"},
-    {DrillCycle::stop_out, "CYCLE86"},
-    {DrillCycle::manual_out, "CYCLE88"},
-    {DrillCycle::fine_bore, "CYCLE86"},
-});
 
 }  // namespace
 
@@ -67,13 +40,15 @@ bool turns_spindle(Function function) { return function == Function::spindle_cw 
 
 std::optional<std::uint32_t> DrillCall::make() {
   const auto cycle = static_cast<DrillCycle>(after_.cycle.value);
-  const auto row = std::ranges::find(kRows, cycle, &Row::cycle);
-  if (row == kRows.end()) return refuse("a boring cycle that shifts the tool at the bottom");
+  called_ = cycle_for(cycle);
+  if (called_ == nullptr) return refuse("a boring cycle that shifts the tool at the bottom");
   const std::optional<Levels> at = levels();
   if (!at) return std::nullopt;
-  arguments_ = {at->back, at->reference, ExpressionId::none, at->depth};
+  put(CycleValue::return_level, at->back);
+  put(CycleValue::surface, at->reference);
+  put(CycleValue::depth, at->depth);
   switch (cycle) {
-    case DrillCycle::drill_dwell: put(kDwell, seconds()); break;
+    case DrillCycle::drill_dwell: put(CycleValue::dwell, seconds()); break;
     case DrillCycle::deep_hole:
     case DrillCycle::chip_break:
       if (!pecks(cycle)) return std::nullopt;
@@ -82,13 +57,13 @@ std::optional<std::uint32_t> DrillCall::make() {
     case DrillCycle::tap_left:
       if (!tap(cycle)) return std::nullopt;
       break;
-    case DrillCycle::feed_out_dwell: put(kDwell, seconds()); break;
+    case DrillCycle::feed_out_dwell: put(CycleValue::dwell, seconds()); break;
     case DrillCycle::stop_out:
     case DrillCycle::manual_out:
       if (!stops(cycle)) return std::nullopt;
       break;
     case DrillCycle::fine_bore:
-      if (!stops(cycle) || !shift_aside()) return std::nullopt;
+      if (!fine_bore(cycle)) return std::nullopt;
       break;
     case DrillCycle::drill:
     case DrillCycle::feed_out:
@@ -96,7 +71,8 @@ std::optional<std::uint32_t> DrillCall::make() {
     case DrillCycle::count_: break;
   }
   ir::Call call;
-  call.name = program_.strings.add(row->name);
+  call.name = program_.strings.add(called_->name);
+  call.cycle = called_;
   call.first_argument = static_cast<std::uint32_t>(program_.arguments.size());
   call.argument_count = static_cast<std::uint32_t>(arguments_.size());
   for (const ExpressionId value : arguments_) program_.arguments.push_back({0, value});
@@ -105,16 +81,16 @@ std::optional<std::uint32_t> DrillCall::make() {
 }
 
 std::optional<BackBoring> DrillCall::back_boring() {
-  if (!after_.initial.number.known) return refuse("back boring from a level that is not known here");
+  if (!after_.initial.number.known) return refuse(passes::not_known("back boring from a level that is not known here"));
   if (!after_.spindle.known || !turns_spindle(after_.spindle.value)) return refuse(kStandingSpindle);
   const std::optional<Levels> at = levels();
-  arguments_.assign(kShiftY + 1, ExpressionId::none);
-  if (!at || !shift_aside()) return std::nullopt;
+  const std::optional<Shift> shift = at ? shift_aside() : std::nullopt;
+  if (!shift) return std::nullopt;
   return BackBoring{.initial = constant(after_.initial.number.value),
                     .level = at->reference,
                     .depth = at->depth,
-                    .shift_x = arguments_[kShiftX],
-                    .shift_y = arguments_[kShiftY],
+                    .shift_x = shift->x,
+                    .shift_y = shift->y,
                     .dwell_s = seconds(),
                     .spindle = after_.spindle.value};
 }
@@ -127,40 +103,42 @@ bool DrillCall::pecks(DrillCycle cycle) {
   if (!peck) return false;
   const ir::Semantics& from = raising_.from.semantics;
   const bool clears = cycle == DrillCycle::deep_hole;
-  put(kPeck, of(Operator::abs, *peck));
-  put(kClears, constant(clears ? 1.0 : 0.0));
+  put(CycleValue::first_peck, of(Operator::abs, *peck));
+  put(CycleValue::removes_chips, constant(clears ? 1.0 : 0.0));
   const double in_units = inch_ ? 1.0 / 25.4 : 1.0;
-  if (!clears) put(kRetract, constant(from.chip_break_retract_mm * in_units));
+  if (!clears) put(CycleValue::peck_retract, constant(from.chip_break_retract_mm * in_units));
   const bool of_family = raising_.from.dialect == "family";  // breaks chips as the control does
   if (!clears && !of_family) tell("the retract between the pecks at rapid, which CYCLE83 makes at the feed,");
   const ExpressionId dwell = seconds();
-  if (dwell != ExpressionId::none) put(kLastDwell, dwell);
-  if (clears) put(kClearance, constant(from.peck_clearance_mm * in_units));
+  if (dwell != ExpressionId::none) put(CycleValue::last_dwell, dwell);
+  if (clears) put(CycleValue::peck_clearance, constant(from.peck_clearance_mm * in_units));
   return true;
 }
 
 // CYCLE84: the lead is the feed of a turn; the spindle turns again behind it as it did before.
 bool DrillCall::tap(DrillCycle cycle) {
   if (!after_.feed.known || !after_.feed_mode.known || !after_.spindle.known || after_.feed.value == ExpressionId::none)
-    return refuse("a tap whose feed is not known here"), false;
+    return refuse(passes::not_known("a tap whose feed is not known here")), false;
   const bool by_turn = after_.feed_mode.value == Function::feed_per_rev;
   const bool has_speed = after_.speed.known && after_.speed.value != ExpressionId::none;
-  if (!by_turn && !has_speed) return refuse("a tap whose speed is not known here"), false;
+  if (!by_turn && !has_speed) return refuse(passes::not_known("a tap whose speed is not known here")), false;
   const auto is_number = [&](ExpressionId id) { return program_.at(id).op == Operator::constant; };
   const bool says_speed = has_speed && is_number(after_.speed.value);
   if (!is_number(after_.feed.value) || (!by_turn && !says_speed))
-    return refuse("a tap whose feed or speed is computed"), false;
+    return refuse(passes::computed("a tap whose feed or speed is computed")), false;
   const double speed = says_speed ? program_.at(after_.speed.value).value : 1.0;
   double lead = program_.at(after_.feed.value).value;
   if (!by_turn) lead /= speed;
   if (!(speed > 0.0) || !(lead > 0.0)) return refuse("a tap without a feed or speed"), false;
   const bool pecks = std::ranges::find(own_, Address::q, &ir::Word::address) != own_.end();
   if (pecks) return refuse("a tap by pecks (Q)"), false;
-  put(kDwell, seconds());
+  put(CycleValue::dwell, seconds());
   const Function spindle = after_.spindle.value;
-  put(kSpindleTurns, constant(spindle == Function::spindle_cw ? 3.0 : spindle == Function::spindle_ccw ? 4.0 : 5.0));
-  put(kLead, constant(cycle == DrillCycle::tap_left ? -lead : lead));
-  put(kTapSpeed, says_speed ? constant(speed) : system_value("$P_S"));
+  put(CycleValue::spindle_after, constant(spindle == Function::spindle_cw    ? 3.0
+                                          : spindle == Function::spindle_ccw ? 4.0
+                                                                             : 5.0));
+  put(CycleValue::lead, constant(cycle == DrillCycle::tap_left ? -lead : lead));
+  put(CycleValue::speed, says_speed ? constant(speed) : system_value("$P_S"));
   return true;
 }
 
@@ -174,31 +152,47 @@ ExpressionId DrillCall::system_value(std::string_view name) {
 // CYCLE86 and CYCLE88 start the spindle themselves and leave it stopped.
 bool DrillCall::stops(DrillCycle cycle) {
   if (!after_.spindle.known || !turns_spindle(after_.spindle.value)) return refuse(kStandingSpindle), false;
-  if (cycle != DrillCycle::stop_out) put(kDwell, seconds());
-  put(kSpindleTurns, constant(after_.spindle.value == Function::spindle_cw ? 3.0 : 4.0));
-  return true;
-}
-// RPA and RPO of CYCLE86: I and J, or Q along a direction that a parameter of the other machine says.
-bool DrillCall::shift_aside() {
-  if (!after_.plane.is(Function::plane_xy)) return refuse("a fine boring cycle in another plane than G17"), false;
-  const bool by_words = !after_.shift_i.is(ExpressionId::none) || !after_.shift_j.is(ExpressionId::none);
-  const auto take = [&](const Fact<ExpressionId>& fact, std::string_view address, std::size_t place) {
-    if (fact.is(ExpressionId::none)) return true;
-    const std::optional<ExpressionId> value = word(fact, address);
-    if (value) put(place, *value);
-    return value.has_value();
-  };
-  if (by_words) return take(after_.shift_i, "I", kShiftX) && take(after_.shift_j, "J", kShiftY);
-  if (after_.peck.is(ExpressionId::none)) return true;
-  const std::optional<ExpressionId> q = word(after_.peck, "Q");
-  if (!q) return false;
-  put(kShiftX, of(Operator::abs, *q));
-  tell("the direction of the shift Q, which a machine parameter states and which is taken as X+,");
+  if (cycle != DrillCycle::stop_out) put(CycleValue::dwell, seconds());
+  put(CycleValue::spindle, constant(after_.spindle.value == Function::spindle_cw ? 3.0 : 4.0));
   return true;
 }
 
-void DrillCall::put(std::size_t place, ExpressionId value) {
-  if (value == ExpressionId::none) return;
+// I and J, or Q along a direction that a parameter of the other machine states.
+std::optional<DrillCall::Shift> DrillCall::shift_aside() {
+  if (!after_.plane.is(Function::plane_xy)) return refuse("a fine boring cycle in another plane than G17");
+  Shift shift;
+  const auto take = [&](const Fact<ExpressionId>& fact, std::string_view address, ExpressionId& to) {
+    if (fact.is(ExpressionId::none)) return true;
+    const std::optional<ExpressionId> value = word(fact, address);
+    if (value) to = *value;
+    return value.has_value();
+  };
+  const bool by_words = !after_.shift_i.is(ExpressionId::none) || !after_.shift_j.is(ExpressionId::none);
+  if (by_words) {
+    const bool known = take(after_.shift_i, "I", shift.x) && take(after_.shift_j, "J", shift.y);
+    return known ? std::optional(shift) : std::nullopt;
+  }
+  if (after_.peck.is(ExpressionId::none)) return shift;
+  const std::optional<ExpressionId> q = word(after_.peck, "Q");
+  if (!q) return std::nullopt;
+  shift.x = of(Operator::abs, *q);
+  tell(
+      passes::by_parameter("the direction of the shift Q, which a machine parameter states and which is taken as X+,"));
+  return shift;
+}
+
+bool DrillCall::fine_bore(DrillCycle cycle) {
+  if (!stops(cycle)) return false;
+  const std::optional<Shift> shift = shift_aside();
+  if (!shift) return false;
+  put(CycleValue::shift_first, shift->x);
+  put(CycleValue::shift_second, shift->y);
+  return true;
+}
+
+void DrillCall::put(CycleValue which, ExpressionId value) {
+  const std::size_t place = ir::place_of(*called_, which);
+  if (value == ExpressionId::none || place == ir::kNoPlace) return;
   if (arguments_.size() <= place) arguments_.resize(place + 1, ExpressionId::none);
   arguments_[place] = value;
 }
@@ -218,7 +212,7 @@ ExpressionId DrillCall::seconds() {
 std::optional<DrillCall::Levels> DrillCall::levels() {
   if (after_.depth.is(ExpressionId::none)) return refuse("a drilling cycle without a depth");
   if (!after_.to_level.known)
-    return refuse("a return level (G98 or G99) that is not the same on all control-flow paths");
+    return refuse(passes::not_known("a return level (G98 or G99) that is not the same on all control-flow paths"));
   const std::optional<ExpressionId> z = word(after_.depth, "Z");
   if (!z) return std::nullopt;
   const bool no_level = after_.level.is(ExpressionId::none);
@@ -226,12 +220,14 @@ std::optional<DrillCall::Levels> DrillCall::levels() {
   if (!no_level) r = word(after_.level, "R");
   if (!no_level && !r) return std::nullopt;
   if (!after_.depth_by_distance.known || (!no_level && !after_.level_by_distance.known))
-    return refuse("a cycle whose words are absolute on one control-flow path and incremental on another");
+    return refuse(
+        passes::not_known("a cycle whose words are absolute on one control-flow path and incremental on another"));
   const bool needs_initial = no_level || after_.level_by_distance.value || !after_.to_level.value;
   ExpressionId initial = ExpressionId::none;
   if (needs_initial) {
     initial = initial_level();
-    if (initial == ExpressionId::none) return refuse("the level where the drilling cycle began, not known here,");
+    if (initial == ExpressionId::none)
+      return refuse(passes::not_known("the level where the drilling cycle began, not known here,"));
   }
   Levels levels;
   levels.reference = no_level ? initial : after_.level_by_distance.value ? sum(initial, *r) : *r;
@@ -240,7 +236,7 @@ std::optional<DrillCall::Levels> DrillCall::levels() {
   const ir::Expression& bottom = program_.at(levels.depth);
   const ir::Expression& top = program_.at(levels.reference);
   const bool upward = bottom.op == Operator::constant && top.op == Operator::constant && bottom.value > top.value;
-  if (upward && !after_.cycle.is(kBackBore)) return refuse("a hole that is drilled upward");
+  if (upward && !after_.cycle.is(kBackBore)) return refuse(passes::of_shape("a hole that is drilled upward"));
   return levels;
 }
 
@@ -281,19 +277,19 @@ std::optional<ExpressionId> DrillCall::carried(const Fact<ExpressionId>& fact, s
   }
   const bool written_here = std::ranges::find(own_, fact.value, &ir::Word::value) != own_.end();
   if (written_here || program_.at(fact.value).op == Operator::constant) return fact.value;
-  return refuse(std::string(address) + " of the drilling cycle, computed in an earlier block,");
+  return refuse(passes::computed(std::string(address) + " of the drilling cycle, computed in an earlier block,"));
 }
 
 // --- small parts
 
-std::nullopt_t DrillCall::refuse(std::string_view what) {
-  raising_.cannot(std::string(what), span_);
+std::nullopt_t DrillCall::refuse(passes::Refusal what) {
+  raising_.cannot(std::move(what), span_);
   return std::nullopt;
 }
 
 // What is said so all the same.
-void DrillCall::tell(std::string_view what) {
-  raising_.cannot(std::string(what), span_);
+void DrillCall::tell(passes::Refusal what) {
+  raising_.cannot(std::move(what), span_);
   raising_.diagnostics.back().severity = text::Severity::warning;
 }
 

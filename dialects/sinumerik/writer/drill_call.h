@@ -1,14 +1,14 @@
 // The call of a drilling cycle, or the moves of back boring, for what a modal cycle of another control says at a block.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "dialects/ir/cycle.h"
+#include "dialects/ir/called_cycle.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/sinumerik/writer/back_boring.h"
 #include "dialects/sinumerik/writer/drill_state.h"
 #include "dialects/sinumerik/writer/raise.h"
@@ -43,14 +43,20 @@ class DrillCall {
   bool tap(ir::DrillCycle cycle);
   ir::ExpressionId system_value(std::string_view name);
   bool stops(ir::DrillCycle cycle);
-  bool shift_aside();
+  // Off the wall, in the plane.
+  struct Shift {
+    ir::ExpressionId x = ir::ExpressionId::none;
+    ir::ExpressionId y = ir::ExpressionId::none;
+  };
+  std::optional<Shift> shift_aside();
+  bool fine_bore(ir::DrillCycle cycle);
   ir::ExpressionId seconds();
   std::optional<ir::ExpressionId> word(const Fact<ir::ExpressionId>& fact, std::string_view address);
   std::optional<ir::ExpressionId> carried(const Fact<ir::ExpressionId>& fact, std::string_view address);
-  void put(std::size_t place, ir::ExpressionId value);
+  void put(ir::CycleValue which, ir::ExpressionId value);
 
-  std::nullopt_t refuse(std::string_view what);
-  void tell(std::string_view what);
+  std::nullopt_t refuse(passes::Refusal what);
+  void tell(passes::Refusal what);
   ir::ExpressionId constant(double value);
   ir::ExpressionId of(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b = ir::ExpressionId::none);
   ir::ExpressionId sum(ir::ExpressionId a, ir::ExpressionId b);
@@ -62,6 +68,7 @@ class DrillCall {
   const DrillState& before_;
   const DrillState& after_;
   bool inch_;
+  const ir::CalledCycle* called_ = nullptr;
   std::vector<ir::ExpressionId> arguments_;
 };
 

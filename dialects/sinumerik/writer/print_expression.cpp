@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/sinumerik/tables/keywords.h"
 #include "dialects/sinumerik/tables/name_index.h"
 #include "dialects/text/number.h"
@@ -15,7 +16,6 @@ namespace {
 
 using ir::Operator;
 
-constexpr std::string_view kAxes = "XYZABCUVW";
 constexpr std::string_view kParts[] = {"TR", "FI", "RT", "SC", "MI"};
 constexpr double kLongestWhole = 1e9;
 constexpr int kMostDecimals = 9;
@@ -102,8 +102,8 @@ void ExpressionPrinter::append_frame(std::string& out, const ir::Expression& e) 
 
 void ExpressionPrinter::append_axis(std::string& out, ir::ExpressionId axis) const {
   const ir::Expression& e = program_.at(axis);
-  if (e.op == Operator::constant && e.value >= 0.0 && e.value < static_cast<double>(kAxes.size()))
-    out += kAxes[static_cast<std::size_t>(e.value)];
+  if (e.op == Operator::constant && e.value >= 0.0 && e.value < static_cast<double>(ir::kAxisLetters.size()))
+    out += ir::kAxisLetters[static_cast<std::size_t>(e.value)];
   else
     append(out, axis);
 }

@@ -12,6 +12,7 @@
 
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/outside_values.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/sinumerik/sinumerik.h"
 
 namespace dripfeed::sinumerik {
@@ -21,8 +22,8 @@ text::Diagnostic& Raising::report(text::DiagnosticId id, text::Span span, std::v
   return diagnostics.back();
 }
 
-void Raising::cannot(std::string what, text::Span span) const {
-  report(text::DiagnosticId::cannot_translate, span, {std::move(what), to.title});
+void Raising::cannot(passes::Refusal what, text::Span span) const {
+  report(what.id, span, {std::move(what.what), to.title});
 }
 
 namespace {
@@ -49,9 +50,10 @@ void tell_shared(const Raising& raising, const passes::AllocatedVariable& v) {
 
 // #101 is empty when the control wakes up; an R parameter holds what was left in it.
 void tell_outside(const Raising& raising, const passes::OutsideValue& value) {
-  raising.cannot(fmt::format("the value of #{}, which nothing here sets before it is read (an R parameter keeps what "
-                             "was set last),",
-                             value.number),
+  raising.cannot(passes::not_known(fmt::format(
+                     "the value of #{}, which nothing here sets before it is read (an R parameter keeps what "
+                     "was set last),",
+                     value.number)),
                  value.span);
   raising.diagnostics.back().severity = text::Severity::warning;
 }

@@ -9,6 +9,7 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::sinumerik {
@@ -21,7 +22,7 @@ struct Raising {
 
   text::Diagnostic& report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) const;
   // cannot_translate: `what` has no counterpart here.
-  void cannot(std::string what, text::Span span) const;
+  void cannot(passes::Refusal what, text::Span span) const;
   [[nodiscard]] std::string_view text_of(text::Span span) const {
     return span.end <= program.source.text().size() ? span.in(program.source.text()) : std::string_view();
   }

@@ -18,6 +18,7 @@
 
 #include "dialects/facts/subprogram.h"
 #include "dialects/passes/macro_arguments.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/passes/walk.h"
@@ -91,18 +92,20 @@ class Macro {
   void refuse_sharing() {
     for (const ir::Statement& s : program_.statements) {
       if (s.kind == StatementKind::call && program_.calls[s.payload].kind != ir::CallKind::macro)
-        raising_.cannot("a subprogram (M98), which would share the local variables of this macro,", s.span);
+        raising_.cannot(passes::kept_value("a subprogram (M98), which would share the local variables of this macro,"),
+                        s.span);
       for (const passes::VariableUseAt& use : passes::variables_of(program_, s)) {
         const ir::Variable& v = program_.at(use.variable);
         if (v.bank == ir::Bank::hash && v.index != ExpressionId::none)
-          raising_.cannot("a variable of computed number in a macro", v.span.empty() ? s.span : v.span);
+          raising_.cannot(passes::computed("a variable of computed number in a macro"),
+                          v.span.empty() ? s.span : v.span);
       }
     }
   }
 
   void may_be_empty(const passes::UnsetRead& read) {
     if (!told_.insert(read.watched).second) return;
-    raising_.cannot("the variable #" + std::to_string(read.watched) + ", which may be empty here,",
+    raising_.cannot(passes::not_known("the variable #" + std::to_string(read.watched) + ", which may be empty here,"),
                     program_.at(read.variable).span);
   }
 
@@ -214,13 +217,14 @@ class Macro {
       procedure.symbol_count = first_local_ - first_parameter_;
       out_.emit_structure(StatementKind::procedure, procedure);
       // M98 shares them, G65 does not: this text does not say which calls it.
-      raising_.cannot("what a caller by M98 has in the local variables that are taken as arguments here",
-                      program_.statements.front().span);
+      raising_.cannot(
+          passes::of_call("what a caller by M98 has in the local variables that are taken as arguments here"),
+          program_.statements.front().span);
       raising_.diagnostics.back().severity = text::Severity::warning;
       if (program_.name.size() > 1 && program_.name.front() == 'O')
         program_.name.front() = 'L';
       else
-        raising_.cannot("a macro without a program number", program_.statements.front().span);
+        raising_.cannot(passes::of_call("a macro without a program number"), program_.statements.front().span);
     }
     define(first_local_, first_flag_);
     define(first_flag_, static_cast<std::uint32_t>(program_.symbols.size()));
@@ -256,7 +260,8 @@ class Macro {
     if (s.kind == StatementKind::assign) return assign(s);
     if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call) {
       for (const ir::Argument& argument : program_.arguments_of(program_.calls[s.payload]))
-        if (empty_here(index_, argument.value, true) != 0) raising_.cannot("an argument that may be empty", s.span);
+        if (empty_here(index_, argument.value, true) != 0)
+          raising_.cannot(passes::not_known("an argument that may be empty"), s.span);
     }
     if (s.kind == StatementKind::go_to) {
       const ExpressionId condition = conditioned(program_.jumps[s.payload].condition);
@@ -272,7 +277,7 @@ class Macro {
   void assign(const ir::Statement& s) {
     const ir::Assign set = program_.assigns[s.payload];
     if (empty_here(index_, set.value, true) != 0)
-      raising_.cannot("a value that may be empty, handed on to another variable,", s.span);
+      raising_.cannot(passes::not_known("a value that may be empty, handed on to another variable,"), s.span);
     out_.keep();
     const auto number = local_of(program_.at(set.target));
     if (!number || locals_.at(*number).flag == ir::SymbolId::none) return;
@@ -296,7 +301,7 @@ class Macro {
     const std::uint32_t b = empty_here(index_, e.b, false);
     if (a == 0 && b == 0) return id;
     if (a != 0 && b != 0) {
-      raising_.cannot("a comparison of two variables that may be empty", e.span);
+      raising_.cannot(passes::not_known("a comparison of two variables that may be empty"), e.span);
       return id;
     }
     // An empty one equals no number, not even 0.
@@ -316,8 +321,8 @@ class Macro {
     }
     const bool many = numbers.size() > kMostVariants;
     const bool skipped = !numbers.empty() && (s.skip_level != 0 || block.rest_level != 0);
-    if (many) raising_.cannot("a block with so many words that may be empty", s.span);
-    if (skipped) raising_.cannot("block skip of a block whose words may be empty", s.span);
+    if (many) raising_.cannot(passes::not_known("a block with so many words that may be empty"), s.span);
+    if (skipped) raising_.cannot(passes::at_switch("block skip of a block whose words may be empty"), s.span);
     if (numbers.empty() || many || skipped) return out_.keep();
     const std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     variants(codes, words, numbers);

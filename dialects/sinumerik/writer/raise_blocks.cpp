@@ -9,6 +9,7 @@
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/idle_code.h"
 #include "dialects/ir/transformation_use.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/sinumerik/tables/code_names.h"
 #include "dialects/sinumerik/tables/codes.h"
 #include "dialects/sinumerik/tables/name_index.h"
@@ -60,7 +61,7 @@ class BlockRaiser {
  private:
   void rewrite(std::uint32_t statement, ir::Block& block, text::Span span) {
     const ir::Block old = block;
-    if (old.rest_level != 0) raising_.cannot("block skip inside a block", span);
+    if (old.rest_level != 0) raising_.cannot(passes::at_switch("block skip inside a block"), span);
     codes_ = std::span(old_codes_).subspan(old.first_code, old.code_count);
     words_ = std::span(old_words_).subspan(old.first_word, old.word_count);
     block.first_code = static_cast<std::uint32_t>(program_.codes.size());
@@ -93,7 +94,7 @@ class BlockRaiser {
         return w.address == words[i].address && w.extension == words[i].extension && w.address != Address::other;
       };
       if (std::ranges::any_of(words.first(i), same))
-        raising_.cannot("the second word of one address in a block", words[i].span);
+        raising_.cannot(passes::together("the second word of one address in a block"), words[i].span);
     }
   }
 
@@ -143,7 +144,7 @@ class BlockRaiser {
   void code(const ir::Code& c) {
     if (c.number != ir::ExpressionId::none) {
       if (c.letter == 'M') return program_.codes.push_back(c);
-      return raising_.cannot("a computed G code", c.span);
+      return raising_.cannot(passes::computed("a computed G code"), c.span);
     }
     if (is_fixed_point(c)) return program_.codes.push_back(c);  // settled
     if (raising_.is_own()) return own_code(c);
@@ -178,9 +179,11 @@ class BlockRaiser {
   void changing_thread(text::Span span) {
     const ir::Word* k = find(Address::k);
     const std::optional<double> change = k == nullptr ? std::nullopt : literal(*k);
-    if (!change) return raising_.cannot("a thread whose lead changes by a value that its block does not state", span);
+    if (!change)
+      return raising_.cannot(passes::not_known("a thread whose lead changes by a value that its block does not state"),
+                             span);
     if (find(Address::f) == nullptr && find(Address::i) == nullptr)
-      return raising_.cannot("a thread whose lead changes, without its lead in the block", span);
+      return raising_.cannot(passes::not_known("a thread whose lead changes, without its lead in the block"), span);
     ir::Code code;
     code.function = Function::thread_changing;
     code.group = ModalGroup::motion;
@@ -225,7 +228,7 @@ class BlockRaiser {
     if (w.address == Address::s && has(Function::set_coordinates)) w.address = Address::spindle_limit;
     // A thread's lead is K along Z and I along X here, F elsewhere.
     if (lead_changes_ && !moves() && w.address == Address::f)
-      return raising_.cannot("a feed that is given while the lead of a thread changes", w.span);
+      return raising_.cannot(passes::together("a feed that is given while the lead of a thread changes"), w.span);
     if (lead_changes_ && moves() && w.address == Address::k) {
       w.address = Address::f;
       w.value = program_.add_constant(std::abs(literal(w).value_or(0.0)), w.span);

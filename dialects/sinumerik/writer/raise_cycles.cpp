@@ -17,6 +17,7 @@
 
 #include "dialects/facts/axis_words.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/writer/back_boring.h"
 #include "dialects/sinumerik/writer/drill_block.h"
@@ -63,7 +64,7 @@ class CycleRaiser {
     const bool is = !after.cycle.is(DrillState::kNone);
     if (!was && !is) return out_.keep();
     statement_ = &s;
-    if (block.rest_level != 0) return raising_.cannot("block skip inside a block", s.span);
+    if (block.rest_level != 0) return raising_.cannot(passes::at_switch("block skip inside a block"), s.span);
     if (!after.cycle.known) return undecided(block);
     if (!is) return end(before, block);
     if (facts::has_own_words(program_, block)) return beside(block);

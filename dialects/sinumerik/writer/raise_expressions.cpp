@@ -8,7 +8,9 @@
 #include <set>
 #include <span>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/passes/foreign_variables.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/value_facts.h"
 #include "dialects/passes/walk.h"
 #include "dialects/sinumerik/tables/keywords.h"
@@ -76,7 +78,10 @@ class ExpressionRaiser {
   }
 
   void refuse(std::uint32_t, const ir::Expression& e) {
-    raising_.cannot(e.op == Operator::vacant ? "an empty value (#0)" : e.op == Operator::bcd ? "BCD" : "BIN", e.span);
+    raising_.cannot(passes::of_value(e.op == Operator::vacant ? "an empty value (#0)"
+                                     : e.op == Operator::bcd  ? "BCD"
+                                                              : "BIN"),
+                    e.span);
   }
 
   void atan(std::uint32_t id, const ir::Expression&) {
@@ -137,24 +142,24 @@ class ExpressionRaiser {
     const ir::SystemVariableRow* row = row_of(v);
     const bool parameter = v.bank == ir::Bank::system && v.number == ir::kNoIndex;  // PRM of a '#' control
     if (row == nullptr && (parameter || passes::is_foreign_variable(v, raising_.from)))
-      return raising_.cannot("the variable " + std::string(raising_.text_of(e.span)), e.span);
+      return raising_.cannot(passes::of_value("the variable " + std::string(raising_.text_of(e.span))), e.span);
     if (row == nullptr) return;
     const bool position = row->kind == ir::SystemValue::end_position || row->kind == ir::SystemValue::machine_position;
     const std::uint32_t axis = v.number - row->first;
     if (!position || row->first == 0 || axis >= raising_.from.axes.size()) {
-      return raising_.cannot("the variable " + std::string(raising_.text_of(e.span)), e.span);
+      return raising_.cannot(passes::of_value("the variable " + std::string(raising_.text_of(e.span))), e.span);
     }
     ir::Variable own;
     own.bank = ir::Bank::system;
     own.number = find_system_variable(row->kind == ir::SystemValue::end_position ? "$P_EP" : "$AA_IM");
-    own.index = constant(static_cast<double>(std::string_view("XYZABCUVW").find(raising_.from.axes[axis])));
+    own.index = constant(static_cast<double>(ir::kAxisLetters.find(raising_.from.axes[axis])));
     program_.expressions[id].variable = program_.add(own);
   }
 
   void system_target(ir::VariableId target) {
     const ir::Variable v = program_.at(target);
     if (row_of(v) != nullptr || passes::is_foreign_variable(v, raising_.from))
-      raising_.cannot("the variable " + std::string(raising_.text_of(v.span)), v.span);
+      raising_.cannot(passes::of_value("the variable " + std::string(raising_.text_of(v.span))), v.span);
   }
 
   // The row of a system variable of the control that the program is from. One that goes by its name where that control

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "dialects/facts/flow_graph.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/walk.h"
 #include "dialects/sinumerik/tables/name_index.h"
 #include "dialects/sinumerik/writer/raise.h"
@@ -21,7 +22,8 @@ void raise_jump(const Raising& raising, std::uint32_t i) {
   ir::Program& program = raising.program;
   const ir::Statement& s = program.statements[i];
   ir::Jump& jump = program.jumps[s.payload];
-  if (jump.computed != ir::ExpressionId::none) return raising.cannot("a jump to a computed block number", s.span);
+  if (jump.computed != ir::ExpressionId::none)
+    return raising.cannot(passes::computed("a jump to a computed block number"), s.span);
   const std::uint32_t target = facts::target_of(program, i);
   if (target == ir::kNoIndex) {
     if (!jump.tolerant)
@@ -32,7 +34,8 @@ void raise_jump(const Raising& raising, std::uint32_t i) {
   if (jump.search == wanted) return;
   jump.search = wanted;
   // GOTOB takes the nearest label above; a number that stands twice may lead elsewhere.
-  if (facts::target_of(program, i) != target) raising.cannot("a jump to a block number that stands twice", s.span);
+  if (facts::target_of(program, i) != target)
+    raising.cannot(passes::of_call("a jump to a block number that stands twice"), s.span);
 }
 
 constexpr std::uint32_t kLastLocal = 33;
@@ -50,15 +53,19 @@ bool uses_locals(const ir::Program& program) {
 void raise_call(const Raising& raising, const ir::Statement& s, bool locals) {
   ir::Program& program = raising.program;
   ir::Call& call = program.calls[s.payload];
-  if (call.number != ir::ExpressionId::none) return raising.cannot("a call of a computed program number", s.span);
-  if (call.start != ir::ExpressionId::none) return raising.cannot("a call from a block of the program on", s.span);
-  if (call.first_label != ir::ExpressionId::none) return raising.cannot("a call of a part of a program", s.span);
-  if (call.in_other_language) return raising.cannot("a call in ISO mode (ISOCALL)", s.span);
+  if (call.number != ir::ExpressionId::none)
+    return raising.cannot(passes::computed("a call of a computed program number"), s.span);
+  if (call.start != ir::ExpressionId::none)
+    return raising.cannot(passes::of_call("a call from a block of the program on"), s.span);
+  if (call.first_label != ir::ExpressionId::none)
+    return raising.cannot(passes::of_call("a call of a part of a program"), s.span);
+  if (call.in_other_language) return raising.cannot(passes::of_call("a call in ISO mode (ISOCALL)"), s.span);
   if (call.kind == ir::CallKind::macro && locals)
-    return raising.cannot("a macro call together with local variables (#1 to #33), which it would overwrite here,",
-                          s.span);
+    return raising.cannot(
+        passes::together("a macro call together with local variables (#1 to #33), which it would overwrite here,"),
+        s.span);
   if (s.kind == StatementKind::modal_call && call.repeats != ir::ExpressionId::none)
-    return raising.cannot("a modal call that is repeated", s.span);
+    return raising.cannot(passes::of_call("a modal call that is repeated"), s.span);
   const std::string name(program.strings.at(call.name));
   if (name.size() > 1 && to_upper(name.front()) == 'O' && is_digit(name[1]))
     call.name = program.strings.add("L" + name.substr(1));
@@ -69,9 +76,10 @@ void raise_alarm(const Raising& raising, const ir::Statement& s) {
   ir::Message& alarm = raising.program.messages[s.payload];
   if (alarm.number == ir::ExpressionId::none) return;
   const ir::Expression number = raising.program.at(alarm.number);
-  if (number.op != ir::Operator::constant) return raising.cannot("an alarm with a computed number", s.span);
+  if (number.op != ir::Operator::constant)
+    return raising.cannot(passes::computed("an alarm with a computed number"), s.span);
   const double own = number.value < kFirstUserAlarm ? kFirstUserAlarm + number.value : number.value;
-  if (own > kLastUserAlarm) return raising.cannot("an alarm above 69999", s.span);
+  if (own > kLastUserAlarm) return raising.cannot(passes::of_call("an alarm above 69999"), s.span);
   alarm.number = raising.program.add_constant(own, number.span, false);
 }
 
@@ -83,7 +91,8 @@ void raise_return_to(const Raising& raising, const ir::Statement& s) {
   ir::Program& program = raising.program;
   ir::Jump& jump = program.jumps[s.payload];
   if (raising.is_own()) return;
-  if (jump.number == ir::kNoIndex) return raising.cannot("a return to a computed block of the caller", s.span);
+  if (jump.number == ir::kNoIndex)
+    return raising.cannot(passes::computed("a return to a computed block of the caller"), s.span);
   ir::Expression target;
   target.op = ir::Operator::string;
   target.string = program.strings.add("N" + std::to_string(jump.number));
@@ -94,7 +103,7 @@ void raise_return_to(const Raising& raising, const ir::Statement& s) {
 // Output to a device is lost without harm to the part.
 void leave_out_output(const Raising& raising, std::uint32_t i) {
   ir::Statement& s = raising.program.statements[i];
-  raising.cannot("output to a device", s.span);
+  raising.cannot(passes::of_value("output to a device"), s.span);
   raising.diagnostics.back().severity = text::Severity::warning;
   s.kind = StatementKind::empty;
   s.payload = ir::kNoIndex;
@@ -116,11 +125,11 @@ void raise_flow(const Raising& raising) {
     if (s.kind == StatementKind::modal_call_end) program.statements[i].span = {};
     if (s.kind == StatementKind::output) leave_out_output(raising, i);
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text)
-      raising.cannot("this block", s.span);
+      raising.cannot(passes::of_call("this block"), s.span);
     if (s.kind == StatementKind::native) {
       const ir::Native& native = program.natives[s.payload];
       const std::string name(program.strings.at(native.name));
-      raising.cannot(name.empty() ? std::string("this block") : name, s.span);
+      raising.cannot(passes::of_call(name.empty() ? std::string("this block") : name), s.span);
       // What neither moves nor changes state is lost without harm, and said.
       if (native.effects_known && !native.writes) raising.diagnostics.back().severity = text::Severity::warning;
       program.statements[i].kind = StatementKind::empty;

@@ -14,10 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/frame_use.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/writer/raise.h"
-#include "dialects/sinumerik/writer/shift_flow.h"
 
 namespace dripfeed::sinumerik {
 
@@ -43,7 +44,7 @@ class FrameRaiser {
       : raising_(raising),
         program_(raising.program),
         out_(program_),
-        flow_(program_, raising.from),
+        known_(program_, raising.from),
         plane_(raising.from.semantics.power_on_plane) {
     for (const ir::Code& c : program_.codes) {
       shifts_ |= c.function == Function::local_shift;
@@ -81,12 +82,12 @@ class FrameRaiser {
     if (shifts_ && begin == codes.end() && moves_zero(codes)) return shift_again();
     // G69 in the safe head of a program that turns nothing has nothing to end.
     if (begin == codes.end() && (end == codes.end() || kinds_.empty())) return out_.keep();
-    if (block.rest_level != 0) return cannot("block skip inside a block");
+    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
     std::vector<ir::Code> others;
     std::ranges::copy_if(codes, std::back_inserter(others), [](const ir::Code& c) { return !begins(c) && !ends(c); });
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
-    if (shifts_ && !flow_.shift_at(index_))
-      return cannot("G68, G51 or G51.1 together with a G52 that is not known here");
+    if (shifts_ && !shift_here())
+      return cannot(passes::not_known("G68, G51 or G51.1 together with a G52 that is not known here"));
     if (begin == codes.end()) {
       out_.emit_block({code(Function::local_shift, 1)}, local_shift());
       mirrored_ = kNone;
@@ -96,7 +97,7 @@ class FrameRaiser {
       return;
     }
     const Function kind = begin->function;
-    if (kinds_.size() > 1) return cannot("two of G68, G51 and G51.1 in one program");
+    if (kinds_.size() > 1) return cannot(passes::together("two of G68, G51 and G51.1 in one program"));
     if (!others.empty()) out_.emit_block(others, {});
     if (kind == Function::rotate) return rotate(words);
     if (kind == Function::scale) return scale(words);
@@ -107,11 +108,44 @@ class FrameRaiser {
     return std::ranges::find(codes, Function::local_shift, &ir::Code::function) != codes.end();
   }
 
+  using Shift = std::array<double, 3>;  // of X, Y and Z, in units of the program
+
+  // What G52 has set before the block; nothing where that is not known. A caller outside of the text is taken to have
+  // set none.
+  [[nodiscard]] std::optional<Shift> shift_here() const {
+    const facts::Facts* facts = known_.before(index_);
+    Shift shift{};
+    if (facts == nullptr) return shift;
+    constexpr std::array kNumbers = {facts::Number::shift_x, facts::Number::shift_y, facts::Number::shift_z};
+    for (std::size_t axis = 0; axis < kNumbers.size(); ++axis) {
+      const facts::Known<double>& number = (*facts)[kNumbers[axis]];
+      if (is_untouched(number)) continue;
+      if (number.certain() == nullptr) return std::nullopt;
+      shift[axis] = *number.certain();
+    }
+    return shift;
+  }
+
+  // Whether G68, G51 or G51.1 is in effect before the block.
+  [[nodiscard]] std::optional<bool> turned_here() const {
+    const facts::Facts* facts = known_.before(index_);
+    if (facts == nullptr) return false;
+    const facts::Known<facts::Setting>& frame = (*facts)[facts::Mode::frame];
+    if (is_untouched(frame)) return false;
+    const facts::Setting* setting = frame.certain();
+    return setting == nullptr ? std::nullopt : std::optional(setting->function != Function::none);
+  }
+
+  template <class T>
+  static bool is_untouched(const facts::Known<T>& fact) {
+    return fact.origin == facts::kNobody && fact.inherited && fact.changer == facts::kNobody;
+  }
+
   // G52 replaces the shifts that it names and leaves what turns: TRANS takes all away.
   void shift_again() {
-    const std::optional<bool> turned = flow_.turned_at(index_);
-    if (!turned) return cannot("G52 where G68, G51 or G51.1 may be in effect");
-    if (*turned) return cannot("G52 while G68, G51 or G51.1 is in effect");
+    const std::optional<bool> turned = turned_here();
+    if (!turned) return cannot(passes::together("G52 where G68, G51 or G51.1 may be in effect"));
+    if (*turned) return cannot(passes::together("G52 while G68, G51 or G51.1 is in effect"));
     out_.keep();
   }
 
@@ -119,7 +153,7 @@ class FrameRaiser {
   std::vector<ir::Word> local_shift() {
     std::vector<ir::Word> words;
     if (!shifts_) return words;
-    const std::array<double, 3> shift = *flow_.shift_at(index_);
+    const Shift shift = *shift_here();
     for (std::size_t axis = 0; axis < kLengths.size(); ++axis)
       if (shift[axis] != 0.0) words.push_back(word(kLengths[axis], program_.add_constant(shift[axis])));
     return words;
@@ -134,7 +168,7 @@ class FrameRaiser {
 
   void rotate(const std::vector<ir::Word>& words) {
     const ir::Word* angle = find(words, Address::r);
-    if (angle == nullptr) return cannot("a rotation whose angle is left to a parameter");
+    if (angle == nullptr) return cannot(passes::by_parameter("a rotation whose angle is left to a parameter"));
     if (std::ranges::any_of(words,
                             [](const ir::Word& w) { return std::ranges::find(kFactors, w.address) != kFactors.end(); }))
       return cannot("a rotation about an axis of its own");
@@ -157,7 +191,8 @@ class FrameRaiser {
       const ir::Expression e = program_.at(factor->value);
       const bool counted =
           e.op == Operator::constant && !e.has_point && from.decimal_mode == ir::DecimalMode::least_increment;
-      if (counted && !from.scale_unit_known) return cannot("a factor without a point, whose unit a parameter decides");
+      if (counted && !from.scale_unit_known)
+        return cannot(passes::by_parameter("a factor without a point, whose unit a parameter decides"));
       ir::Word w = *factor;
       w.address = kLengths[axis];
       w.value = counted ? program_.add_constant(e.value * from.scale_unit) : factor->value;
@@ -165,14 +200,15 @@ class FrameRaiser {
       if (value.op == Operator::constant) value.has_point = true;  // a factor is no length
       factors.push_back(w);
     }
-    if (factors.empty()) return cannot("a scaling factor that is left to a parameter");
+    if (factors.empty()) return cannot(passes::by_parameter("a scaling factor that is left to a parameter"));
     const std::optional<std::vector<ir::Word>> center = center_of(words, kLengths);
     if (center) about(*center, code(Function::scale, ir::kFrameAdds), factors);
   }
 
   // Each named axis at its place; one that is mirrored already stays so.
   void mirror(const std::vector<ir::Word>& words) {
-    if (!mirror_known_) return cannot("G51.1 where control-flow paths join that may have mirrored already");
+    if (!mirror_known_)
+      return cannot(passes::not_known("G51.1 where control-flow paths join that may have mirrored already"));
     for (std::size_t axis = 0; axis < kLengths.size(); ++axis)
       if (const ir::Word* w = find(words, kLengths[axis])) mirrored_[axis] = w->value;
     out_.emit_block({code(Function::local_shift, 1)}, local_shift());
@@ -199,7 +235,7 @@ class FrameRaiser {
     for (const Address axis : axes) {
       const ir::Word* w = find(words, axis);
       if (w == nullptr) {
-        cannot("a centre that is where the tool stands");
+        cannot(passes::not_known("a centre that is where the tool stands"));
         return std::nullopt;
       }
       center.push_back(*w);
@@ -251,12 +287,12 @@ class FrameRaiser {
     return c;
   }
 
-  void cannot(std::string what) const { raising_.cannot(std::move(what), statement_.span); }
+  void cannot(passes::Refusal what) const { raising_.cannot(std::move(what), statement_.span); }
 
   const Raising& raising_;
   ir::Program& program_;
   passes::Rewrite out_;
-  ShiftFlow flow_;
+  facts::Resolved known_;
   std::uint32_t index_ = 0;
   ir::Statement statement_;
   std::vector<Function> kinds_;  // that the program begins

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dialects/passes/macro_arguments.h"
+#include "dialects/passes/refusal.h"
 #include "dialects/sinumerik/writer/raise.h"
 
 namespace dripfeed::sinumerik {
@@ -36,12 +37,13 @@ class Arguments {
       const ir::Argument argument = program_.arguments[call.first_argument + i];
       const auto position = passes::position_of_letter(argument.letter);
       const bool center = argument.letter >= 'I' && argument.letter <= 'K';
-      if (!position) return raising_.cannot(std::string("the argument ") + argument.letter, s.span);
+      if (!position) return raising_.cannot(passes::of_call(std::string("the argument ") + argument.letter), s.span);
       if (center && argument.letter <= last_center)
-        return raising_.cannot("arguments of the second kind (I J K more than once)", s.span);
+        return raising_.cannot(passes::of_call("arguments of the second kind (I J K more than once)"), s.span);
       if (center) last_center = argument.letter;
       if (values.size() <= *position) values.resize(*position + 1, ExpressionId::none);
-      if (values[*position] != ExpressionId::none) return raising_.cannot("an argument that is given twice", s.span);
+      if (values[*position] != ExpressionId::none)
+        return raising_.cannot(passes::together("an argument that is given twice"), s.span);
       values[*position] = value(argument, s.span);
     }
     call.first_argument = static_cast<std::uint32_t>(program_.arguments.size());
@@ -57,7 +59,7 @@ class Arguments {
     const bool counts = e.op == Operator::constant && !e.has_point && kLengthLetters.contains(argument.letter) &&
                         from.decimal_mode == ir::DecimalMode::least_increment;
     if (!counts) return argument.value;
-    if (inch_ && e.value != 0.0) raising_.cannot("an argument without a point, in inches,", span);
+    if (inch_ && e.value != 0.0) raising_.cannot(passes::by_parameter("an argument without a point, in inches,"), span);
     return program_.add_constant(e.value * from.least_increment_mm, e.span);
   }
 

@@ -4,6 +4,7 @@
 // program set: a word with one is told, because here it moves in any case.
 #include <algorithm>
 
+#include "dialects/passes/refusal.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/sinumerik/writer/raise.h"
 
@@ -29,7 +30,7 @@ void warn_of_words(const Raising& raising) {
     });
     if (!alone) continue;
     told.push_back(read.watched);
-    raising.cannot("a word that is left out while #" + std::to_string(read.watched) + " is empty",
+    raising.cannot(passes::not_known("a word that is left out while #" + std::to_string(read.watched) + " is empty"),
                    program.at(read.variable).span);
     raising.diagnostics.back().severity = text::Severity::warning;
   }
@@ -49,7 +50,7 @@ void raise_vacant(const Raising& raising) {
   for (const passes::UnsetRead& read : passes::reads_before_set(raising.program, local)) {
     if (std::ranges::find(told, read.watched) != told.end()) continue;
     told.push_back(read.watched);
-    raising.cannot("the variable #" + std::to_string(read.watched) + ", which may be empty here,",
+    raising.cannot(passes::not_known("the variable #" + std::to_string(read.watched) + ", which may be empty here,"),
                    raising.program.at(read.variable).span);
   }
   warn_of_words(raising);

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "dialects/passes/refusal.h"
+
 namespace dripfeed::sinumerik {
 
 namespace {
@@ -55,7 +57,7 @@ void ToolOffsets::begin_block(std::uint32_t statement, std::uint32_t first_word,
 
 void ToolOffsets::end_block(text::Span span) {
   if (tools_.empty() || find(words_, Address::d) != nullptr || !starts_compensation() || !number_) return;
-  if (*number_ == 0.0) return raising_.cannot("compensation without a radius (D0)", span);
+  if (*number_ == 0.0) return raising_.cannot(passes::of_tool("compensation without a radius (D0)"), span);
   (void)is_tool(*number_, "the compensation number of another tool, which is still in effect,", span);
 }
 
@@ -65,9 +67,10 @@ void ToolOffsets::end_block(text::Span span) {
 void ToolOffsets::length_on(const ir::Code& code) {
   if (code.argument == kLengthAgain) return add_edge(code.span);
   const ir::Word* h = find(words_, Address::h);
-  if (h == nullptr) return raising_.cannot("G43 whose H was stated before", code.span);
+  if (h == nullptr) return raising_.cannot(passes::not_known("G43 whose H was stated before"), code.span);
   const ir::Expression& number = program_.at(h->value);
-  if (number.op != ir::Operator::constant) return raising_.cannot("a tool length with a computed number", code.span);
+  if (number.op != ir::Operator::constant)
+    return raising_.cannot(passes::computed("a tool length with a computed number"), code.span);
   if (number.value == 0.0) {
     length_ = Length::off;
     return add(Address::d, 0.0, h->span);
@@ -80,7 +83,8 @@ void ToolOffsets::length_off(const ir::Code& code) { add(Address::d, 0.0, code.s
 // Behind G43: another length, or none.
 void ToolOffsets::length_number(const ir::Word& w) {
   const ir::Expression number = program_.at(w.value);
-  if (length_ != Length::on || number.op != ir::Operator::constant) return raising_.cannot("H without G43", w.span);
+  if (length_ != Length::on || number.op != ir::Operator::constant)
+    return raising_.cannot(passes::together("H without G43"), w.span);
   if (number.value != 0.0) {
     (void)is_tool(number.value, "the length offset of another tool", w.span);
     return;
@@ -99,12 +103,12 @@ void ToolOffsets::compensation_number(const ir::Word& w) {
   if (number.op != ir::Operator::constant) return raising_.cannot(std::string(kOther), w.span);
   number_ = number.value;
   if (number.value == 0.0) {
-    if (compensates_) raising_.cannot("compensation without a radius (D0)", w.span);
+    if (compensates_) raising_.cannot(passes::of_tool("compensation without a radius (D0)"), w.span);
     return;
   }
   if (!is_tool(number.value, kOther, w.span)) return;
   if (length_ == Length::off)
-    return raising_.cannot("a radius where the length is off, which D would bring in again,", w.span);
+    return raising_.cannot(passes::of_tool("a radius where the length is off, which D would bring in again,"), w.span);
   add_edge(w.span);
 }
 
@@ -118,7 +122,7 @@ void ToolOffsets::tool(const ir::Word& w) {
     if (is_number) last_tool_ = e.value;
     return program_.words.push_back(w);
   }
-  if (!is_number) return raising_.cannot("a computed tool word", w.span);
+  if (!is_number) return raising_.cannot(passes::computed("a computed tool word"), w.span);
   const double offset = std::fmod(std::trunc(e.value), kToolPlaces);
   const bool is_alone = names_offsets_only_ && offset != 0.0;
   const double tool = is_alone ? offset : std::trunc(e.value / kToolPlaces);
@@ -127,7 +131,7 @@ void ToolOffsets::tool(const ir::Word& w) {
   if (tool != 0.0) add(Address::t, tool, w.span);
   length_ = offset == 0.0 ? Length::off : Length::on;
   if (offset == 0.0) return add(Address::d, 0.0, w.span);
-  if (offset != last_tool_) return raising_.cannot("the offset of another tool", w.span);
+  if (offset != last_tool_) return raising_.cannot(passes::of_tool("the offset of another tool"), w.span);
   add(Address::d, 1.0, w.span);
 }
 
@@ -140,7 +144,9 @@ bool ToolOffsets::is_tool(double number, std::string_view otherwise, text::Span 
   using Known = passes::ToolState::Known;
   const passes::ToolState& state = tools_[index_];
   if (state.in.known == Known::differs) {
-    raising_.cannot("an offset of a tool that is not known here, or not the same on all control-flow paths,", span);
+    raising_.cannot(
+        passes::not_known("an offset of a tool that is not known here, or not the same on all control-flow paths,"),
+        span);
     return false;
   }
   const ir::Expression* tool = state.in.known == Known::tool ? &program_.at(state.in.value) : nullptr;
@@ -152,7 +158,7 @@ bool ToolOffsets::is_tool(double number, std::string_view otherwise, text::Span 
 
 void ToolOffsets::tell_taken_as_tool(text::Span span) {
   if (std::exchange(told_tool_, true)) return;
-  raising_.cannot("an offset without a tool, taken as that of the tool of its number,", span);
+  raising_.cannot(passes::of_tool("an offset without a tool, taken as that of the tool of its number,"), span);
   raising_.diagnostics.back().severity = text::Severity::warning;
 }
 

@@ -182,9 +182,9 @@ TEST(Arguments, InCommonVariablesAreToldWhereTheyMayBeEmpty) {
     EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("O9010", text));
     return said(result.diagnostics, text::Source("O9010", text));
   };
-  EXPECT_NE(
-      told("G00 X#107\n").find("O9010:3:6: warning[cannot-translate]: a word that is left out while #107 is empty"),
-      std::string::npos)
+  EXPECT_NE(told("G00 X#107\n")
+                .find("O9010:3:6: warning[translation-not-known]: a word that is left out while #107 is empty"),
+            std::string::npos)
       << told("G00 X#107\n");
   EXPECT_EQ(told("#107=5.\nG00 X#107\n").find("while #107"), std::string::npos);
   EXPECT_EQ(told("G00 X[#107+1.]\n").find("while #107"), std::string::npos);
@@ -195,7 +195,7 @@ TEST(Arguments, AreNotTheLocalVariablesOfACallerByM98) {
   const std::string sub = "O9010\nG00 X#1\nM99\n%\n";
   const std::string head = "%\nO0001\nG21 G17 G90 G94\n";
   EXPECT_NE(refusal(head + "#1=5.\nM98 P9010\nM30\n" + sub, "fanuc", kSinumerik)
-                .find("O9010:5:1: error[cannot-translate]: a subprogram (M98) that reads the local variables"),
+                .find("O9010:5:1: error[translation-kept-value]: a subprogram (M98) that reads the local variables"),
             std::string::npos);
   const std::string macro = head + "G65 P9010 A5.\nM30\n" + sub;
   EXPECT_FALSE(text::has_error(file_as("O9010", macro, "fanuc", kSinumerik).diagnostics));

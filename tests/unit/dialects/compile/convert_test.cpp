@@ -167,6 +167,23 @@ TEST(Convert, TurningCycleGoesToFanucAndBack) {
   EXPECT_GT(std::ranges::count(there.origin_lines, 6U), 50);
 }
 
+// Whether explicit mode would do is found out by trying it.
+TEST(Convert, ARefusalStatesWhetherExplicitModeDoes) {
+  const auto note_of = [](const std::string& text) {
+    const auto mill = [](std::string_view dialect) {
+      return find_dialect(dialect)->control(ir::MachineKind::mill, ir::GSystem::a);
+    };
+    const ConvertResult result =
+        convert({.source = text::Source("p", text), .from = mill("sinumerik-840d"), .to = mill("fanuc")});
+    EXPECT_TRUE(result.text.empty());
+    const auto refusal = std::ranges::find(result.diagnostics, text::Severity::error, &text::Diagnostic::severity);
+    return refusal == result.diagnostics.end() || refusal->notes.empty() ? std::string() : refusal->notes.back().text;
+  };
+  const std::string head = "G17 G90 G71 G94\nG0 X0 Y0 Z5\nG1 Z-1 F100\n";
+  EXPECT_TRUE(note_of(head + "X20 CHF=2\nY20\nM30\n").starts_with("in explicit mode the whole program can be"));
+  EXPECT_TRUE(note_of(head + "T=\"FINISHING_T35 A\"\nM30\n").ends_with("cannot be translated either"));
+}
+
 TEST(Convert, AToolByNameHasNoCounterpartOnFanuc) {
   ConvertRequest request;
   request.source = text::Source("x", "G710 G18 G90 G95\nT=\"FINISHING_T35 A\" D1\nG0 X50 Z2\nM30\n");
@@ -338,7 +355,7 @@ TEST(Convert, MessagesBecomeCommentsOfTheirWrittenParts) {
   EXPECT_TRUE(result.text.contains("(LAYER ... OF ...)\n(DONE)\n")) << result.text;
   ASSERT_EQ(result.diagnostics.size(), 1U);
   EXPECT_EQ(result.diagnostics[0].severity, text::Severity::warning);
-  EXPECT_EQ(said(result.diagnostics, text::Source("program", text)).rfind("program:3:1: warning[cannot-translate]", 0),
+  EXPECT_EQ(said(result.diagnostics, text::Source("program", text)).rfind("program:3:1: warning[translation-value]", 0),
             0U);
 }
 
@@ -406,7 +423,8 @@ TEST(Convert, CodesWithoutEffectGoWithTheirWords) {
 TEST(Convert, AnArcWithoutACentreIsNotPassedOn) {
   const std::string text = "G17 G71 G90 G94 G54\nG0 X0 Y0\nG2 X20 Y20 CR=20 F100\nX30\nM30\n";
   const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
-  EXPECT_TRUE(said(made.diagnostics, text::Source("p", text)).contains("4:1: error[cannot-translate]: an arc without"));
+  EXPECT_TRUE(
+      said(made.diagnostics, text::Source("p", text)).contains("4:1: error[translation-shape]: an arc without"));
 }
 
 }  // namespace

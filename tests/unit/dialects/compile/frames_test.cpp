@@ -146,7 +146,8 @@ TEST(PolarFromSinumerik, LoopsKeepTheirPole) {
 
 TEST(PolarFromSinumerik, WhatIsNotKnownIsAnErrorWithItsPlace) {
   expect_refused("DEF INT I\n" + kOwnHead + "G111 X5 Y5\nFOR I=0 TO 3\nG1 AP=I*90 RP=10\nG111 X1 Y1\nENDFOR\nM30\n",
-                 kTo, "fanuc", "program:8:1: error[cannot-translate]: a polar position whose pole is not known here");
+                 kTo, "fanuc",
+                 "program:8:1: error[translation-not-known]: a polar position whose pole is not known here");
   expect_refused(kOwnHead + "G110 X5 Y5\nG1 AP=10 RP=10\nM30\n", kTo, "fanuc", "counts from the last position");
   expect_refused(kOwnHead + "G111 X5 Y5\nG1 AP=10 RP=R1\nAP=20\nM30\n", kTo, "fanuc", "radius or angle is not known");
 }

@@ -230,7 +230,7 @@ TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
   refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z5 K1.5 S200\n", "a speed");
   refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z8 K1.5\n", "does not lead back");
   refused("SPOS=0\nG331 Z-20 K1.5 S300\nG0 Z5\n", "without its retract");
-  refused("SPOS=90\nG331 Z-20 K1.5 S300\nG332 Z5 K1.5\n", "no address for");
+  refused("SPOS=90\nG331 Z-20 K1.5 S300\nG332 Z5 K1.5\n", "the word SPOS=90");
   refused("G332 Z5 K1.5\n", "without G331");
   refused("G63 Z-20 F1.5\nG0 Z5\n", "without its retract");
   refused("G17\n/MCALL CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300)\nX1\nMCALL\n", "a switch may skip");

@@ -384,7 +384,7 @@ TEST(LoweredTurning, AnOffsetWithoutATool) {
   const std::string gang = "%\nO1\nG21 G18 G40 G97 G99\nT6\nG0 X20. Z5.\nT9\nX30.\nT0\nM30\n%\n";
   const std::string made = lathe_translated(gang, "fanuc", "sinumerik-840d").text;
   EXPECT_TRUE(made.contains("T6 D1\n") && made.contains("T9 D1\n") && made.contains("\nD0\n")) << made;
-  EXPECT_TRUE(told("T6\n").contains("warning[cannot-translate]: an offset without a tool"));
+  EXPECT_TRUE(told("T6\n").contains("warning[translation-tool]: an offset without a tool"));
   EXPECT_TRUE(told("T0101\nT6\n").contains("the offset of another tool"));
   EXPECT_FALSE(told("T0606\nT6\n").contains("the offset of another tool"));
 }

@@ -67,7 +67,7 @@ TEST(Allocation, RefusesAnArrayWhoseSizeTheProgramDoesNotSay) {
   const ir::Control c = control_with(50);
   const AllocationReport report = allocate_variables(b.program, c, c, Bank::hash);
   ASSERT_EQ(report.diagnostics.size(), 2U);  // one for each array
-  EXPECT_EQ(report.diagnostics[0].id, text::DiagnosticId::cannot_translate);
+  EXPECT_EQ(report.diagnostics[0].id, text::DiagnosticId::translation_not_known);
   EXPECT_EQ(report.diagnostics[0].arguments[0], "the array a, whose size the program does not state,");
 }
 
@@ -181,7 +181,7 @@ TEST(Allocation, RefusesStrings) {
   const ir::Control c = control_with(10);
   const AllocationReport report = allocate_variables(b.program, c, c, Bank::hash);
   ASSERT_EQ(report.diagnostics.size(), 1U);
-  EXPECT_EQ(report.diagnostics[0].id, text::DiagnosticId::cannot_translate);
+  EXPECT_EQ(report.diagnostics[0].id, text::DiagnosticId::translation_value);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+# Shows that the lint of spellings refuses a cycle's name outside its dialect.
+import unittest
+
+import bad_tree
+import spellings
+
+
+class Spellings(bad_tree.BadTree):
+    def test_a_name_in_its_own_folder(self):
+        self.write('dialects/sinumerik/tables/more.cpp', 'auto name = "CYCLE81";\n')
+        self.assert_clean(spellings.faults)
+
+    def test_a_name_elsewhere(self):
+        self.write('dialects/passes/more.cpp', 'bool drills = name == "CYCLE81";\n')
+        self.assert_refused(spellings.faults, '"CYCLE81"')
+
+    def test_a_comment_and_a_sentence(self):
+        self.write('dialects/passes/more.cpp', '// as "CYCLE81"\nauto text = "a cycle";\n')
+        self.assert_clean(spellings.faults)
+
+
+if __name__ == '__main__':
+    unittest.main()
