@@ -41,6 +41,15 @@ bool holds(std::string_view letters, Address address) { return letters.contains(
 
 bool is_center(const ir::Word& word) { return holds(kCenterLetters, word.address); }
 
+bool is_increment_of_c(const ir::Word& word, const ir::Control& control) {
+  return word.address == Address::h && ir::incremented_axis(control, 'H').has_value();
+}
+ir::Word increment_of_c(ir::Word word) {
+  word.address = Address::c;
+  word.mode = ir::WordMode::incremental;
+  return word;
+}
+
 // Functions that say nothing on a control that is always so; and how splines end, where they themselves are refused.
 bool goes_without_saying(Function function) {
   return function == Function::absolute || function == Function::incremental || function == Function::no_effect ||
@@ -138,7 +147,7 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
   for (const ir::Word& w : words) {
     if (w.address == Address::t && !foreign_) traits.tool = &w;
     if (w.address == Address::d && edges_ && !foreign_) traits.edge = &w;
-    if (!holds(ir::kAxisLetters, w.address) || traits.dwell) continue;
+    if ((!holds(ir::kAxisLetters, w.address) && !is_increment_of_c(w, from_)) || traits.dwell) continue;
     traits.any_incremental |= is_incremental(w);
     traits.any_absolute |= !is_incremental(w);
   }
@@ -147,7 +156,8 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
 
 // By itself or by its letter; the mode is another matter.
 bool BlockRaiser::is_incremental(const ir::Word& word) const {
-  const bool by_letter = from_.semantics.incremental_letters_uvw && holds("UVW", word.address);
+  const bool by_letter =
+      (from_.semantics.incremental_letters_uvw && holds("UVW", word.address)) || is_increment_of_c(word, from_);
   const bool by_mode = word.mode == ir::WordMode::as_modal && incremental_;
   return word.mode == ir::WordMode::incremental || by_letter || by_mode;
 }
@@ -258,6 +268,9 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   if (traits.dwell && !from_.semantics.dwell_p_is_ms) return dwell_word(word);
   if (traits.repeats && word.address == Address::a) return draft_.words.push_back(word);  // the angle of a thread
   if (holds(ir::kAxisLetters, word.address) && !traits.dwell) return axis_word(word);
+  if (is_increment_of_c(word, from_)) return axis_word(increment_of_c(word));
+  if (is_increment_of_c(word, to_))
+    return cannot(*statement_, passes::of_tool("H of a tool length, which is an increment of C there,"));
   if (traits.pattern >= 0 && (is_center(word) || word.address == Address::p)) return pattern_word(word, traits.pattern);
   // What it counts without a point, a parameter decides.
   const bool in_increments = from_.semantics.decimal_mode == ir::DecimalMode::least_increment &&
@@ -317,7 +330,7 @@ void BlockRaiser::axis_word(ir::Word word) {
     word.value = scaled(word.value, 2.0);
   }
   if (incremental && to_.semantics.incremental_letters_uvw) {
-    if (word.address == Address::c)
+    if (word.address == Address::c && ir::incremented_axis(to_, 'H'))
       word.address = Address::h;
     else if (!holds("XYZ", word.address))
       return cannot(*statement_, "an increment of a rotary axis");

@@ -184,6 +184,21 @@ TEST(Convert, ARefusalStatesWhetherExplicitModeDoes) {
   EXPECT_TRUE(note_of(head + "T=\"FINISHING_T35 A\"\nM30\n").ends_with("cannot be translated either"));
 }
 
+// H is an increment of C on lathes of G-code system A, and a tool length on an Integrex.
+TEST(Convert, AnIncrementOfCIsNoToolLength) {
+  const auto turned = [](const std::string& text, std::string_view from, std::string_view to) {
+    const auto mill_turn = [](std::string_view dialect) {
+      return find_dialect(dialect)->control(ir::MachineKind::mill_turn, ir::GSystem::a);
+    };
+    return convert({.source = text::Source("p", text), .from = mill_turn(from), .to = mill_turn(to)});
+  };
+  const std::string fanuc = "%\nO1\nG21 G18 G98 G97 G40\nT0101\nG00 X60. Z5. C0.\nG01 W-1. H-20. F80.\nM30\n%\n";
+  const ConvertResult refused = turned(fanuc, "fanuc", "mazak");
+  EXPECT_TRUE(text::has_error(refused.diagnostics)) << refused.text;
+  const std::string integrex = "%\nO1\nG21 G18 G94 G97 G40\nT1 M6\nG43 H1.\nG00 X60. Z5.\nM30\n%\n";
+  EXPECT_TRUE(text::has_error(turned(integrex, "mazak", "fanuc").diagnostics));
+}
+
 TEST(Convert, AToolByNameHasNoCounterpartOnFanuc) {
   ConvertRequest request;
   request.source = text::Source("x", "G710 G18 G90 G95\nT=\"FINISHING_T35 A\" D1\nG0 X50 Z2\nM30\n");
