@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "dialects/facts/calls.h"
-#include "dialects/facts/subprogram.h"
+#include "dialects/ir/sections.h"
 
 namespace dripfeed::facts {
 
@@ -186,7 +186,7 @@ void Resolved::find_leaders() {
 
 Facts Resolved::start_of(const Part& part) const {
   Facts facts;
-  const bool inherits = is_subprogram(program_, part.range);
+  const bool inherits = ir::is_subprogram(program_, part.range.first, part.range.last);
   for (std::size_t m = 0; m < kModes; ++m) {
     const Setting begin = power_on(static_cast<Mode>(m), control_);
     if (inherits)

@@ -26,17 +26,28 @@ constexpr bool returns(StatementKind kind) {
   return kind == StatementKind::subprogram_return || kind == StatementKind::return_to;
 }
 
-// It ends by M99 (RET) and not by M30 or M02: what is active at its start, and its arguments, are its caller's.
+// The range has an end of its own (M30, M2).
+inline bool has_end(const Program& text, std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t i = first; i < last; ++i)
+    if (text.statements[i].kind == StatementKind::program_end) return true;
+  return false;
+}
+
+// A program that others call: it returns (M99, M17, RET) or has a head (PROC), and no end of its own. What is active at
+// its start, and its arguments, are its caller's.
 inline bool is_subprogram(const Program& text, std::uint32_t first, std::uint32_t last) {
-  bool goes_back = false;
   for (std::uint32_t i = first; i < last; ++i) {
-    if (text.statements[i].kind == StatementKind::program_end) return false;
-    goes_back = goes_back || returns(text.statements[i].kind);
+    const StatementKind kind = text.statements[i].kind;
+    if (returns(kind) || kind == StatementKind::procedure) return !has_end(text, first, last);
   }
-  return goes_back;
+  return false;
 }
 inline bool is_subprogram(const Program& text, const Section& range) {
   return is_subprogram(text, range.first, range.last);
+}
+// All of the text.
+inline bool is_subprogram(const Program& text) {
+  return is_subprogram(text, 0, static_cast<std::uint32_t>(text.statements.size()));
 }
 
 }  // namespace dripfeed::ir

@@ -22,12 +22,7 @@ class CountedLoops {
   CountedLoops(ir::Program& program, FreeNumbers& numbers) : program_(program), numbers_(numbers), out_(program) {}
 
   StructureReport run() {
-    const auto count = static_cast<std::uint32_t>(program_.statements.size());
-    for (std::uint32_t i = 0; i < count; ++i) {
-      out_.at(i);
-      statement(i);
-    }
-    out_.finish();
+    out_.visit_all([this](std::uint32_t i) { statement(i); });
     return std::move(report_);
   }
 

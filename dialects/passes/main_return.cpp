@@ -2,7 +2,7 @@
 #include "dialects/passes/main_return.h"
 
 #include "dialects/facts/flow_graph.h"
-#include "dialects/facts/subprogram.h"
+#include "dialects/ir/sections.h"
 
 namespace dripfeed::passes {
 
@@ -31,7 +31,7 @@ void returns_of_main_as_jumps(ir::Program& program) {
     if (!facts::returns(s.kind)) continue;
     if (i >= range.last) {
       range = facts::section_of(program, i);
-      main = facts::has_end(program, range);
+      main = ir::has_end(program, range.first, range.last);
     }
     if (main) as_jump(program, s);
   }

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "dialects/facts/calls.h"
-#include "dialects/facts/subprogram.h"
+#include "dialects/ir/sections.h"
 #include "dialects/passes/set_on_all_ways.h"
 
 namespace dripfeed::passes {
 
 std::vector<OutsideValue> outside_values(const ir::Program& program, const ir::Control& control, ir::Bank bank) {
-  if (facts::is_subprogram(program)) return {};
+  if (ir::is_subprogram(program)) return {};
   const auto watched = [&](const ir::Variable& v) -> std::optional<std::uint32_t> {
     if (v.bank != bank || v.index != ir::ExpressionId::none) return std::nullopt;
     const ir::VariableRange* range = ir::find_variable(control, bank, v.number);

@@ -1,4 +1,4 @@
-// A program's statements written anew: each old one is kept, dropped or replaced by several, and labels, partners
+// A program's statements, written again: each old one is kept, dropped or replaced by several, and labels, partners
 // and the places of several programs and of parts in another language are put right at the end. The arenas only grow.
 #pragma once
 
@@ -34,6 +34,16 @@ class Rewrite {
   // Puts the new statements into the program; pending labels at its end get an empty statement. Returns what
   // ir::match_structures does.
   std::vector<std::uint32_t> finish();
+  // Calls visit(index) for each old statement, in order, and finishes.
+  template <class Visit>
+  void visit_all(Visit visit) {
+    const auto count = static_cast<std::uint32_t>(program_.statements.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      at(i);
+      visit(i);
+    }
+    finish();
+  }
 
  private:
   [[nodiscard]] std::uint32_t place_of(std::uint32_t index) const;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "dialects/facts/subprogram.h"
+#include "dialects/ir/sections.h"
 
 namespace dripfeed::passes {
 
@@ -25,7 +25,7 @@ struct Start {
 
 // What is said up to the first block that moves; nothing when none does or another program may say it.
 std::optional<Start> start_of(const ir::Program& program) {
-  if (facts::is_subprogram(program)) return std::nullopt;
+  if (ir::is_subprogram(program)) return std::nullopt;
   Start start;
   for (const ir::Statement& s : program.statements) {
     if (s.kind == StatementKind::call) return std::nullopt;

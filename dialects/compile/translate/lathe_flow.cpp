@@ -12,10 +12,10 @@
 #include "dialects/facts/flow_graph.h"
 #include "dialects/facts/shape_blocks.h"
 #include "dialects/facts/spread.h"
-#include "dialects/facts/subprogram.h"
 #include "dialects/interpreter/block/initial_state.h"
 #include "dialects/interpreter/cycles/repetitive.h"
 #include "dialects/ir/called_cycle.h"
+#include "dialects/ir/sections.h"
 
 namespace dripfeed::compile {
 
@@ -119,7 +119,8 @@ LatheFlow::LatheFlow(const ir::Program& program, const ir::Control& control)
       before_(program.statements.size() + 1) {
   facts::FlowGraph graph(program);
   const std::uint32_t first = program.sections.empty() ? 0 : program.sections.front().first;
-  const bool is_main = !facts::is_subprogram(program, facts::section_of(program, first));
+  const facts::StatementRange main = facts::section_of(program, first);
+  const bool is_main = !ir::is_subprogram(program, main.first, main.last);
   for (const std::uint32_t entry : graph.entries()) before_[entry] = entry <= first && is_main ? start() : LatheState();
   const auto after_or_skipped = [this](std::uint32_t i, const LatheState& state) {
     LatheState out = after(i, state);

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "dialects/facts/subprogram.h"
+#include "dialects/ir/sections.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/walk.h"
 
@@ -75,7 +75,7 @@ std::string JoinedPrograms::name_there(const ir::Program& program) {
     name = "L" + name.substr(1);
   if (!tape_of_files && is_numbered(name, 'L')) name = fmt::format("O{:0>4}", name.substr(1));
   // A subprogram can be called by a file's name; two main programs would both be O0001.
-  const bool by_name = facts::is_subprogram(program);
+  const bool by_name = ir::is_subprogram(program);
   const bool findable = tape_of_files || is_numbered(name, 'O') || by_name || names_.empty();
   if (!findable) cannot(passes::of_call("the name of the program " + name), span_of(program));
   // An end of the program in a called one ends all; SINUMERIK's goes back to the caller.

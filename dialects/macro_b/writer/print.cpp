@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "dialects/facts/subprogram.h"
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/hole_pattern.h"
+#include "dialects/ir/sections.h"
 #include "dialects/macro_b/reader/lower.h"
 #include "dialects/macro_b/tables/variables.h"
 #include "dialects/passes/walk.h"
@@ -98,7 +98,7 @@ std::string program_head(const ir::Program& program) {
   // No control stores a program under the number 0.
   const bool is_zero = is_number && name.find_first_not_of('0', 1) == std::string_view::npos;
   if (is_number && !is_zero) return std::string(name);
-  if (!is_number && is_file_name(name) && facts::is_subprogram(program)) return fmt::format("<{}>", name);
+  if (!is_number && is_file_name(name) && ir::is_subprogram(program)) return fmt::format("<{}>", name);
   return name.empty() ? "O0001" : fmt::format("O0001({})", comment_text(name));
 }
 

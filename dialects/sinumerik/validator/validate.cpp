@@ -28,7 +28,7 @@ bool is_subprogram_file(std::string_view name) { return ends_with(name, ".SPF") 
 
 }  // namespace
 
-bool is_subprogram(const ir::Program& program) {
+bool may_have_caller(const ir::Program& program) {
   if (is_data_file(program)) return true;
   for (const ir::Statement& s : program.statements) {
     if (s.kind == ir::StatementKind::procedure) return true;

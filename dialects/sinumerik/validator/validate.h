@@ -33,7 +33,7 @@ struct Check {
 
 // A subprogram takes its modal state and its R parameters from who calls it: it has a PROC head, or nothing in it ends
 // a program.
-bool is_subprogram(const ir::Program& program);
+bool may_have_caller(const ir::Program& program);
 
 void check_structures(const Check& check);  // validate_structures.cpp
 void check_labels(const Check& check);      // validate_flow.cpp

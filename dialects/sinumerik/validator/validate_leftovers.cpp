@@ -19,7 +19,7 @@ class Leftovers {
  public:
   explicit Leftovers(const Check& check)
       : check_(check),
-        is_main_(!is_subprogram(check.program)),
+        is_main_(!may_have_caller(check.program)),
         spindle_(is_main_ ? Spindle::stands : Spindle::unknown),
         has_speed_(!is_main_),
         has_limit_(!is_main_) {}

@@ -18,7 +18,7 @@ class Compensation {
   explicit Compensation(const Check& check) : check_(check) {}
 
   void run() {
-    if (is_subprogram(check_.program)) forget();
+    if (may_have_caller(check_.program)) forget();
     for (const ir::Statement& s : check_.program.statements) {
       const bool others = s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
                           s.kind == StatementKind::go_to || ir::is_structure(s.kind) ||

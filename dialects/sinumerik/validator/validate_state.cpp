@@ -18,7 +18,7 @@ using text::DiagnosticId;
 class ModalState {
  public:
   explicit ModalState(const Check& check)
-      : check_(check), inherits_(is_subprogram(check.program)), known_(check.control.semantics.power_on_known) {}
+      : check_(check), inherits_(may_have_caller(check.program)), known_(check.control.semantics.power_on_known) {}
 
   void run() {
     for (const ir::Statement& s : check_.program.statements) {

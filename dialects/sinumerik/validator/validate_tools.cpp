@@ -19,7 +19,7 @@ class Tools {
   explicit Tools(const Check& check) : check_(check) {}
 
   void run() {
-    had_speed_ = is_subprogram(check_.program);
+    had_speed_ = may_have_caller(check_.program);
     for (const ir::Statement& s : check_.program.statements) {
       // A jump back may come from where the tool is another.
       if (s.is_label) off_ = surface_speed_ = {};

@@ -38,7 +38,7 @@ void check_r_range(const Check& check) {
 // A main program that calls nothing and reads an R that it never sets depends on what another program left there.
 void check_r_set(const Check& check) {
   const ir::Program& program = check.program;
-  if (is_subprogram(program)) return;
+  if (may_have_caller(program)) return;
   const bool others = std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
     return s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
            (s.kind == StatementKind::native && !program.natives[s.payload].effects_known);

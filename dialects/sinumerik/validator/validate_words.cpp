@@ -158,7 +158,7 @@ void check_data(const Check& check, const ir::Statement& s) {
 
 // TML(tool): only the program that replaces T may say it.
 void check_tool_call(const Check& check, const ir::Statement& s) {
-  if (check.native_name(s) != "TML" || is_subprogram(check.program)) return;
+  if (check.native_name(s) != "TML" || may_have_caller(check.program)) return;
   check.report(DiagnosticId::code_not_in_mode, s.span, {"TML", "a main program"}).alarm = "14085";
 }
 

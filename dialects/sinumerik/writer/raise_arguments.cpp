@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "dialects/facts/subprogram.h"
+#include "dialects/ir/sections.h"
 #include "dialects/passes/macro_arguments.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
@@ -50,7 +50,7 @@ class Macro {
     find_locals();
     if (locals_.empty()) return {};
     const auto unset = passes::reads_before_set(program_, [this](const ir::Variable& v) { return local_of(v); });
-    const bool takes = facts::is_subprogram(program_) && std::ranges::any_of(unset, [](const passes::UnsetRead& read) {
+    const bool takes = ir::is_subprogram(program_) && std::ranges::any_of(unset, [](const passes::UnsetRead& read) {
                          return passes::position_of_local(read.watched).has_value();
                        });
     if (!takes && !calls(ir::CallKind::macro)) return {};
