@@ -156,8 +156,9 @@ void BlockLowering::add_word(const RawWord& raw) {
   } else {
     word.address = address_of(raw.letter);
   }
-  if (is_linear(raw.letter)) word.value = in_increments(word.value, control_.semantics.least_increment_mm);
-  if (is_rotary(raw.letter)) word.value = in_increments(word.value, control_.semantics.least_increment_deg);
+  const bool counts = !grammar_.rounds_words_whole;
+  if (counts && is_linear(raw.letter)) word.value = in_increments(word.value, control_.semantics.least_increment_mm);
+  if (counts && is_rotary(raw.letter)) word.value = in_increments(word.value, control_.semantics.least_increment_deg);
   if (raw.letter == 'T') word.value = with_short_offset(word);
   program_.words.push_back(word);
 }

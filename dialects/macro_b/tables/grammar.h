@@ -80,6 +80,7 @@ struct Grammar {
   bool then_may_lack = false;                // IF [a EQ b] G65 P1
   bool variables_have_parts = false;         // #30003.078: an element or a bit of parameter 3, only to be read
   bool reference_alone_is_all_axes = false;  // G28 without an axis
+  bool rounds_words_whole = false;           // ROUND in a word gives a whole number, not the word's least increment
   char repeat_letter = 'K';                  // of a hole: how often; with 'L' also the count of a hole pattern
 };
 
