@@ -10,6 +10,7 @@
 // level. (Fanuc 0i-F B-64604EN-2, canned cycle for drilling; lathes B-64604EN-1.)
 #include "dialects/interpreter/cycles/drilling.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "dialects/interpreter/motion/move.h"
 #include "dialects/interpreter/motion/polar.h"
 #include "dialects/interpreter/state/axis_words.h"
+#include "dialects/ir/clear_cycle.h"
 
 namespace dripfeed::interpreter {
 
@@ -164,6 +166,9 @@ class Driller {
     if (!d_.has_r) return d_.initial;
     return d_.r_by_distance ? d_.initial + d_.r : d_.r;
   }
+  [[nodiscard]] bool keeps_clear() const { return d_.along == ir::kDrillKeepsClear; }
+  // Where G98 ends.
+  [[nodiscard]] double clear_level() const { return keeps_clear() ? std::max(d_.initial, r_level()) : d_.initial; }
   [[nodiscard]] double bottom() const { return d_.depth_by_distance ? r_level() + d_.depth : d_.depth; }
   [[nodiscard]] bool r_known() const { return d_.initial_known || (d_.has_r && !d_.r_by_distance); }
   [[nodiscard]] bool bottom_known() const { return !d_.depth_by_distance || r_known(); }
@@ -183,6 +188,7 @@ class Driller {
 
   // `place`: the block whose words say where.
   void hole(const PlainBlock& place) {
+    if (keeps_clear() && d_.initial < r_level()) rapid(r_level(), r_known());
     position(place);
     if (!d_.has_depth) {
       result_.notes |= kNoteHoleWithoutDepth;
@@ -199,7 +205,10 @@ class Driller {
       turn(SpindleState::stopped);
     if (row_.bottom == Bottom::hold) emit_event(MotionKind::stop, state_, out_).number = 0;
     if (row_.bottom == Bottom::shift) shift(1.0);
-    if (row_.retreat == Retreat::feed) feed(r_level(), r_known());
+    if (row_.retreat == Retreat::feed && keeps_clear())
+      feed(state_.modes.return_to_r ? r_level() : clear_level(), r_known());
+    else if (row_.retreat == Retreat::feed)
+      feed(r_level(), r_known());
     go_back();
     if (row_.bottom == Bottom::shift) shift(-1.0);
     turn(before);
@@ -259,7 +268,7 @@ class Driller {
     return_to_initial();
   }
   void return_to_initial() {
-    if (d_.initial_known) return rapid(d_.initial, true);
+    if (d_.initial_known) return rapid(clear_level(), true);
     result_.notes |= kNoteLevelUnknown;
     state_.unknown |= static_cast<std::uint16_t>(1U << axis_);
   }
@@ -318,9 +327,10 @@ class Driller {
 
 void begin_drilling(std::int16_t argument, ModalState& state) {
   state.drilling.active = true;
-  state.drilling.along = argument >= ir::kDrillAlongX   ? ir::kDrillAlongX
-                         : argument >= ir::kDrillAlongZ ? ir::kDrillAlongZ
-                                                        : std::int16_t{0};
+  state.drilling.along = argument >= ir::kDrillKeepsClear ? ir::kDrillKeepsClear
+                         : argument >= ir::kDrillAlongX   ? ir::kDrillAlongX
+                         : argument >= ir::kDrillAlongZ   ? ir::kDrillAlongZ
+                                                          : std::int16_t{0};
   state.drilling.cycle = static_cast<DrillCycle>(argument - state.drilling.along);
 }
 
