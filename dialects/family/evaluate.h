@@ -21,11 +21,14 @@ using BinaryRule = Dual (*)(Dual a, Dual b);
 UnaryRule unary_rule(ir::Operator op);
 BinaryRule binary_rule(ir::Operator op);
 
-// interpolate(xs, ys, x) in an arena of families, whose texts have no operators: kAlong(x, kPoints(xs, ys)), the lists
-// as variables without an index. Straight between neighbouring points; before the first and behind the last point its
-// value.
-inline constexpr ir::Operator kAlong = ir::Operator::find_text;
-inline constexpr ir::Operator kPoints = ir::Operator::concatenate;
+// Operators of families alone, beyond those of controls. interpolate(xs, ys, x) is kAlong(x, kPoints(xs, ys)), the
+// lists as variables without an index. Straight between neighbouring points; before the first and after the last point
+// its value. A program that was built has none of them.
+constexpr ir::Operator own_operator(std::uint8_t row) {
+  return static_cast<ir::Operator>(static_cast<std::uint8_t>(ir::Operator::count_) + 1U + row);
+}
+inline constexpr ir::Operator kAlong = own_operator(0);
+inline constexpr ir::Operator kPoints = own_operator(1);
 
 // The lists of a kAlong.
 struct PointLists {
