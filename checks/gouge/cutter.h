@@ -24,6 +24,7 @@ struct Cutter {
   [[nodiscard]] Cutter shrunk(double by) const {
     return {std::fmax(0.0, radius - by), std::fmin(std::fmax(0.0, corner - by), std::fmax(0.0, radius - by))};
   }
+  friend bool operator==(const Cutter&, const Cutter&) = default;
 };
 
 }  // namespace dripfeed::gouge

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dialects/curves/surface_column.h"
+
 namespace dripfeed::gouge {
 
 namespace {
@@ -76,9 +78,10 @@ void HeightMap::set_nominal(std::span<const curves::HeightField> nominal) {
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {0.7, -0.7}, {-0.7, 0.7}, {-0.7, -0.7}}};
   std::vector<double> own(heights_.size(), kNothing);
   tolerances_.assign(heights_.size(), 0.0F);
-  for (std::size_t row = 0; row < rows_; ++row) {
-    for (std::size_t column = 0; column < columns_; ++column) {
-      const auto place = curves::surface_at(nominal, x_at(column), y_at(row));
+  for (std::size_t column = 0; column < columns_; ++column) {
+    const curves::SurfaceColumn surface(nominal, x_at(column));
+    for (std::size_t row = 0; row < rows_; ++row) {
+      const auto place = surface.at(y_at(row));
       if (!place) continue;
       own[row * columns_ + column] = place->z;
       tolerances_[row * columns_ + column] = static_cast<float>(place->tolerance);
@@ -108,8 +111,15 @@ bool HeightMap::falls_off(const std::vector<double>& z, std::size_t row, std::si
   return false;
 }
 
+// The columns whose middle lies between the ends of a row; first > last: there are none.
+HeightMap::Columns HeightMap::columns_of(const Sweep::Row& row) const {
+  return {std::max(0.0, std::ceil((row.low - x_.low) / step_ - 0.5)),
+          std::min(std::floor((row.high - x_.low) / step_ - 0.5), static_cast<double>(columns_ - 1))};
+}
+
+// `goes_on`: what lies under the cutter where the move starts is left out.
 template <class Visit>
-void HeightMap::pass(const Sweep& sweep, Visit&& visit) const {
+void HeightMap::pass(const Sweep& sweep, bool goes_on, Visit&& visit) const {
   const double first_row = std::ceil((sweep.y_low() - y_.low) / step_ - 0.5);
   const double last_row = std::floor((sweep.y_high() - y_.low) / step_ - 0.5);
   const bool same = sweep.is_flat_and_level();
@@ -118,13 +128,21 @@ void HeightMap::pass(const Sweep& sweep, Visit&& visit) const {
     const double y = y_at(r);
     const auto stretch = sweep.row(y);
     if (!stretch) continue;
-    const double first = std::max(0.0, std::ceil((stretch->low - x_.low) / step_ - 0.5));
-    const double last = std::min(std::floor((stretch->high - x_.low) / step_ - 0.5), static_cast<double>(columns_ - 1));
-    if (!(first <= last)) continue;
-    const auto end = static_cast<std::size_t>(last);
-    for (auto column = static_cast<std::size_t>(first); column <= end; ++column) {
-      const double x = x_at(column);
-      visit(r * columns_ + column, x, y, same ? sweep.z_low() : sweep.lowest(x, y));
+    const Columns all = columns_of(*stretch);
+    const auto visit_some = [&](double first, double last) {
+      for (double c = first; c <= last; ++c) {
+        const auto column = static_cast<std::size_t>(c);
+        const double x = x_at(column);
+        visit(r * columns_ + column, x, y, same ? sweep.z_low() : sweep.lowest(x, y));
+      }
+    };
+    const std::optional<Sweep::Row> start = goes_on ? sweep.start_row(y) : std::nullopt;
+    const Columns done = start ? columns_of(*start) : Columns{1.0, 0.0};
+    if (!(done.first <= done.last)) {
+      visit_some(all.first, all.last);
+    } else {
+      visit_some(all.first, std::min(all.last, done.first - 1.0));
+      visit_some(std::max(all.first, done.last + 1.0), all.last);
     }
   }
 }
@@ -134,7 +152,7 @@ HeightMap::Touch HeightMap::touch(const Cutter& cutter, const Point3& from, cons
   if (std::min(from.z, to.z) + slack >= top_) return deepest;
   // A cutter smaller on all sides, its tip higher: what it touches is entered by more than the slack.
   const Sweep sweep(cutter.shrunk(slack), {from.x, from.y, from.z + slack}, {to.x, to.y, to.z + slack});
-  pass(sweep, [&](std::size_t place, double x, double y, double z) {
+  pass(sweep, false, [&](std::size_t place, double x, double y, double z) {
     const double depth = heights_[place] - z;
     if (!(depth > 0.0)) return;
     if (depth + slack > deepest.stock.mm) deepest.stock = {depth + slack, x, y};
@@ -151,7 +169,13 @@ Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to)
   Depth deepest;
   if (std::min(from.z, to.z) >= top_) return deepest;
   const bool judged = !nominal_.empty();
-  pass(Sweep(cutter, from, to), [&](std::size_t place, double x, double y, double z) {
+  const Sweep sweep(cutter, from, to);
+  // A chord of an arc goes on from the one before: what that one cut at this height is not cut anew.
+  const bool even = sweep.is_flat_and_level();
+  const bool goes_on =
+      even && sweep.z_low() == from.z && last_cut_ && last_cut_->at == from && last_cut_->cutter == cutter;
+  last_cut_ = even ? std::optional(LastCut{cutter, to}) : std::nullopt;
+  pass(sweep, goes_on, [&](std::size_t place, double x, double y, double z) {
     if (!(z < heights_[place])) return;
     heights_[place] = z <= bottom_ ? kNothing : z;
     if (!judged) return;

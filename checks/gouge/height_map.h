@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,9 +64,14 @@ class HeightMap {
   [[nodiscard]] double x_at(std::size_t column) const { return x_.low + (static_cast<double>(column) + 0.5) * step_; }
   [[nodiscard]] double y_at(std::size_t row) const { return y_.low + (static_cast<double>(row) + 0.5) * step_; }
   [[nodiscard]] bool falls_off(const std::vector<double>& z, std::size_t row, std::size_t column, double below) const;
+  struct Columns {
+    double first = 0.0;
+    double last = 0.0;
+  };
+  [[nodiscard]] Columns columns_of(const Sweep::Row& row) const;
   // Calls visit(place, x, y, z) for the places that are passed and might lie lower than `top`.
   template <class Visit>
-  void pass(const Sweep& sweep, Visit&& visit) const;
+  void pass(const Sweep& sweep, bool goes_on, Visit&& visit) const;
 
   curves::Range x_;
   curves::Range y_;
@@ -77,6 +83,11 @@ class HeightMap {
   std::vector<double> heights_;
   std::vector<double> nominal_;    // -infinity: none; empty: none at all
   std::vector<float> tolerances_;  // mm
+  struct LastCut {
+    Cutter cutter;
+    Point3 at;  // where it ended
+  };
+  std::optional<LastCut> last_cut_;  // where it was flat and level
 };
 
 }  // namespace dripfeed::gouge

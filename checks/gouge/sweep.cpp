@@ -40,6 +40,13 @@ Sweep::Sweep(const Cutter& cutter, const Point3& from, const Point3& to) : cutte
 double Sweep::y_low() const { return std::min(from_.y, to_.y) - cutter_.radius; }
 double Sweep::y_high() const { return std::max(from_.y, to_.y) + cutter_.radius; }
 
+std::optional<Sweep::Row> Sweep::start_row(double y) const {
+  const double away = y - from_.y;
+  if (std::fabs(away) > cutter_.radius) return std::nullopt;
+  const double half = std::sqrt(cutter_.radius * cutter_.radius - away * away);
+  return Row{from_.x - half, from_.x + half};
+}
+
 // The capsule is convex: a row meets it in one stretch, whose ends lie on a disk or on a side.
 std::optional<Sweep::Row> Sweep::row(double y) const {
   Row out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};

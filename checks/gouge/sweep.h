@@ -11,6 +11,7 @@ struct Point3 {
   double x = 0.0;
   double y = 0.0;
   double z = 0.0;
+  friend bool operator==(const Point3&, const Point3&) = default;
 };
 
 class Sweep {
@@ -23,6 +24,8 @@ class Sweep {
     double high = 0.0;
   };
   [[nodiscard]] std::optional<Row> row(double y) const;
+  // The part of it that the cutter covers before it moves.
+  [[nodiscard]] std::optional<Row> start_row(double y) const;
   // The lowest height over (x, y), which the row holds; infinity beside it.
   [[nodiscard]] double lowest(double x, double y) const;
 
