@@ -134,6 +134,11 @@ TEST(Render, PocketIsOneTraceInEveryDialectAndMode) {
   expect_all_alike("round-pocket", ir::MachineKind::mill, {{"cutter_diameter", "59 mm"}, {"layer_depth", "20 mm"}});
 }
 
+TEST(Render, IslandPocketIsOneTraceInEveryDialectAndMode) {
+  expect_all_alike("island-pocket", ir::MachineKind::mill, {});
+  expect_all_alike("island-pocket", ir::MachineKind::mill, {{"pocket_corner", "30 mm"}, {"island_corner", "0 mm"}});
+}
+
 // The rings of the pocket end at the wall exactly, and no arc leaves it.
 TEST(Render, PocketMeetsItsWall) {
   const RenderResult result = rendered("round-pocket", "fanuc", ir::MachineKind::mill, RenderMode::macro);
