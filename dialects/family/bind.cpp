@@ -13,8 +13,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "dialects/family/engraving.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/geometry.h"
+#include "dialects/family/text_value.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
@@ -34,7 +36,7 @@ class Binder {
   Binder(std::shared_ptr<const Family> family, std::span<const Override> overrides)
       : family_(*family), overrides_(overrides) {
     const std::size_t symbols = family_.arena.symbols.size();
-    result_.bound = {std::move(family), std::vector<double>(symbols, 0.0)};
+    result_.bound = {std::move(family), std::vector<double>(symbols, 0.0), {}};
     known_.assign(symbols, 0);
   }
 
@@ -59,6 +61,7 @@ class Binder {
       if (step.kind == StepKind::drill_begin) check_holes(step);
       if (step.kind == StepKind::thread) check_thread(step);
       if (step.kind == StepKind::message) check_message(step);
+      if (step.kind == StepKind::engrave) check_engraving(step);
       check_indices(step);
     }
     return std::move(result_);
@@ -83,10 +86,12 @@ class Binder {
       } else {
         know(parameter.symbol, parameter.standard);
       }
+      if (parameter.kind == ParameterKind::text) result_.bound.texts.emplace(parameter.symbol, parameter.standard_text);
       by_name.try_emplace(parameter.name, &parameter);
     }
     std::unordered_map<std::string_view, const Override*> given_names;
-    for (const Override& given : overrides_) {
+    const std::vector<Override> overrides = with_axes();
+    for (const Override& given : overrides) {
       if (const auto [earlier, is_first] = given_names.try_emplace(given.name, &given); !is_first) {
         const auto of = by_name.find(given.name);
         report(DiagnosticId::family_given_twice, of == by_name.end() ? text::Span{} : of->second->span,
@@ -99,6 +104,46 @@ class Binder {
         report(DiagnosticId::family_unknown_parameter, {}, {given.name});
       }
     }
+    for (const PointParameter& points : family_.points) check_axes(points);
+  }
+
+  // The overrides, with a list of points as one list an axis.
+  std::vector<Override> with_axes() {
+    std::vector<Override> out;
+    for (const Override& given : overrides_) {
+      const PointParameter* points = family_.find_points(given.name);
+      if (points == nullptr) {
+        out.push_back(given);
+        continue;
+      }
+      const std::optional<std::vector<std::string>> axes = axes_of_points(given.value, points->axes.size());
+      if (!axes)
+        report(DiagnosticId::family_syntax, points->span,
+               {fmt::format("{}: '{}' are no points of {} numbers, such as ({})", points->name, given.value,
+                            points->axes.size(), standard_point(*points))});
+      for (std::size_t i = 0; axes && i < axes->size(); ++i)
+        out.push_back({family_.parameters[points->first + i].name, (*axes)[i]});
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string standard_point(const PointParameter& points) const {
+    std::string out;
+    for (std::size_t i = 0; i < points.axes.size(); ++i) {
+      const Parameter& axis = family_.parameters[points.first + i];
+      out += fmt::format("{}{}", i == 0 ? "" : ", ", format_value(axis, axis.standards.front()));
+    }
+    return out;
+  }
+
+  void check_axes(const PointParameter& points) {
+    const auto count = [&](std::size_t row) { return given_lists_.at(family_.parameters[row].symbol).size(); };
+    for (std::size_t row = points.first + 1; row < points.first + points.axes.size(); ++row)
+      if (count(row) != count(points.first))
+        report(DiagnosticId::family_syntax, points.span,
+               {fmt::format("{} has {} numbers and {} has {}: a point has one of each",
+                            family_.parameters[points.first].name, count(points.first), family_.parameters[row].name,
+                            count(row))});
   }
 
   void set(const Parameter& parameter, const std::string& written) {
@@ -110,7 +155,19 @@ class Binder {
       case ParameterKind::choice:
       case ParameterKind::yes_no: return set_choice(parameter, written);
       case ParameterKind::list: return set_list(parameter, written);
+      case ParameterKind::text: return set_text(parameter, written);
     }
+  }
+
+  void set_text(const Parameter& parameter, const std::string& written) {
+    std::string fault = fault_of_text(written);
+    if (fault.empty() &&
+        (std::cmp_less(written.size(), parameter.fewest) || std::cmp_greater(written.size(), parameter.most)))
+      fault = fmt::format("the text has {} characters, {} to {} are allowed", written.size(), parameter.fewest,
+                          parameter.most);
+    if (!fault.empty())
+      return report(DiagnosticId::family_syntax, parameter.span, {fmt::format("{}: {}", parameter.name, fault)});
+    result_.bound.texts.insert_or_assign(parameter.symbol, written);
   }
 
   void set_choice(const Parameter& parameter, const std::string& written) {
@@ -305,6 +362,15 @@ class Binder {
       report(DiagnosticId::thread_invalid, step.span, {fmt::format("its pitch is {}", text::format_shortest(*value))});
   }
 
+  void check_engraving(const Step& step) {
+    const std::string fault = fault_of_engraving(result_.bound.texts.at(step.target));
+    if (fault.empty()) return;
+    const auto parameter = std::ranges::find(family_.parameters, step.target, &Parameter::symbol);
+    report(DiagnosticId::family_syntax, parameter->span,
+           {fmt::format("{}: {} cannot be engraved: there are letters, digits, blanks and + - . / ,", parameter->name,
+                        fault)});
+  }
+
   // No control can write what it computes into a message.
   void check_message(const Step& step) {
     for (std::uint32_t i = 0; i < step.word_count; ++i) {
@@ -360,6 +426,28 @@ class Binder {
 };
 
 }  // namespace
+
+std::optional<std::vector<std::string>> axes_of_points(std::string_view written, std::size_t axes) {
+  const auto trim = [&] { written.remove_prefix(std::min(written.find_first_not_of(" \t"), written.size())); };
+  std::vector<std::string> out(axes);
+  for (trim(); !written.empty(); trim()) {
+    const std::size_t close = written.find(')');
+    if (written.front() != '(' || close == std::string_view::npos) return std::nullopt;
+    std::string_view point = written.substr(1, close - 1);
+    if (static_cast<std::size_t>(std::ranges::count(point, ',')) + 1 != axes) return std::nullopt;
+    for (std::string& axis : out) {
+      const std::string_view number = point.substr(0, point.find(','));
+      point.remove_prefix(std::min(point.size(), number.size() + 1));
+      axis += fmt::format("{}{}", axis.empty() ? "" : ", ", number);
+    }
+    written.remove_prefix(close + 1);
+    trim();
+    if (written.empty()) return out;
+    if (written.front() != ',') return std::nullopt;
+    written.remove_prefix(1);
+  }
+  return std::nullopt;  // nothing, or nothing after a comma
+}
 
 std::int32_t tool_number(const BoundFamily& bound, const Step& step) {
   if (step.target == ir::SymbolId::none) return step.number;

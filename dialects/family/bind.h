@@ -2,6 +2,7 @@
 // without its unit is how a part is scrapped.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,7 +16,9 @@ namespace dripfeed::family {
 
 struct Override {
   std::string name;
-  std::string value;  // "120 mm"; a plain number for count and ratio; "10 mm, 12 mm" for a list; a word for a choice
+  // "120 mm"; a plain number for count and ratio; "10 mm, 12 mm" for a list; "(0 mm, 5 mm), (2 mm, 7 mm)" for points;
+  // a word for a choice; a text as it is
+  std::string value;
 };
 
 struct BoundFamily {
@@ -23,6 +26,7 @@ struct BoundFamily {
   // One a symbol of Family::arena, stored units: parameters, then lets as computed from them; 0 for the body's own.
   // After them the numbers of the lists, as list_in (evaluate.h) finds them.
   std::vector<double> values;
+  std::map<ir::SymbolId, std::string> texts;  // of text parameters
 };
 
 struct BindResult {
@@ -36,6 +40,9 @@ struct WrittenValue {
   std::optional<ValueFault> fault;
 };
 WrittenValue read_value(const Parameter& parameter, const std::string& written);
+
+// "(0 mm, 5 mm), (2 mm, 7 mm)" as one list an axis: "0 mm, 2 mm" and "5 mm, 7 mm"; nothing where it is no such text.
+std::optional<std::vector<std::string>> axes_of_points(std::string_view written, std::size_t axes);
 
 // Defaults where nothing is given. Faults: unknown parameter, one given twice, no or wrong unit, out
 // of range, not whole, a failed `require` (with its text), a loop that cannot run, a value that cannot be computed.

@@ -58,12 +58,14 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"cut", &BodyReader::cut},
       {"arc", &BodyReader::arc},
       {"thread", &BodyReader::thread},
+      {"groove", &BodyReader::groove},
       {"retract", &BodyReader::retract},
       {"drill", &BodyReader::drill},
       {"ream", &BodyReader::ream},
       {"bore", &BodyReader::bore},
       {"tap", &BodyReader::tap},
       {"at", &BodyReader::hole},
+      {"engrave", &BodyReader::engrave},
       {"profile", &BodyReader::profile},
       {"for", &BodyReader::for_loop},
       {"while", &BodyReader::while_loop},
@@ -77,6 +79,7 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"dwell", &BodyReader::dwell},
       {"stop", &BodyReader::stop},
       {"optional", &BodyReader::optional_stop},
+      {"skip", &BodyReader::skip},
   });
   return kVerbs;
 }
@@ -139,6 +142,7 @@ Step BodyReader::step(StepKind kind) const {
 void BodyReader::add(Step step) {
   if (cursor_.line_failed() || !may_stand_here(step.kind)) return;
   step.span = {verb_.begin, cursor_.last_span().end};
+  step.skip_level = skip_level_;
   steps_.push_back(std::move(step));
 }
 
@@ -296,7 +300,7 @@ void BodyReader::arc() {
   add(std::move(out));
 }
 
-// thread AXIS VALUE ... pitch LENGTH
+// thread AXIS VALUE ... pitch LENGTH [depth ...]
 void BodyReader::thread() {
   if (family_.machine == ir::MachineKind::mill)
     return cursor_.syntax(
@@ -312,7 +316,9 @@ void BodyReader::thread() {
       std::any_of(begin, family_.words.end(), [](const StepWord& one) { return ir::is_rotary_axis(one.address); });
   if (turns) return cursor_.syntax(verb_, "a thread is cut along x and z");
   if (cursor_.line_failed() || !cursor_.expect_word("pitch")) return;
-  word(out, ir::Address::f, expressions_.value_of(kLength));
+  const Typed pitch = expressions_.value_of(kLength);
+  if (!cursor_.line_failed() && cursor_.at_word("depth")) return thread_passes(out, pitch.id);
+  word(out, ir::Address::f, pitch);
   add(std::move(out));
 }
 
@@ -333,6 +339,16 @@ void BodyReader::message() {
       out.text += *text;
       continue;
     }
+    if (const Scope::Name* name = scope_.find(cursor_.word()); name != nullptr && name->kind == NameKind::text) {
+      ir::Variable variable;
+      variable.bank = ir::Bank::named;
+      variable.symbol = name->symbol;
+      variable.span = cursor_.peek().span;
+      word(out, ir::Address::n, {.id = family_.arena.add_variable(variable)});
+      out.text += kValueMark;
+      cursor_.advance();
+      continue;
+    }
     const Typed value = expressions_.value();
     word(out, ir::Address::n, value);  // of the words only the values count
     out.text += kValueMark;
@@ -345,6 +361,34 @@ void BodyReader::dwell() {
   Step out = step(StepKind::dwell);
   out.values[0] = expressions_.value_of(kTime).id;
   add(std::move(out));
+}
+
+// skip [LEVEL] verb ...: the operator decides whether the control executes it.
+void BodyReader::skip() {
+  static constexpr std::array kVerbs = {
+      std::string_view("rapid"),   std::string_view("cut"),     std::string_view("arc"),
+      std::string_view("retract"), std::string_view("coolant"), std::string_view("message"),
+      std::string_view("dwell"),   std::string_view("stop"),    std::string_view("optional")};
+  constexpr std::int32_t kLevels = 8;  // as many as every control has
+  skip_level_ = 1;
+  if (cursor_.peek().kind == LexemeKind::number) {
+    const text::Span at = cursor_.peek().span;
+    const std::int32_t level = cursor_.expect_integer("the level of block skip");
+    if (level < 1 || level > kLevels) cursor_.syntax(at, fmt::format("block skip has the levels 1 to {}", kLevels));
+    skip_level_ = static_cast<std::uint8_t>(level);
+  }
+  const VerbRow* row = cursor_.line_failed() ? nullptr : find_verb(cursor_.word());
+  if (!cursor_.line_failed() && open_drills_ > 0)
+    cursor_.syntax(verb_, "block skip does not stand among holes: the first hole states the cycle");
+  else if (row == nullptr || std::ranges::find(kVerbs, row->word) == kVerbs.end())
+    cursor_.expected_one_of("what may be skipped: a move, coolant, message, dwell or stop", kVerbs);
+  else if (compensation_waits_)
+    cursor_.syntax(verb_, "compensation begins and ends with a move that is not skipped");
+  if (!cursor_.line_failed()) {
+    cursor_.advance();
+    (this->*row->read)();
+  }
+  skip_level_ = 0;
 }
 
 void BodyReader::stop() { add(step(StepKind::stop)); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,8 +15,8 @@
 
 namespace dripfeed::family {
 
-// The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, blocks, assignments and
-// calls in flow_reader.cpp.
+// The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
+// in turning_reader.cpp, blocks, assignments and calls in flow_reader.cpp.
 class BodyReader {
  public:
   // The steps go to `steps`.
@@ -49,6 +50,8 @@ class BodyReader {
   void cut();
   void arc();
   void thread();
+  void groove();
+  void engrave();
   void retract();
   void drill();
   void ream();
@@ -69,6 +72,30 @@ class BodyReader {
   void dwell();
   void stop();
   void optional_stop();
+  void skip();
+
+  // Steps that stand for a verb.
+  struct Groove {
+    bool inside = false;
+    bool down = false;  // from z to last_z
+    ir::ExpressionId from = ir::ExpressionId::none;
+    ir::ExpressionId to = ir::ExpressionId::none;
+    ir::ExpressionId z = ir::ExpressionId::none;
+    ir::ExpressionId last_z = ir::ExpressionId::none;  // none: one plunge
+    ir::ExpressionId step = ir::ExpressionId::none;
+    ir::ExpressionId peck = ir::ExpressionId::none;
+    ir::ExpressionId dwell = ir::ExpressionId::none;
+  };
+  void plunge(const Groove& groove);
+  void thread_passes(const Step& one, ir::ExpressionId pitch);
+  [[nodiscard]] std::string unused_name(std::string_view stem) const;
+  Step hidden_loop(std::string_view stem, Dimension dimension);
+  void end_hidden_loop();
+  ir::ExpressionId kept(std::string_view stem, ir::ExpressionId value);
+  void move_to(StepKind kind, ir::Address axis, ir::ExpressionId value);
+  ir::ExpressionId name_of(const Step& loop);
+  ir::ExpressionId calculated(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
+  ir::ExpressionId in_x(ir::ExpressionId on_radius);
 
   // A cycle from its first word to the `end` of its holes.
   void open_drill(ir::DrillCycle cycle);
@@ -109,6 +136,7 @@ class BodyReader {
   bool surface_speed_ = false;       // of the last spindle above
   bool is_subprogram_ = false;
   bool needs_feed_ = false;
+  std::uint8_t skip_level_ = 0;  // of the line
 };
 
 }  // namespace dripfeed::family

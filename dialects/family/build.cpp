@@ -8,6 +8,7 @@
 #include "dialects/family/build_names.h"
 #include "dialects/family/drill_writer.h"
 #include "dialects/family/emitter.h"
+#include "dialects/family/engraving.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/loop_writer.h"
 #include "dialects/family/message_text.h"
@@ -56,7 +57,7 @@ class Builder {
           static_cast<std::uint16_t>(list_in(bound_.values, list.symbol).size());
     for (const Parameter& parameter : family_.parameters) {
       if (!names_.is_needed(parameter.symbol) || names_.is_fixed(parameter.symbol) ||
-          parameter.kind == ParameterKind::list)
+          parameter.kind == ParameterKind::list || parameter.kind == ParameterKind::text)
         continue;
       emit_.set_line(family_.source.position(parameter.span.begin).line);
       emit_.assign(parameter.symbol, emit_.constant(names_.value_of(parameter.symbol)));
@@ -116,8 +117,25 @@ class Builder {
     }
   }
 
-  // Returns the last step that was built.
+  // Returns the last step that was built. What a control may skip stands in blocks of its own: nothing that waits goes
+  // into them, and the next block states again what they might have set. What is computed for them is computed always.
   std::size_t build_step(std::size_t at) {
+    const std::uint8_t level = family_.steps[at].skip_level;
+    if (level == 0) return build_one(at);
+    write_compensation();
+    write_feed();
+    motion_ = Function::none;
+    const std::size_t first = program_.statements.size();
+    build_one(at);
+    for (std::size_t i = first; i < program_.statements.size(); ++i) {
+      ir::Statement& made = program_.statements[i];
+      if (made.kind == StatementKind::block || made.kind == StatementKind::message) made.skip_level = level;
+    }
+    motion_ = Function::none;
+    return at;
+  }
+
+  std::size_t build_one(std::size_t at) {
     const Step& step = family_.steps[at];
     if (joins_paths(step.kind)) {
       write_compensation();
@@ -144,6 +162,7 @@ class Builder {
       case StepKind::drill_begin: drill_begin(step); break;
       case StepKind::hole: hole(step); break;
       case StepKind::drill_end: drill_end(); break;
+      case StepKind::engrave: break;  // strokes by now
       case StepKind::profile_begin:
       case StepKind::profile_end: break;  // lines only, see Family::profiles
       case StepKind::for_begin: loops_.for_begin(step); break;
@@ -157,7 +176,7 @@ class Builder {
       case StepKind::if_end: if_end(); break;
       case StepKind::let: values_.assign(step.target, step.values[0]); break;
       case StepKind::set: set(step); break;
-      case StepKind::message: emit_.message(message_text(family_, step, bound_.values)); break;
+      case StepKind::message: emit_.message(message_text(bound_, step)); break;
       case StepKind::dwell: dwell(step); break;
       case StepKind::stop: emit_.block({Function::program_stop}, {}); break;
       case StepKind::optional_stop: emit_.block({Function::optional_stop}, {}); break;
@@ -391,6 +410,9 @@ class Builder {
 
 }  // namespace
 
-ir::Program build(const BoundFamily& bound) { return Builder(bound).build(); }
+ir::Program build(const BoundFamily& bound) {
+  const BoundFamily whole = with_strokes(bound);
+  return Builder(whole).build();
+}
 
 }  // namespace dripfeed::family

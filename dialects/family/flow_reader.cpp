@@ -159,7 +159,8 @@ void BodyReader::call() {
   if (steps_.size() + sub->steps.size() > kMostSteps)
     return cursor_.syntax(at, fmt::format("with all its calls the program has more than {} steps", kMostSteps));
   for (Step copy : sub->steps) {
-    if (open_profiles_ > 0) copy.line = line_;  // these moves make the nominal; others of the subprogram do not
+    // These moves make the nominal; others of the subprogram do not, nor do those that may be skipped.
+    if (open_profiles_ > 0 && copy.skip_level == 0) copy.line = line_;
     steps_.push_back(std::move(copy));
   }
   has_feed_ = has_feed_ || sub->sets_feed;

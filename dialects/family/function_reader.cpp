@@ -160,13 +160,15 @@ Typed ExpressionReader::interpolate(text::Span span) {
   return out;
 }
 
-// count(list): how many numbers it has.
+// count(list): how many numbers or points it has.
 Typed ExpressionReader::count() {
-  const Scope::Name* known = list_name();
-  if (known == nullptr) return {};
+  const PointParameter* points = family_.find_points(cursor_.word());
+  const Scope::Name* known = points == nullptr ? list_name() : nullptr;
+  if (known == nullptr && points == nullptr) return {};
   ir::Variable variable;
   variable.bank = ir::Bank::named;
-  variable.symbol = family_.find_list(known->symbol)->count;
+  variable.symbol =
+      family_.find_list(points == nullptr ? known->symbol : family_.parameters[points->first].symbol)->count;
   variable.span = cursor_.peek().span;
   cursor_.advance();
   cursor_.expect_symbol(")");

@@ -41,7 +41,7 @@ class Lexer {
     } else if (c == '#') {
       at_ = line_end();
     } else if (is_letter(c)) {
-      add(LexemeKind::word, run_of([](char d) { return is_letter(d) || is_digit(d); }));
+      add(LexemeKind::word, word_length());
     } else if (is_digit(c)) {
       add(LexemeKind::number, number_length());
     } else if (c == '"') {
@@ -86,6 +86,15 @@ class Lexer {
       add(LexemeKind::invalid,
           std::max<std::size_t>(1, run_of([](char d) { return static_cast<signed char>(d) < 0; })));
     }
+  }
+
+  // A point and a letter may follow: an axis of a list of points, "corners.x".
+  [[nodiscard]] std::size_t word_length() const {
+    const std::size_t name = run_of([](char d) { return is_letter(d) || is_digit(d); });
+    const std::string_view rest = text_.substr(at_ + name);
+    const bool has_axis = rest.size() > 1 && rest[0] == '.' && rest[1] >= 'x' && rest[1] <= 'z' &&
+                          (rest.size() == 2 || !(is_letter(rest[2]) || is_digit(rest[2])));
+    return has_axis ? name + 2 : name;
   }
 
   [[nodiscard]] std::size_t number_length() const {

@@ -6,7 +6,8 @@
 
 namespace dripfeed::family {
 
-std::string message_text(const Family& family, const Step& message, std::span<const double> values) {
+std::string message_text(const BoundFamily& bound, const Step& message) {
+  const ir::Program& arena = bound.family->arena;
   constexpr int kDecimals = 4;
   std::string out;
   std::uint32_t word = message.first_word;
@@ -15,8 +16,14 @@ std::string message_text(const Family& family, const Step& message, std::span<co
       out += c;
       continue;
     }
-    const double value = evaluate(family.arena, family.words[word++].value, values).value;
-    text::append_word_number(out, value, kDecimals, true);
+    const ir::ExpressionId value = bound.family->words[word++].value;
+    const ir::Expression& e = arena.at(value);
+    const auto name =
+        e.op == ir::Operator::variable ? bound.texts.find(arena.at(e.variable).symbol) : bound.texts.end();
+    if (name != bound.texts.end())
+      out += name->second;
+    else
+      text::append_word_number(out, evaluate(arena, value, bound.values).value, kDecimals, true);
   }
   return out;
 }

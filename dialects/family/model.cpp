@@ -42,6 +42,11 @@ const Parameter* Family::find_parameter(std::string_view parameter_name) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+const PointParameter* Family::find_points(std::string_view points_name) const {
+  const auto found = std::ranges::find(points, points_name, &PointParameter::name);
+  return found == points.end() ? nullptr : &*found;
+}
+
 const UserFunction* Family::find_function(std::string_view routine_name) const {
   const auto row = function_rows.find(routine_name);
   return row == function_rows.end() ? nullptr : &functions[row->second];
@@ -74,12 +79,14 @@ std::string kind_of(const Parameter& parameter) {
     case ParameterKind::choice: return "choice";
     case ParameterKind::yes_no: return "yes_no";
     case ParameterKind::tool: return "tool";
+    case ParameterKind::text: return "text";
   }
   return {};
 }
 
 std::string format_standard(const Parameter& parameter) {
   if (!parameter.choices.empty()) return parameter.choices[static_cast<std::size_t>(parameter.standard)];
+  if (parameter.kind == ParameterKind::text) return parameter.standard_text;
   if (parameter.kind != ParameterKind::list) return format_value(parameter, parameter.standard);
   std::string out;
   for (const double one : parameter.standards) out += (out.empty() ? "" : ", ") + format_value(parameter, one);

@@ -23,7 +23,8 @@
 namespace dripfeed::family {
 
 // number: a quantity or a count; tool: the number of one. choice and yes_no are decided when the program is built.
-enum class ParameterKind : std::uint8_t { number, choice, yes_no, tool, list };
+// text: a name, for messages and comments.
+enum class ParameterKind : std::uint8_t { number, choice, yes_no, tool, list, text };
 
 struct Parameter {
   std::string name;
@@ -34,10 +35,11 @@ struct Parameter {
   const Unit* unit = nullptr;          // as its default was written; nullptr for count and ratio
   double standard = 0.0;               // the default, stored unit; choice: its place in `choices`; yes_no: 1 or 0
   std::vector<double> standards = {};  // list: the default
+  std::string standard_text = {};      // text: the default
   double low = 0.0;                    // stored unit
   double high = 0.0;
   double step = 0.0;        // stored unit; values are low + a whole number of steps; 0: any
-  std::int32_t fewest = 0;  // list: how many numbers it has
+  std::int32_t fewest = 0;  // how many numbers a list or characters a text has
   std::int32_t most = 0;
   std::vector<std::string> choices = {};  // words
   std::string text = {};                  // what it is, for people; may be empty
@@ -54,6 +56,14 @@ struct List {
   std::vector<ir::ExpressionId> elements;  // empty for a parameter and for numbers that the program sets
   std::int32_t size = 0;                   // of the latter
   std::uint32_t line = 0;
+};
+
+// A list of points: one list parameter an axis, "corners.x" and "corners.y", of equal length.
+struct PointParameter {
+  std::string name;         // "corners"
+  std::uint32_t first = 0;  // row of Family::parameters
+  std::string_view axes;    // "xy": one letter a row
+  text::Span span;
 };
 
 // `let name = value` or `const name = value` before the body. `line` is 1-based.
@@ -158,6 +168,7 @@ enum class StepKind : std::uint8_t {
   drill_begin,  // number: ir::DrillCycle; words r, z, q, f, p: levels, peck, pitch, dwell; values[0] return level
   hole,         // words
   drill_end,
+  engrave,  // target: a text; words x, y: its place, q: height, z: depth, r: return level
   profile_begin,
   profile_end,
   for_begin,  // target; values: from, to, step
@@ -196,7 +207,8 @@ struct Step {
   std::uint32_t first_word = 0;  // Family::words
   std::uint32_t word_count = 0;
   std::string text;
-  std::int32_t tip = 0;  // tool: imaginary tip 0..9
+  std::int32_t tip = 0;         // tool: imaginary tip 0..9
+  std::uint8_t skip_level = 0;  // block skip of its blocks; 0: they have none
 };
 
 // Whether it begins the cycle of a tap.
@@ -231,6 +243,7 @@ struct Family {
   std::uint32_t program_line = 0;
 
   std::vector<Parameter> parameters;
+  std::vector<PointParameter> points;
   std::vector<Definition> definitions;
   std::vector<List> lists;
   std::vector<UserFunction> functions;
@@ -258,6 +271,7 @@ struct Family {
   ir::Program arena;
 
   [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
+  [[nodiscard]] const PointParameter* find_points(std::string_view points_name) const;
   // nullptr when none is so called.
   [[nodiscard]] const UserFunction* find_function(std::string_view routine_name) const;
   [[nodiscard]] const Subprogram* find_subprogram(std::string_view routine_name) const;
@@ -269,7 +283,7 @@ struct Family {
 
 // "length", "list of length", "choice": as `param` lines name it.
 std::string kind_of(const Parameter& parameter);
-// The default as one would write it: "100 mm", "10 mm, 12 mm", "rough".
+// The default as one would write it: "100 mm", "10 mm, 12 mm", "rough", the text itself.
 std::string format_standard(const Parameter& parameter);
 // "120 mm", "3": a stored value in the unit of the parameter's default.
 std::string format_value(const Parameter& parameter, double stored);

@@ -33,7 +33,8 @@ void NativeReader::target(ir::SymbolId symbol, Dimension dimension, const Unit* 
     return cursor_.expected("what takes the value: #100, R10, a name, or PROGRAM.PARAMETER");
   const auto parameter = std::ranges::find(family_.parameters, symbol, &Parameter::symbol);
   if (parameter != family_.parameters.end() &&
-      (parameter->kind == ParameterKind::list || parameter->kind == ParameterKind::choice))
+      (parameter->kind == ParameterKind::list || parameter->kind == ParameterKind::choice ||
+       parameter->kind == ParameterKind::text))
     return cursor_.syntax(cursor_.last_span(),
                           fmt::format("{} is no number: bind a let that is computed from it", parameter->name));
   family_.bindings.push_back({.symbol = symbol,

@@ -107,6 +107,13 @@ Typed ExpressionReader::known_name(const Scope::Name& known, ir::Variable variab
   Typed out{.dimension = known.dimension, .span = variable.span};
   cursor_.advance();
   if (known.kind == NameKind::choice) return choice(known, variable);
+  if (known.kind == NameKind::text || known.kind == NameKind::points) {
+    cursor_.syntax(out.span, known.kind == NameKind::text
+                                 ? fmt::format("{} is a text: it stands in messages, and has no value", known.name)
+                                 : fmt::format("{0} is a list of points: name a number of one axis, {0}.{1}[0]",
+                                               known.name, family_.find_points(known.name)->axes.front()));
+    return out;
+  }
   if (known.kind == NameKind::list) {
     variable.index = index_of(known);
     variable.span.end = out.span.end = cursor_.last_span().end;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "dialects/family/text_value.h"
+
 namespace dripfeed::family {
 
 namespace {
@@ -29,6 +31,7 @@ NameKind name_kind_of(ParameterKind kind) {
     case ParameterKind::choice: return NameKind::choice;
     case ParameterKind::yes_no: return NameKind::yes_no;
     case ParameterKind::list: return NameKind::list;
+    case ParameterKind::text: return NameKind::text;
   }
   return NameKind::value;
 }
@@ -61,6 +64,8 @@ void ParameterReader::read() {
     cursor_.advance();
     number(out, *kind);
   } else if (cursor_.accept_word("list")) {
+    cursor_.expect_word("of");
+    if (!cursor_.line_failed() && cursor_.accept_word("points")) return points(*name, line);
     list(out);
   } else if (cursor_.accept_word("choice")) {
     choice(out);
@@ -68,17 +73,23 @@ void ParameterReader::read() {
     yes_no(out);
   } else if (cursor_.accept_word("tool")) {
     tool(out);
+  } else if (cursor_.accept_word("text")) {
+    name_text(out);
   } else {
-    return cursor_.expected(fmt::format("{}, list, choice, yes_no or tool", kQuantityNames));
+    return cursor_.expected(fmt::format("{}, list, choice, yes_no, tool or text", kQuantityNames));
   }
   if (!cursor_.line_failed()) trailer(out);
   if (out.kind == ParameterKind::list) {
-    add_list(family_, scope_, *name, {.dimension = out.dimension, .elements = {}, .line = line}, std::max(out.most, 1));
-    out.symbol = family_.lists.back().symbol;
+    define_list(out, *name, line);
   } else {
     out.symbol = scope_.define(family_.arena, out.name, out.dimension, out.span, name_kind_of(out.kind));
   }
   family_.parameters.push_back(std::move(out));
+}
+
+void ParameterReader::define_list(Parameter& out, const NewName& name, std::uint32_t line) {
+  add_list(family_, scope_, name, {.dimension = out.dimension, .elements = {}, .line = line}, std::max(out.most, 1));
+  out.symbol = family_.lists.back().symbol;
 }
 
 // A default of that kind: stored, or nothing after a fault. Its unit is the parameter's.
@@ -113,7 +124,6 @@ void ParameterReader::number(Parameter& out, const QuantityKind& kind) {
 // list of KIND value, value, ... in low .. high count fewest .. most
 void ParameterReader::list(Parameter& out) {
   out.kind = ParameterKind::list;
-  cursor_.expect_word("of");
   const QuantityKind* kind = cursor_.line_failed() ? nullptr : find_quantity(cursor_.word());
   if (kind == nullptr) return cursor_.expected(kQuantityNames);
   cursor_.advance();
@@ -129,24 +139,24 @@ void ParameterReader::list(Parameter& out) {
     written.push_back({at.begin, cursor_.last_span().end});
   } while (cursor_.accept_symbol(","));
   range(out);
-  if (!cursor_.line_failed()) count_range(out);
+  if (!cursor_.line_failed()) count_range(out, out.standards.size(), "numbers", kMostNumbers);
   for (std::size_t i = 0; i < written.size() && !cursor_.line_failed(); ++i) check(out, out.standards[i], written[i]);
 }
 
-void ParameterReader::count_range(Parameter& out) {
+void ParameterReader::count_range(Parameter& out, std::size_t given, std::string_view called, std::int32_t largest) {
   if (!cursor_.expect_word("count")) return;
   out.fewest = cursor_.expect_integer("the least number of values");
   cursor_.expect_symbol("..");
   if (cursor_.line_failed()) return;
   const text::Span at = cursor_.peek().span;
   out.most = cursor_.expect_integer("the largest number of values");
-  const auto given = static_cast<std::int32_t>(out.standards.size());
   if (cursor_.line_failed()) return;
-  if (out.fewest < 1 || out.fewest > out.most || out.most > kMostNumbers) {
-    cursor_.syntax(at, fmt::format("a list has 1 to {} numbers, the least count first", kMostNumbers));
-  } else if (given < out.fewest || given > out.most) {
+  const std::int32_t least = out.kind == ParameterKind::text ? 0 : 1;
+  if (out.fewest < least || out.fewest > out.most || out.most > largest) {
+    cursor_.syntax(at, fmt::format("{} to {} {} are possible here, the least count first", least, largest, called));
+  } else if (std::cmp_less(given, out.fewest) || std::cmp_greater(given, out.most)) {
     cursor_.syntax(out.span,
-                   fmt::format("the default has {} numbers, {} to {} are allowed", given, out.fewest, out.most));
+                   fmt::format("the default has {} {}, {} to {} are allowed", given, called, out.fewest, out.most));
   }
 }
 
@@ -192,6 +202,17 @@ void ParameterReader::tool(Parameter& out) {
   if (!cursor_.line_failed()) check(out, out.standard, at);
 }
 
+// text "..." count FEWEST .. MOST
+void ParameterReader::name_text(Parameter& out) {
+  out.kind = ParameterKind::text;
+  const text::Span at = cursor_.peek().span;
+  auto written = cursor_.accept_string();
+  if (!written) return cursor_.expected("the default in quotes");
+  out.standard_text = std::move(*written);
+  if (const std::string fault = fault_of_text(out.standard_text); !fault.empty()) return cursor_.syntax(at, fault);
+  count_range(out, out.standard_text.size(), "characters", kLongestText);
+}
+
 void ParameterReader::range(Parameter& out) {
   cursor_.expect_word("in");
   const auto low = bound(out);
@@ -210,6 +231,7 @@ void ParameterReader::trailer(Parameter& out) {
     if (const auto step = bound(out)) out.step = *step;
     if (!cursor_.line_failed() && !(out.step > 0.0)) return cursor_.syntax(at, "a step is larger than 0");
     if (!cursor_.line_failed() && out.kind == ParameterKind::number) check(out, out.standard, out.span);
+    for (const double one : out.standards) check(out, one, out.span);
   }
   if (auto text = cursor_.accept_string()) out.text = std::move(*text);
   if (!cursor_.line_failed() && cursor_.accept_word("group")) {

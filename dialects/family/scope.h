@@ -19,8 +19,10 @@ enum class NameKind : std::uint8_t {
   value,     // a number that is given once, or counts a loop
   variable,  // … that `set` may change
   list,
+  points,  // several lists, named after it
   choice,
   yes_no,
+  text,
 };
 
 class Scope {

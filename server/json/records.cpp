@@ -215,7 +215,7 @@ std::string family(const store::Family& family, const compile::FamilyDescription
   document["text"] = family.text;
   Document parameters = Document::array();
   for (const compile::ParameterDescription& p : description.parameters) {
-    const bool has_range = p.choices.empty();
+    const bool has_range = p.choices.empty() && p.kind != "text";
     parameters.push_back({{"name", p.name},
                           {"kind", p.kind},
                           {"unit", p.unit},

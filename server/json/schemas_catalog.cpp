@@ -19,7 +19,7 @@ Members family_head() {
 Schema parameter() {
   return object("a value that a part gives", {{"name", text("of the parameter")},
                                               {"kind", text("as the family's `param` line names it: length, count, "
-                                                            "choice, yes_no, tool, list of length ...")},
+                                                            "choice, yes_no, tool, text, list of length ...")},
                                               {"unit", text("of default, low and high; empty: a plain number")},
                                               {"default", text("as one would write it: \"100 mm\"")},
                                               {"low", or_null(number("least value, in `unit`; null: no bound"))},

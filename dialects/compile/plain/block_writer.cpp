@@ -92,6 +92,12 @@ void BlockWriter::flush(std::uint32_t line) {
   block();
 }
 
+void BlockWriter::forget(std::uint32_t line) {
+  flush(line);
+  motion_ = Function::none;
+  feed_ = 0.0;
+}
+
 void BlockWriter::event_block(Function function) {
   add(function);
   block();

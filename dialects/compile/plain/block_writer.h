@@ -37,6 +37,8 @@ class BlockWriter {
   void write_alone(const CarriedWords& words, std::uint32_t line);
   // Carried words that found no block get one of their own.
   void flush(std::uint32_t line);
+  // The next block states its motion and feed, whatever blocks before have set.
+  void forget(std::uint32_t line);
 
  private:
   void move(const ir::Motion& motion);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -61,7 +62,10 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
         names_(names),
         writer_(out.program, out.control, names, options.own_unit && is_in_inches(source, control)),
         want_changes_(options.want_changes),
-        keeps_taps_(options.keep_taps && std::ranges::any_of(source.codes, passes::is_tap)) {}
+        keeps_taps_(options.keep_taps && std::ranges::any_of(source.codes, passes::is_tap)) {
+    for (const ir::Statement& s : source.statements)
+      if (options.keep_skips && s.skip_level != 0) skips_.emplace(s.line, s.skip_level);
+  }
 
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
     if (place.program == 0) {
@@ -116,9 +120,20 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
     if (motion.kind == ir::MotionKind::end && returns_at(motion.place))
       writer_.write_return(line);
+    else if (const auto skip = skips_.find(motion.place.line); skip != skips_.end() && motion.place.program == 0)
+      write_skipped(motion, line, skip->second);
     else
       writer_.write(motion, line);
     ended_ = ended_ || motion.kind == ir::MotionKind::end;
+  }
+
+  // What the block sets counts for it alone.
+  void write_skipped(const ir::Motion& motion, std::uint32_t line, std::uint8_t level) {
+    writer_.forget(line);
+    const std::size_t first = out_.program.statements.size();
+    writer_.write(motion, line);
+    for (std::size_t i = first; i < out_.program.statements.size(); ++i) out_.program.statements[i].skip_level = level;
+    writer_.forget(line);
   }
 
   // The motions of one block. Where it turns the spindle round between two cuts, it taps.
@@ -223,7 +238,8 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   BlockWriter writer_;
   bool want_changes_;
   bool keeps_taps_;
-  std::vector<ir::Motion> held_;  // of the block at hand, where taps are kept
+  std::map<std::uint32_t, std::uint8_t> skips_;  // by line of the main program
+  std::vector<ir::Motion> held_;                 // of the block at hand, where taps are kept
   std::set<std::string, std::less<>> lost_;
   bool started_ = false;
   bool ended_ = false;

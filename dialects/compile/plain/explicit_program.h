@@ -50,6 +50,9 @@ struct ExplicitOptions {
   // Of a program whose taps are rigid whatever they are called (Semantics::taps_are_rigid): each stays a cycle, because
   // the control turns the spindle with it.
   bool keep_taps = false;
+  // Block skip of the main program's lines stays: each line is of blocks that are all skipped or none. Otherwise it is
+  // decided as off.
+  bool keep_skips = false;
   bool own_unit = false;  // in inches where the program is written in them throughout; otherwise in mm
 };
 

@@ -24,6 +24,7 @@ std::string comment(std::string_view text, CommentStyle style) {
 std::string value_of(const family::BoundFamily& bound, const family::Parameter& parameter) {
   const double value = bound.values[static_cast<std::size_t>(parameter.symbol)];
   if (!parameter.choices.empty()) return parameter.choices[static_cast<std::size_t>(value)];
+  if (parameter.kind == family::ParameterKind::text) return bound.texts.at(parameter.symbol);
   if (parameter.kind != family::ParameterKind::list) return family::format_value(parameter, value);
   std::string out;
   for (const double one : family::list_in(bound.values, parameter.symbol))
@@ -87,22 +88,18 @@ class Annotator {
 
 }  // namespace
 
+bool shows(char c, CommentStyle style) {
+  constexpr std::string_view kSigns = " +-./,";
+  if (style == CommentStyle::semicolon) return c >= ' ' && c <= '~' && c != ';' && c != '%';
+  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || kSigns.contains(c);
+}
+
 // "HALF AXIS X, RADIUS AT THE WAIST" of a control whose comments stand in brackets.
 std::string shown(std::string_view text, CommentStyle style) {
-  constexpr std::string_view kSigns = " +-./,";
   std::string out;
-  for (char c : text.substr(0, kLongest)) {
-    const bool is_digit = c >= '0' && c <= '9';
-    const bool is_capital = c >= 'A' && c <= 'Z';
-    const bool is_small = c >= 'a' && c <= 'z';
-    if (style == CommentStyle::semicolon) {
-      const bool is_printable = c >= ' ' && c <= '~' && c != ';' && c != '%';
-      out += is_printable ? c : ' ';
-    } else if (is_small) {
-      out += static_cast<char>(c - 'a' + 'A');
-    } else {
-      out += is_digit || is_capital || kSigns.contains(c) ? c : ' ';
-    }
+  for (const char c : text.substr(0, kLongest)) {
+    const bool to_capital = style == CommentStyle::brackets && c >= 'a' && c <= 'z';
+    out += !shows(c, style) ? ' ' : to_capital ? static_cast<char>(c - 'a' + 'A') : c;
   }
   out.erase(out.find_last_not_of(' ') + 1);
   return out;

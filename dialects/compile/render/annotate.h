@@ -23,6 +23,9 @@ struct Annotation {
 // values of parameters; otherwise the heading does.
 Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std::string>& more, bool computed);
 
+// Whether the control shows the character, be it as a capital.
+bool shows(char c, CommentStyle style);
+
 // A text in letters that the control shows, 60 at most.
 std::string shown(std::string_view text, CommentStyle style);
 

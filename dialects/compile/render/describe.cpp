@@ -46,6 +46,7 @@ FamilyDescription describe_family(const text::Source& family) {
                         .diagnostics = std::move(read.diagnostics)};
   for (const family::Parameter& parameter : read.family.parameters) {
     const double factor = parameter.unit == nullptr ? 1.0 : parameter.unit->factor;
+    const bool is_list = parameter.kind == family::ParameterKind::list;
     out.parameters.push_back({.name = parameter.name,
                               .kind = family::kind_of(parameter),
                               .unit = std::string(parameter.unit == nullptr ? "" : parameter.unit->name),
@@ -53,8 +54,8 @@ FamilyDescription describe_family(const text::Source& family) {
                               .low = parameter.low / factor,
                               .high = parameter.high / factor,
                               .step = parameter.step / factor,
-                              .fewest = parameter.fewest,
-                              .most = parameter.most,
+                              .fewest = is_list ? parameter.fewest : 0,
+                              .most = is_list ? parameter.most : 0,
                               .choices = parameter.choices,
                               .text = parameter.text,
                               .group = parameter.group});

@@ -68,6 +68,9 @@ class ColumnReader {
  public:
   ColumnReader(const Table& table, const family::Parameter& parameter) : table_(table), parameter_(parameter) {}
 
+  // Those that read() took.
+  [[nodiscard]] const std::vector<std::string>& cells() const { return cells_; }
+
   TableColumn read(std::string_view name) {
     const std::optional<std::size_t> column = find(name);
     if (!column) return std::move(out_);
@@ -120,6 +123,7 @@ class ColumnReader {
     if (auto found = family::read_value(parameter_, written).fault)
       out_.diagnostics.push_back(text::make_diagnostic(found->id, line[column], std::move(found->arguments)));
     out_.value += fmt::format("{}{}", out_.value.empty() ? "" : ", ", written);
+    cells_.push_back(std::move(written));
   }
 
   std::nullopt_t fault(text::Span span, std::string sentence) {
@@ -130,14 +134,36 @@ class ColumnReader {
   const Table& table_;
   const family::Parameter& parameter_;
   std::string_view unit_;
+  std::vector<std::string> cells_;
   TableColumn out_;
 };
+
+// One column an axis, row by row.
+TableColumn points_of(const Table& table, const family::Family& family, const family::PointParameter& points) {
+  TableColumn out;
+  std::vector<std::vector<std::string>> columns;
+  for (std::size_t i = 0; i < points.axes.size(); ++i) {
+    ColumnReader reader(table, family.parameters[points.first + i]);
+    TableColumn read = reader.read(points.axes.substr(i, 1));
+    out.diagnostics.insert(out.diagnostics.end(), read.diagnostics.begin(), read.diagnostics.end());
+    columns.push_back(reader.cells());
+  }
+  if (text::has_error(out.diagnostics)) return out;
+  for (std::size_t row = 0; row < columns.front().size(); ++row) {
+    out.value += row == 0 ? "(" : ", (";
+    for (std::size_t i = 0; i < columns.size(); ++i) out.value += (i == 0 ? "" : ", ") + columns[i][row];
+    out.value += ')';
+  }
+  return out;
+}
 
 }  // namespace
 
 TableColumn list_of_column(const text::Source& table, std::string_view column, const text::Source& family,
                            std::string_view parameter) {
   const family::ReadFamilyResult read = family::read_family(family);
+  const family::PointParameter* points = read.family.find_points(parameter);
+  if (points != nullptr && column.empty()) return points_of(Table(table), read.family, *points);
   const family::Parameter* found = read.family.find_parameter(parameter);
   if (found == nullptr || found->kind != family::ParameterKind::list) return {};
   const Table cells(table);

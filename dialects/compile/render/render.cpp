@@ -75,6 +75,7 @@ class Renderer {
     control_.semantics.peck_clearance_mm = request_.target.semantics.peck_clearance_mm;
     if (request_.target.from_profile) refuse_missing_axes();
     refuse_unset_numbers();
+    refuse_hidden_texts();
     show_messages();
     if (!text::has_error(result_.diagnostics)) choose();
     if (!text::has_error(result_.diagnostics)) describe_text();
@@ -102,6 +103,19 @@ class Renderer {
         report(
             {passes::diagnose(passes::of_axis(std::string("the axis ") + letter), step.span, request_.target.title)});
       }
+    }
+  }
+
+  // A name of a part that the control would show as another one.
+  void refuse_hidden_texts() {
+    for (const family::Parameter& parameter : family_->parameters) {
+      const auto text = bound_.texts.find(parameter.symbol);
+      if (text == bound_.texts.end()) continue;
+      const auto hidden = std::ranges::find_if(text->second, [this](char c) { return !shows(c, dialect_.comments); });
+      if (hidden == text->second.end()) continue;
+      report({text::make_diagnostic(
+          text::DiagnosticId::cannot_translate, parameter.span,
+          {fmt::format("the character '{}' of the text {}", *hidden, parameter.name), request_.target.title})});
     }
   }
 
@@ -203,8 +217,9 @@ class Renderer {
   }
 
   void explicit_blocks(std::string_view because) {
-    ExplicitProgram made = explicit_program(built_, control_, interpreter::no_programs(),
-                                            {.initial_values = {}, .want_changes = true, .keep_taps = true});
+    ExplicitProgram made =
+        explicit_program(built_, control_, interpreter::no_programs(),
+                         {.initial_values = {}, .want_changes = true, .keep_taps = true, .keep_skips = true});
     report_lists(made.run);
     if (text::has_error(result_.diagnostics)) return;
     ProgramLibrary none(control_, {});

@@ -15,8 +15,8 @@ namespace {
 std::vector<sweep::Parameter> parameters_of(const FamilySweep& order) {
   std::vector<sweep::Parameter> parameters;
   for (const compile::ParameterDescription& one : compile::describe_family(order.family).parameters) {
-    // Lists, choices and tools keep their defaults.
-    if (one.most > 0 || !one.choices.empty() || one.kind == "tool") continue;
+    // Lists, choices, tools and texts keep their defaults.
+    if (one.most > 0 || !one.choices.empty() || one.kind == "tool" || one.kind == "text") continue;
     if (std::ranges::find(order.fixed, one.name, &family::Override::name) != order.fixed.end()) continue;
     const std::string_view number = std::string_view(one.standard).substr(0, one.standard.find(' '));
     const double standard = text::parse_number(number).value_or(one.low);

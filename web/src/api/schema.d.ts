@@ -4537,7 +4537,7 @@ export interface components {
             parameters: {
                 /** @description of the parameter */
                 name: string;
-                /** @description as the family's `param` line names it: length, count, choice, yes_no, tool, list of length ... */
+                /** @description as the family's `param` line names it: length, count, choice, yes_no, tool, text, list of length ... */
                 kind: string;
                 /** @description of default, low and high; empty: a plain number */
                 unit: string;
