@@ -17,11 +17,6 @@ struct StatementRange {
 };
 StatementRange section_of(const ir::Program& program, std::uint32_t statement);
 
-// M99, M17, RET, also to a block of the caller.
-constexpr bool returns(ir::StatementKind kind) {
-  return kind == ir::StatementKind::subprogram_return || kind == ir::StatementKind::return_to;
-}
-
 // The first statement with the label that the jump would find in its own program, kNoIndex when there is none or it is
 // computed.
 std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement);

@@ -256,7 +256,7 @@ void Resolved::run_from(std::uint32_t leader) {
 bool Resolved::ends_part(std::uint32_t statement) const {
   const StatementKind kind = program_.statements[statement].kind;
   if (kind == StatementKind::program_end) return control_.semantics.end_in_subprogram_returns;
-  return returns(kind) || statement + 1 == parts_[part_at(statement)].range.last;
+  return ir::returns(kind) || statement + 1 == parts_[part_at(statement)].range.last;
 }
 
 bool Resolved::step(std::uint32_t statement, Facts& facts) {
@@ -329,7 +329,7 @@ void Resolved::step_over_modal_calls(std::uint32_t statement, Facts& facts) cons
 void Resolved::leave(std::uint32_t statement, const Facts& facts) {
   Part& part = parts_[part_at(statement)];
   const bool restarts =
-      !part.is_called && returns(program_.statements[statement].kind) && control_.semantics.return_in_main_restarts;
+      !part.is_called && ir::returns(program_.statements[statement].kind) && control_.semantics.return_in_main_restarts;
   if (restarts) reach(part.range.first, facts);
   const bool is_new = !part.exit.has_value();
   if (is_new) part.exit = facts;

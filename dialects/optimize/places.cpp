@@ -5,6 +5,7 @@
 
 #include "dialects/facts/calls.h"
 #include "dialects/facts/flow_graph.h"
+#include "dialects/ir/sections.h"
 
 namespace dripfeed::optimize {
 
@@ -30,7 +31,7 @@ bool calls_others(const ir::Program& program) {
 
 // Where it returns to, its local variables may be those of the caller, too.
 bool returns(const ir::Program& program) {
-  return std::ranges::any_of(program.statements, [](const ir::Statement& s) { return facts::returns(s.kind); });
+  return std::ranges::any_of(program.statements, [](const ir::Statement& s) { return ir::returns(s.kind); });
 }
 
 bool has_computed_number(const ir::Program& program, ir::Bank bank) {

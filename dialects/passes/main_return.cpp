@@ -28,7 +28,7 @@ void returns_of_main_as_jumps(ir::Program& program) {
   bool main = false;
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     ir::Statement& s = program.statements[i];
-    if (!facts::returns(s.kind)) continue;
+    if (!ir::returns(s.kind)) continue;
     if (i >= range.last) {
       range = facts::section_of(program, i);
       main = ir::has_end(program, range.first, range.last);

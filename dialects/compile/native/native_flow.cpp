@@ -43,7 +43,7 @@ class Walk {
     const std::vector<std::uint32_t> following = graph_.after(i);
     for (const std::uint32_t next : following) reach(next);
     enter_called(i);
-    if (goes_back_ && (following.empty() || facts::returns(program_.statements[i].kind))) go_back(i);
+    if (goes_back_ && (following.empty() || ir::returns(program_.statements[i].kind))) go_back(i);
     if (!may_go_anywhere(i)) return;
     const facts::StatementRange own = facts::section_of(program_, i);
     for (const ir::Label& label : program_.labels)

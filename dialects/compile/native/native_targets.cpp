@@ -12,6 +12,7 @@
 #include "dialects/compile/native/native_variable.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/flow_graph.h"
+#include "dialects/ir/sections.h"
 #include "dialects/text/number.h"
 #include "dialects/text/upper_case.h"
 
@@ -90,7 +91,7 @@ class TargetSearch {
     const facts::StatementRange own = facts::section_of(program_, setting);
     for (std::uint32_t i = own.first; i < own.last; ++i) {
       const StatementKind kind = program_.statements[i].kind;
-      if (reached[i] && (kind == StatementKind::program_end || facts::returns(kind))) return i;
+      if (reached[i] && (kind == StatementKind::program_end || ir::returns(kind))) return i;
     }
     return std::nullopt;
   }

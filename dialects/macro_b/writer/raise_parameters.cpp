@@ -9,6 +9,7 @@
 #include "dialects/facts/flow_graph.h"
 #include "dialects/passes/macro_arguments.h"
 #include "dialects/passes/refusal.h"
+#include "dialects/ir/sections.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/walk.h"
 
@@ -179,7 +180,7 @@ std::vector<text::Diagnostic> raise_calls(ir::Program& program, const ir::Contro
 
 bool has_company(const ir::Program& program) {
   return std::ranges::any_of(program.statements, [](const ir::Statement& s) {
-    return is_call(s.kind) || s.kind == StatementKind::procedure || facts::returns(s.kind);
+    return is_call(s.kind) || s.kind == StatementKind::procedure || ir::returns(s.kind);
   });
 }
 

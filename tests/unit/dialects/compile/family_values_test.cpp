@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dialects/compile/list_table.h"
+#include "dialects/compile/render/list_table.h"
 #include "tests/unit/dialects/compile/family_run.h"
 
 namespace dripfeed::compile::test {

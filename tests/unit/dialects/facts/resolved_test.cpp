@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dialects/facts/facts.h"
+#include "dialects/ir/sections.h"
 #include "tests/support/program_builder.h"
 
 namespace dripfeed::facts {
@@ -103,7 +104,7 @@ TEST(Resolved, ASubprogramAloneInheritsFromACallerThatNobodySees) {
   const ir::Program& program = b.build();
   const ir::Control control = mill();
   const Resolved resolved(program, control);
-  EXPECT_TRUE(is_subprogram(program));
+  EXPECT_TRUE(ir::is_subprogram(program));
   EXPECT_TRUE((*resolved.before(0))[Mode::unit].inherited);
   EXPECT_FALSE(resolved.certain(Mode::unit, 0).has_value());
 }
