@@ -139,6 +139,11 @@ TEST(Render, IslandPocketIsOneTraceInEveryDialectAndMode) {
   expect_all_alike("island-pocket", ir::MachineKind::mill, {{"pocket_corner", "30 mm"}, {"island_corner", "0 mm"}});
 }
 
+TEST(Render, EngravingIsOneTraceInEveryDialectAndMode) {
+  expect_all_alike("engrave-text", ir::MachineKind::mill, {});
+  expect_all_alike("engrave-text", ir::MachineKind::mill, {{"part", "0-9 +,./ xyz"}, {"height", "3 mm"}});
+}
+
 // The rings of the pocket end at the wall exactly, and no arc leaves it.
 TEST(Render, PocketMeetsItsWall) {
   const RenderResult result = rendered("round-pocket", "fanuc", ir::MachineKind::mill, RenderMode::macro);
