@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/dialect/readers.h"
 #include "dialects/compile/dialect/stream.h"
 #include "dialects/compile/translate/convert.h"
 #include "dialects/text/excerpt.h"
@@ -185,15 +186,26 @@ int interpret_stream(const Options& options, interpreter::RunOptions run, Progra
   return written ? code : kWrongUse;
 }
 
+// A language that is only read needs no machine's profile, and has no use for one.
+app::Result<ChosenControl> control_to_run(const TextOptions& options, const text::Source& source) {
+  const compile::Dialect* const reader = options.machine.empty() ? compile::find_reader(options.dialect) : nullptr;
+  if (reader == nullptr || reader->print != nullptr) return choose_control(options, source);
+  return ChosenControl{.dialect = reader, .control = reader->infer_control(source), .profile = {}, .inferred = false};
+}
+
 int run_source(const Options& options, interpreter::RunOptions run) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
     return kWrongUse;
   }
-  const auto chosen = choose_control(options.text, *source);
+  const auto chosen = control_to_run(options.text, *source);
   if (!chosen) {
     print_error(chosen.error());
+    return kWrongUse;
+  }
+  if (options.trace == "blocks" && chosen->dialect->print == nullptr) {
+    print_error(fmt::format("--trace blocks: there is no writer for {}", chosen->dialect->title));
     return kWrongUse;
   }
   if (options.trace == "blocks") return print_blocks(options, *source, *chosen);
@@ -203,7 +215,7 @@ int run_source(const Options& options, interpreter::RunOptions run) {
 int run_stream(const Options& options, interpreter::RunOptions run, ProgramFile& file) {
   const auto head = file.head();
   const auto chosen =
-      head ? choose_control(options.text, *head) : app::Result<ChosenControl>(std::unexpected(head.error()));
+      head ? control_to_run(options.text, *head) : app::Result<ChosenControl>(std::unexpected(head.error()));
   if (!chosen) {
     print_error(chosen.error());
     return kWrongUse;

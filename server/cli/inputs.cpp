@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "dialects/compile/dialect/readers.h"
 #include "dialects/compile/dialect/shared_definitions.h"
 #include "dialects/compile/translate/caller_modes.h"
 #include "server/app/shop/catalog.h"
@@ -89,6 +90,9 @@ app::Result<Settings> read_control_option(std::string_view text) {
 
 app::Result<const compile::Dialect*> named_dialect(const std::string& name) {
   if (const compile::Dialect* dialect = compile::find_dialect(name)) return dialect;
+  if (compile::find_reader(name) != nullptr)
+    return app::fail(app::ErrorCode::invalid,
+                     fmt::format("--dialect \"{}\" can only be run (dripfeed run); there is no writer for it", name));
   std::string known;
   for (const compile::Dialect& one : compile::dialects()) known += fmt::format(" {}", one.name);
   return app::fail(app::ErrorCode::invalid, fmt::format("--dialect \"{}\" is not known; known are{}", name, known));

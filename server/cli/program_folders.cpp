@@ -25,8 +25,9 @@ struct Affixes {
   std::string_view before;
   std::string_view after;
 };
-constexpr std::array<Affixes, 11> kAffixes = {{{"", ""},
+constexpr std::array<Affixes, 12> kAffixes = {{{"", ""},
                                                {"", ".nc"},
+                                               {"", ".ngc"},
                                                {"", ".spf"},
                                                {"", ".mpf"},
                                                {"", ".cnc"},

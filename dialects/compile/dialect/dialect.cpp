@@ -5,8 +5,10 @@
 #include <array>
 
 #include "dialects/compile/dialect/iso_mode.h"
+#include "dialects/compile/dialect/readers.h"
 #include "dialects/fanuc/fanuc.h"
 #include "dialects/haas/haas.h"
+#include "dialects/linuxcnc/linuxcnc.h"
 #include "dialects/macro_b/tables/language_words.h"
 #include "dialects/mazak/mazak.h"
 #include "dialects/mitsubishi/mitsubishi.h"
@@ -47,6 +49,19 @@ constexpr std::array kDialects = {
             sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print, sinumerik::language_words,
             CommentStyle::semicolon, sinumerik::standard_cycle, sinumerik::add_definitions},
 };
+
+std::vector<ir::LanguageWord> no_words() { return {}; }
+
+constexpr Dialect kLinuxCnc = {"linuxcnc",
+                               "LinuxCNC",
+                               linuxcnc::control,
+                               linuxcnc::infer_control,
+                               linuxcnc::read,
+                               linuxcnc::plain_scanner,
+                               linuxcnc::validate,
+                               nullptr,
+                               nullptr,
+                               no_words};
 
 // What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.
 struct Mark {
@@ -157,6 +172,8 @@ const Dialect* find_dialect(std::string_view name) {
   const auto found = std::ranges::find(kDialects, name, &Dialect::name);
   return found == kDialects.end() ? nullptr : &*found;
 }
+
+const Dialect* find_reader(std::string_view name) { return name == kLinuxCnc.name ? &kLinuxCnc : find_dialect(name); }
 
 const Dialect& infer_dialect(const text::Source& source) {
   if (const std::string_view named = dialect_of_name(source.name()); !named.empty()) return *find_dialect(named);

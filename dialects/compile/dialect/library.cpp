@@ -5,6 +5,7 @@
 
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/compile/dialect/iso_mode.h"
+#include "dialects/compile/dialect/readers.h"
 
 namespace dripfeed::compile {
 
@@ -24,7 +25,7 @@ const ir::Program* ProgramLibrary::find(std::string_view name, bool in_iso_mode)
   if (const auto known = known_names.find(name); known != known_names.end()) {
     return known->second == nullptr ? nullptr : &known->second->read.program;
   }
-  const Dialect* dialect = find_dialect(control_.dialect);
+  const Dialect* dialect = find_reader(control_.dialect);
   std::optional<text::Source> source = find_text_ && dialect != nullptr ? find_text_(name) : std::nullopt;
   const bool is_standard = !source && dialect != nullptr && dialect->standard_program != nullptr;
   if (is_standard)
@@ -50,7 +51,7 @@ interpreter::ProgramFinder::ForeignText ProgramLibrary::foreign_text(const ir::P
 }
 
 std::unique_ptr<ir::Program> ProgramLibrary::read_text(std::string_view text) {
-  const Dialect* dialect = find_dialect(control_.dialect);
+  const Dialect* dialect = find_reader(control_.dialect);
   if (dialect == nullptr) return nullptr;
   ir::ReadResult read = dialect->read(text::Source("EXECSTRING", std::string(text)), control_);
   // A block cannot change the language of those that follow it.
