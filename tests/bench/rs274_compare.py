@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """Plain mill programs here and in LinuxCNC's stand-alone interpreter: where every motion ends, compared point by point.
 
-  tests/bench/rs274_compare.py --peer 'rs274 {file}' [--binary build/dev/dripfeed] [--programs 500] [--seed 1] [--keep FOLDER]
+  tests/bench/rs274_compare.py --peer 'rs274 {file}' [--binary build/dev/dripfeed] [--language fanuc|linuxcnc] [--programs 500] [--seed 1]
+      [--keep FOLDER]
 
-Each program is made from its seed: G0 to G3 in the three planes, arcs by R and by I J K, millimetres and inches, G90 and G91, and the drilling
+linuxcnc: programs of LinuxCNC's own language (oword_programs.py), the same text for both; moves, feeds and messages in their order.
+
+fanuc: each program is made from its seed: G0 to G3 in the three planes, arcs by R and by I J K, millimetres and inches, G90 and G91, and the drilling
 cycles G81 to G83 with G98 and G99. The peer's command prints its canonical calls; {file} stands for the program. What the two write differently is
 written twice: repeats (K here, L there), the end (M30, M2). What their cycles do differently by design is left out of both: how far a peck comes
 back into the hole before it goes on. Exits 1 when a point is off by more than 1e-4 mm.
@@ -15,9 +18,13 @@ import pathlib
 import random
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
+
+import canon
+from oword_programs import OWordProgram
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOLERANCE_MM = 1e-4
@@ -204,10 +211,43 @@ def compare(ours, peers):
     return None if len(ours) == len(peers) else f"{len(ours)} motions here, {len(peers)} there"
 
 
+def peer_output(command, path):
+    try:
+        ended = subprocess.run([part.replace("{file}", str(path)) for part in shlex.split(command)], capture_output=True, text=True, timeout=20)
+    except subprocess.TimeoutExpired:
+        raise AssertionError("the peer does not end") from None
+    if ended.returncode != 0:
+        raise AssertionError(f"the peer: {(ended.stderr or ended.stdout)[-400:]}")
+    return ended.stdout
+
+
+def compare_language(given, name):
+    """Programs and events of LinuxCNC's language that were compared, and the seeds of those that differ."""
+    differ, compared = [], 0
+    path = pathlib.Path(name) / "program.ngc"
+    for seed in range(given.seed, given.seed + given.programs):
+        path.write_text(OWordProgram(seed).text())
+        ended = subprocess.run([given.binary, "run", "--dialect", "linuxcnc", path], capture_output=True, text=True)
+        theirs = []
+        try:
+            theirs = canon.peers(peer_output(given.peer, path))
+            fault = ended.stderr[:400] if ended.returncode else canon.first_difference(canon.ours(ended.stdout), theirs, TOLERANCE_MM)
+        except AssertionError as refused:
+            fault = None if ended.returncode else str(refused)
+        compared += len(theirs)
+        if fault:
+            differ.append(seed)
+            print(f"seed {seed}: {fault}")
+            if given.keep:
+                shutil.copy(path, pathlib.Path(given.keep) / f"{seed}.ngc")
+    return compared, differ
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--peer", required=True)
     options.add_argument("--binary", default=ROOT / "build/dev/dripfeed")
+    options.add_argument("--language", choices=("fanuc", "linuxcnc"), default="fanuc")
     options.add_argument("--programs", type=int, default=500)
     options.add_argument("--blocks", type=int, default=40)
     options.add_argument("--seed", type=int, default=1)
@@ -215,6 +255,10 @@ def main():
     given = options.parse_args()
     differ, compared = 0, 0
     with tempfile.TemporaryDirectory(prefix="dripfeed-rs274-") as name:
+        if given.language == "linuxcnc":
+            compared, seeds = compare_language(given, name)
+            print(f"{given.programs} programs, {compared} moves and messages, {len(seeds)} programs differ")
+            return 1 if seeds else 0
         for seed in range(given.seed, given.seed + given.programs):
             writer = Writer(seed)
             texts = writer.texts(given.blocks)
