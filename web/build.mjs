@@ -11,6 +11,7 @@ import { brotliCompress, constants, gzip } from 'node:zlib';
 import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
 import { licencesOf } from './licences.mjs';
+import { splitWords } from './words.mjs';
 
 const root = path.dirname(fileURLToPath(import.meta.url));
 const at = (...parts) => path.join(root, ...parts);
@@ -30,6 +31,7 @@ async function buildTests() {
     target: 'node18',
     sourcemap: 'inline',
     logLevel: 'warning',
+    plugins: [splitWords(root, true)],
   });
 }
 
@@ -109,7 +111,7 @@ async function buildPage(watch) {
     minify: !watch,
     sourcemap: 'linked',
     legalComments: 'none',
-    plugins: [finish],
+    plugins: [splitWords(root), finish],
   };
   if (!watch) return esbuild.build(options);
   return (await esbuild.context(options)).watch();

@@ -1,9 +1,10 @@
 // The words of the page: one catalogue a language, by message id, in ICU message format. A language is one file beside
 // this one and one row in kLanguages. An id that a language lacks is shown in English, and one that nobody knows is
-// shown as it came: nothing that the server says is ever hidden.
+// shown as it came: nothing that the server says is ever hidden. The English texts that the page does not show at once
+// come with the first view that is loaded on demand (see words.mjs).
 import { signal } from '@preact/signals';
 import { IntlMessageFormat } from 'intl-messageformat';
-import en from './en.json';
+import en from 'words:first';
 
 export type Values = Record<string, string | number>;
 type Catalogue = Record<string, string>;
@@ -29,10 +30,22 @@ export const spoken = signal<Spoken>({ tag: 'en', words: en });
 
 let formats = new Map<string, IntlMessageFormat>();
 
+let whole: Promise<void> | null = null;
+export function loadAllWords(): Promise<void> {
+  whole ??= import('words:rest').then(
+    (rest) => void Object.assign(en, rest.default),
+    (error: unknown) => {
+      whole = null;
+      throw error;
+    },
+  );
+  return whole;
+}
+
 // The text of a message in the language that is spoken.
 export function t(id: string, values?: Values): string {
   const { tag, words } = spoken.value;
-  const text = words[id] ?? (en as Catalogue)[id];
+  const text = words[id] ?? en[id];
   if (text === undefined) return id;
   if (!text.includes('{')) return text;
   let format = formats.get(id);
@@ -43,12 +56,12 @@ export function t(id: string, values?: Values): string {
   return String(format.format(values));
 }
 
-export const hasWord = (id: string): boolean => (spoken.value.words[id] ?? (en as Catalogue)[id]) !== undefined;
+export const hasWord = (id: string): boolean => (spoken.value.words[id] ?? en[id]) !== undefined;
 
 // The text of an id that the server gave; `otherwise` where no catalogue has it.
 export function wordOf(prefix: string, name: string, otherwise = name.replace(/_/g, ' ')): string {
   const id = `${prefix}.${name}`;
-  const known = spoken.value.words[id] ?? (en as Catalogue)[id];
+  const known = spoken.value.words[id] ?? en[id];
   return known === undefined ? otherwise : t(id);
 }
 

@@ -1,7 +1,7 @@
 // A view whose code is loaded when it is shown first. What cannot be loaded is an error of the view.
 import type { ComponentType } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { t } from '../i18n/i18n';
+import { loadAllWords, t } from '../i18n/i18n';
 
 export function lazyView<Props extends object>(load: () => Promise<ComponentType<Props>>): ComponentType<Props> {
   let known: ComponentType<Props> | null = null;
@@ -10,7 +10,7 @@ export function lazyView<Props extends object>(load: () => Promise<ComponentType
     const [error, setError] = useState<unknown>(null);
     useEffect(() => {
       if (view) return;
-      load().then((found) => {
+      Promise.all([load(), loadAllWords()]).then(([found]) => {
         known = found;
         setView({ is: found });
       }, setError);
