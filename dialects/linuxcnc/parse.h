@@ -51,6 +51,7 @@ class Parser {
   void assignment();
   void emit_assignments();
   void emit_words();
+  void emit_around_dwell();
   bool emit_data_setting();
   void settle_words(std::size_t first_code, std::uint32_t first_word);
   ir::ExpressionId scaled(ir::ExpressionId id, double factor, double added);

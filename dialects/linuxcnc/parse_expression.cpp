@@ -245,6 +245,10 @@ ir::Variable ExpressionReader::named(std::string_view name, text::Span span) {
   ir::Variable result;
   result.span = span;
   result.number = predefined(name);
+  if (result.number == kOnlyTheControlKnows) {
+    result.bank = ir::Bank::system;
+    result.name = program_.strings.add(fmt::format("#<{}>", name));
+  }
   if (result.number != 0) return result;
   const auto [known, is_new] = symbols_.try_emplace(std::string(name), ir::SymbolId::none);
   if (is_new) {

@@ -2,6 +2,7 @@
 // counts from the next line on for the words, too.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -22,8 +23,10 @@ using enum text::DiagnosticId;
 namespace {
 
 constexpr double kMillisecondsPerSecond = 1000.0;
-// Where offsets and stored points lie. What a program writes there counts when the control reads it next.
-constexpr std::uint32_t kFirstStored = 5161;
+constexpr double kDwell = 4.0;  // G4
+// Where probed positions, offsets and stored points lie. What a program writes there counts when the control reads it
+// next.
+constexpr std::uint32_t kFirstStored = 5061;
 constexpr std::uint32_t kLastStored = 5428;
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
@@ -133,6 +136,7 @@ void Parser::emit_words() {
   if (has_code('M', kRestore) || has_code('M', kSaveAndRestore))
     return lowering_.emit_native("M72 and M73, which take modes back", false, place(), true);
   if (emit_data_setting()) return;
+  if (has_code('G', kDwell) && raw_.size() > 2) return emit_around_dwell();
   const auto first_code = program_.codes.size();
   const auto first_word = static_cast<std::uint32_t>(program_.words.size());
   for (const double number : {90.1, 91.1})
@@ -154,6 +158,29 @@ void Parser::emit_words() {
     if (code.function == Function::skip_move) probes_ = true;
   }
   settle_words(first_code, first_word);
+}
+
+// A dwell beside other words: what switches acts before it, what moves after it.
+void Parser::emit_around_dwell() {
+  const std::vector<macro_b::RawWord> all = raw_;
+  const auto emit = [&](auto belongs) {
+    raw_.clear();
+    std::ranges::copy_if(all, std::back_inserter(raw_), belongs);
+    if (!raw_.empty()) emit_words();
+  };
+  const auto is_dwell = [&](const macro_b::RawWord& w) {
+    return w.letter == 'P' || (w.letter == 'G' && number_of(w.value) == kDwell);
+  };
+  const auto switches = [&](const macro_b::RawWord& w) {
+    constexpr double kFirstSwitch = 3.0;  // of the spindle; M9 of the coolant is the last
+    constexpr double kLastSwitch = 9.0;
+    const double number = number_of(w.value);
+    return w.letter == 'S' || w.letter == 'T' || w.letter == 'F' ||
+           (w.letter == 'M' && number >= kFirstSwitch && number <= kLastSwitch);
+  };
+  emit(switches);
+  emit(is_dwell);
+  emit([&](const macro_b::RawWord& w) { return !is_dwell(w) && !switches(w); });
 }
 
 // G10: offsets of G54 to G59 are set as elsewhere, whatever G91 says. What counts from the present position, turns, or

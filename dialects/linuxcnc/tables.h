@@ -8,6 +8,7 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/expression.h"
+#include "dialects/ir/statement.h"
 #include "dialects/macro_b/tables/grammar.h"
 
 namespace dripfeed::linuxcnc {
@@ -18,8 +19,8 @@ std::span<const ir::SystemVariableRow> system_variables();
 std::vector<ir::VariableRange> variable_ranges();
 const macro_b::Grammar& grammar();
 
-// A parameter that stands for all values that only the control has.
-inline constexpr std::uint32_t kOnlyTheControlKnows = 5999;
+// No row of the control's table: what only the control knows is read by its name.
+inline constexpr std::uint32_t kOnlyTheControlKnows = ir::kNoIndex;
 // The number of the parameter that a name of the control's own stands for (#<_x> is #5420); 0: the name is the
 // program's.
 std::uint32_t predefined(std::string_view name);

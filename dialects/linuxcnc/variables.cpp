@@ -24,7 +24,6 @@ constexpr auto kSystem = std::to_array<ir::SystemVariableRow>({
     {"", 5401, 5419, SystemValue::not_modelled, true, kParameters},
     {"", 5420, 5428, SystemValue::end_position, false, kParameters},
     {"", 5599, 5599, SystemValue::not_modelled, true, kParameters, true},
-    {"", kOnlyTheControlKnows, kOnlyTheControlKnows, SystemValue::changing, false, kParameters},
 });
 
 struct RangeRow {
@@ -44,7 +43,6 @@ constexpr auto kRanges = std::to_array<RangeRow>({
     {5599, 5599, VariableUse::system},
     {5600, 5601, VariableUse::permanent},
     {5997, 5998, VariableUse::common},  // #<_value> and #<_value_returned>
-    {kOnlyTheControlKnows, kOnlyTheControlKnows, VariableUse::system},
 });
 
 struct NamedPosition {
@@ -87,6 +85,7 @@ std::span<const ir::SystemVariableRow> system_variables() { return kSystem; }
 
 std::vector<ir::VariableRange> variable_ranges() {
   std::vector<ir::VariableRange> ranges;
+  ranges.reserve(kRanges.size());
   for (const RangeRow& r : kRanges) ranges.push_back({ir::Bank::hash, r.first, r.last, r.use, true});
   return ranges;
 }

@@ -133,6 +133,7 @@ TEST(LinuxCnc, TellsItsMessages) {
 
 TEST(LinuxCnc, CountsDwellsInSecondsAndTurnsByP) {
   EXPECT_EQ(run("g4 p1.5\nm2\n").trace, "dwell P1.5000\nend\n");
+  EXPECT_EQ(run("g4 p1 g0 x1 s500 m3\nm2\n").trace, "spindle cw S500.0000/rpm\ndwell P1.0000\nrapid X1.0000\nend\n");
   const std::string twice = run("g0 x1\ng3 x1 i-1 z4 p2 f100\nm2\n").trace;
   EXPECT_EQ(std::ranges::count(twice, 'a' /* of arc-ccw, rapid */), 3);
   EXPECT_NE(twice.find("Z2.0000"), std::string::npos) << twice;
@@ -146,6 +147,7 @@ TEST(LinuxCnc, SaysWhatItDoesNotInterpret) {
   for (const char* line :
        {"g10 l20 p1 x0", "g10 l2 p1 r45", "m73", "g5.2 x1 y1 p1", "g33.1 z-5 k1", "g76 p1 z-5 i-1 j1 k2 r1"})
     EXPECT_NE(run(std::string("g0 x1 y1\nf100\n") + line + "\nm2\n").not_interpreted, "") << line;
+  EXPECT_EQ(run("g0 x[#<_metric>]\nm2\n").not_interpreted, "#<_metric>;");
   EXPECT_EQ(run("g64 p0.01\nm48\ng90.1\nm70\nm2\n").not_interpreted, "");
 }
 
