@@ -9,16 +9,16 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/renumber/renumber.h"
+#include "server/app/library/rewriting.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"
+#include "server/json/translation.h"
 
 namespace dripfeed::cli {
 
 namespace {
-
-constexpr std::uint32_t kMostStep = 10'000;
 
 struct Options {
   TextOptions text;
@@ -44,14 +44,14 @@ int renumber(const Options& options) {
     print_error(chosen.error());
     return kWrongUse;
   }
-  const compile::Renumbered made = compile::renumber({.source = *source,
-                                                      .control = chosen->control,
-                                                      .numbering = numbering_of(options.blocks),
-                                                      .first = options.first,
-                                                      .step = options.step});
+  const app::Rewritten made = app::renumber_text({.source = *source,
+                                                  .control = chosen->control,
+                                                  .numbering = numbering_of(options.blocks),
+                                                  .first = options.first,
+                                                  .step = options.step});
   const bool refused = !made.refused.empty();
   if (options.text.json)
-    return !write_output(options.text.output, renumber_document(made)) ? kWrongUse : refused ? kFailed : kDone;
+    return !write_output(options.text.output, json::rewritten(made)) ? kWrongUse : refused ? kFailed : kDone;
   for (const compile::RenumberRefusal& one : made.refused)
     fmt::print(stderr, "{}:{}: not renumbered: {}\n", source->name(), one.line, one.text);
   if (refused) return kFailed;
@@ -73,10 +73,10 @@ void add_renumber(CLI::App& app, int& exit_code) {
           std::vector<std::string>(std::begin(compile::kNumberingNames), std::end(compile::kNumberingNames))))
       ->capture_default_str();
   command->add_option("--first", options->first, "first number of a program")
-      ->check(CLI::Range(1U, kMostStep))
+      ->check(CLI::Range(1U, app::kMostNumberStep))
       ->capture_default_str();
   command->add_option("--step", options->step, "from number to number")
-      ->check(CLI::Range(1U, kMostStep))
+      ->check(CLI::Range(1U, app::kMostNumberStep))
       ->capture_default_str();
   add_text_options(*command, options->text);
   command->callback([options, &exit_code] { exit_code = renumber(*options); });

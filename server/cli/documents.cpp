@@ -97,17 +97,6 @@ std::string restart_document(const compile::Restart& made, const text::Source& s
                {"diagnostics", Document::parse(json::diagnostics(made.diagnostics, source))}});
 }
 
-std::string renumber_document(const compile::Renumbered& made) {
-  Document refused = Document::array();
-  for (const compile::RenumberRefusal& one : made.refused)
-    refused.push_back({{"line", line_or_null(one.line)}, {"text", one.text}});
-  return dump({{"text", made.refused.empty() ? Document(made.text) : Document(nullptr)},
-               {"numbers", made.numbers},
-               {"references", made.references},
-               {"assumptions", made.assumptions},
-               {"refused", std::move(refused)}});
-}
-
 std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
                               const text::Source& source) {
   Document changes = Document::array();

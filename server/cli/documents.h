@@ -31,7 +31,6 @@ struct WireHashes {
 
 std::string run_document(const interpreter::RunResult& result);
 // {"text","numbers","references","assumptions","refused":[{"line","text"}]}: the text is null where it is refused.
-std::string renumber_document(const compile::Renumbered& made);
 // {"text","preamble_line","rest_line","assumptions","compared_moves","safe_before","safe_after","diagnostics"}: the
 // text is null where it is refused, the safe lines where none was looked for or found.
 std::string restart_document(const compile::Restart& made, const text::Source& source);

@@ -88,12 +88,15 @@ Response waive_check(const Call& call);
 
 // handlers_compare.cpp
 Response compare_programs(const Call& call);
+Response compare_text(const Call& call);
 
 // handlers_editing.cpp
 Response diagnose(const Call& call);
 Response convert(const Call& call);
+Response rewrite(const Call& call);
 Response split_text(const Call& call);
 Response path_of_text(const Call& call);
+Response statistics_of_text(const Call& call);
 Response get_program_path(const Call& call);
 Response get_dialect_words(const Call& call);
 

@@ -1,10 +1,12 @@
-// Two revisions held against each other. A worker does it: both are programs of other people.
+// Two revisions held against each other, or one and what becomes of it. A worker does it: both are programs of other
+// people.
 #include <fmt/format.h>
 
 #include "server/app/library/compare.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/json/reports.h"
+#include "server/json/requests.h"
 #include "server/json/workers.h"
 
 namespace dripfeed::http {
@@ -31,6 +33,19 @@ std::expected<std::uint64_t, Response> revision_in(const Request& request, const
   return number_of(request, name, 0, 1, INT64_MAX);
 }
 
+Response answer(const Call& call, Side first, Side second, const std::string& machine) {
+  app::CompareOrder order{.first = std::move(first.text), .second = std::move(second.text), .profile = {}};
+  if (!machine.empty()) {
+    auto found = app::lift(call.api.application().store().machines().get(machine));
+    if (!found) return problem_response(found.error());
+    order.profile = std::move(found->profile);
+  }
+  const auto done = call.api.workers().compare(
+      order, waiter_of(call, "compare", fmt::format("program/{}", first.of.program), machine));
+  if (!done) return problem_response(done.error());
+  return json_response(200, json::comparison(*done, first.of, second.of));
+}
+
 }  // namespace
 
 Response compare_programs(const Call& call) {
@@ -50,17 +65,19 @@ Response compare_programs(const Call& call) {
   if (!first) return problem_response(first.error());
   auto second = load(store, *other, *with_revision);
   if (!second) return problem_response(second.error());
-  app::CompareOrder order{.first = std::move(first->text), .second = std::move(second->text), .profile = {}};
-  const std::string machine = query_text(call.request, "machine");
-  if (!machine.empty()) {
-    auto found = app::lift(store.machines().get(machine));
-    if (!found) return problem_response(found.error());
-    order.profile = std::move(found->profile);
-  }
-  const auto done =
-      call.api.workers().compare(order, waiter_of(call, "compare", fmt::format("program/{}", *id), machine));
-  if (!done) return problem_response(done.error());
-  return json_response(200, json::comparison(*done, first->of, second->of));
+  return answer(call, std::move(*first), std::move(*second), query_text(call.request, "machine"));
+}
+
+Response compare_text(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  auto body = json::read_compare_text_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  auto first = load(call.api.application().store(), *id, body->revision);
+  if (!first) return problem_response(first.error());
+  Side second{.of = {.program = *id, .name = first->of.name, .revision = 0},
+              .text = {.name = first->text.name, .dialect = first->text.dialect, .text = std::move(body->text)}};
+  return answer(call, std::move(*first), std::move(second), body->machine);
 }
 
 }  // namespace dripfeed::http

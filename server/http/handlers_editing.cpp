@@ -88,6 +88,19 @@ Response convert(const Call& call) {
   return json_response(200, *done);
 }
 
+Response rewrite(const Call& call) {
+  auto body = json::read_rewrite_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const std::string machine = body->of.machine;
+  auto of = order_of(call, std::move(body->of));
+  if (!of) return problem_response(of.error());
+  const app::RewriteOrder order{
+      .of = std::move(*of), .how = body->how, .numbering = body->numbering, .first = body->first, .step = body->step};
+  const auto done = call.api.workers().rewrite(order, waiter_of(call, "rewrite", "text", machine));
+  if (!done) return problem_response(done.error());
+  return json_response(200, *done);
+}
+
 Response split_text(const Call& call) {
   const auto body = json::read_text_body(call.request.body);
   if (!body) return problem_response(body.error());
@@ -95,6 +108,9 @@ Response split_text(const Call& call) {
 }
 
 Response diagnose(const Call& call) { return work_on_text(call, &json::DocumentWorkers::diagnose, "diagnose"); }
+Response statistics_of_text(const Call& call) {
+  return work_on_text(call, &json::DocumentWorkers::statistics, "statistics");
+}
 Response path_of_text(const Call& call) { return work_on_text(call, &json::DocumentWorkers::path, "path"); }
 
 Response get_program_path(const Call& call) {

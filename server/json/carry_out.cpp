@@ -147,6 +147,20 @@ Reply diagnose(const Work& work) {
   return reply;
 }
 
+Reply rewrite(const Work& work) {
+  const Document& head = work.package.head;
+  const auto done = app::rewrite_text({.of = read_text_order(work.package),
+                                       .how = static_cast<app::Rewriting>(head.at("how").get<int>()),
+                                       .numbering = static_cast<compile::Numbering>(head.at("numbering").get<int>()),
+                                       .first = head.at("first").get<std::uint32_t>(),
+                                       .step = head.at("step").get<std::uint32_t>()},
+                                      work.documents);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(rewritten(*done));
+  return reply;
+}
+
 Reply convert(const Work& work) {
   const app::TranslationOrder order{.name = work.text("name"),
                                     .text = work.text("text"),
@@ -166,6 +180,14 @@ Reply path(const Work& work) {
   if (!done) return std::unexpected(done.error());
   WorkPackage reply;
   reply.add(tool_path(*done));
+  return reply;
+}
+
+Reply figures_of_text(const Work& work) {
+  const auto done = app::statistics_of(read_text_order(work.package), work.documents, work.budget);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(statistics(*done));
   return reply;
 }
 
@@ -195,10 +217,13 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},     {"render", render}, {"accuracy", accuracy},
-                              {"gouge", gouge},     {"timing", timing}, {"sweep", sweep},
-                              {"compare", compare}, {"index", index},   {"diagnose", diagnose},
-                              {"convert", convert}, {"path", path},     {"restart", restart}};
+constexpr KindRow kKinds[] = {{"check", check},       {"render", render},
+                              {"accuracy", accuracy}, {"gouge", gouge},
+                              {"timing", timing},     {"sweep", sweep},
+                              {"compare", compare},   {"index", index},
+                              {"diagnose", diagnose}, {"convert", convert},
+                              {"path", path},         {"restart", restart},
+                              {"rewrite", rewrite},   {"statistics", figures_of_text}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {
   const Work work{.package = package,

@@ -10,10 +10,8 @@
 #include "dialects/compile/dialect/language.h"
 #include "dialects/compile/dialect/program_digest.h"
 #include "dialects/text/fold.h"
-#include "server/json/base64.h"
 #include "server/json/control_document.h"
 #include "server/json/reports.h"
-#include "server/json/tool_path.h"
 
 namespace dripfeed::json {
 
@@ -56,23 +54,6 @@ std::optional<std::size_t> index_of(std::span<const std::string_view> words, std
   const auto found = std::ranges::find(words, word);
   if (found == words.end()) return std::nullopt;
   return static_cast<std::size_t>(found - words.begin());
-}
-
-Document not_drawn_document(const app::ToolPath& path) {
-  Document rows = Document::array();
-  for (std::size_t i = 0; i < path.not_drawn.size(); ++i) {
-    const app::NotDrawnMoves& moves = path.not_drawn[i];
-    if (moves.count > 0)
-      rows.push_back({{"why", app::kNotDrawnNames[i]}, {"moves", moves.count}, {"first_line", moves.first_line}});
-  }
-  return rows;
-}
-
-Document axes_document(std::uint16_t bits) {
-  Document names = Document::array();
-  for (std::size_t i = 0; i < ir::kAxisCount; ++i)
-    if ((bits >> i & 1U) != 0) names.push_back(kAxisWords[i]);
-  return names;
 }
 
 }  // namespace
@@ -120,33 +101,6 @@ std::string diagnosed(const app::Diagnosed& diagnosed) {
                {"folded", embedded(folded_diagnostics(report.checks.diagnostics))},
                {"outline", std::move(rows)},
                {"outline_is_cut", diagnosed.outline.is_cut}});
-}
-
-std::string tool_path(const app::ToolPath& path) {
-  const app::CheckReport& report = path.report;
-  return dump({{"dialect", report.dialect},
-               {"control", control_document(report)},
-               {"x_is_diameter", path.x_is_diameter},
-               {"points", path.kinds.size()},
-               {"segments", path.segments},
-               {"low_mm", path.low_mm},
-               {"high_mm", path.high_mm},
-               {"cut_mm", path.cut_mm},
-               {"rapid_mm", path.rapid_mm},
-               {"not_drawn", not_drawn_document(path)},
-               {"other_axes", axes_document(path.other_axes)},
-               {"work_offsets", path.work_offsets},
-               {"compensated", path.compensated},
-               {"is_cut_off", path.is_cut_off},
-               {"ran", report.ran},
-               {"not_known", not_checked_sentences(report.checks.not_checked.list())},
-               {"diagnostics", embedded(diagnostics(report.checks.diagnostics, report.source))},
-               {"kind_names", app::kPathKindNames},
-               {"columns",
-                {{"points_mm", base64_column(path.points_mm)},
-                 {"kinds", base64_column(path.kinds)},
-                 {"lines", base64_column(path.lines)},
-                 {"feeds", base64_column(path.feeds)}}}});
 }
 
 std::string split_text(const std::vector<app::SplitProgram>& programs) {

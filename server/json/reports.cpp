@@ -210,7 +210,7 @@ Document moves_document(const compile::MovesAnswer& moves) {
 }
 
 Document side_document(const ComparedSide& side) {
-  return {{"program", side.program}, {"name", side.name}, {"revision", side.revision}};
+  return {{"program", side.program}, {"name", side.name}, {"revision", id_or_null(side.revision)}};
 }
 
 // A side without a bound is null: the parameter's range ends there.

@@ -127,6 +127,21 @@ void read_members(ObjectReader& o, DiagnoseBody& into) {
   read_delivery(o, into.delivery);
 }
 
+void read_members(ObjectReader& o, RewriteBody& into) {
+  read_members(o, into.of);
+  if (const auto how = o.choice("how", app::kRewritingNames, true)) into.how = static_cast<app::Rewriting>(*how);
+  if (const auto numbering = o.choice("numbering", compile::kNumberingNames))
+    into.numbering = static_cast<compile::Numbering>(*numbering);
+  o.integer("first", into.first, 1, app::kMostNumberStep);
+  o.integer("step", into.step, 1, app::kMostNumberStep);
+}
+
+void read_members(ObjectReader& o, CompareTextBody& into) {
+  o.text("text", into.text);
+  o.integer("revision", into.revision, 1, kMaxId);
+  o.text("machine", into.machine);
+}
+
 void read_members(ObjectReader& o, ConvertBody& into) {
   o.text("text", into.text);
   o.integer("program", into.program, 1, kMaxId);
@@ -287,6 +302,8 @@ app::Result<app::RenderOrder> read_render_body(std::string_view body) { return r
 app::Result<app::CheckOrder> read_check_body(std::string_view body) { return read_body<app::CheckOrder>(body); }
 app::Result<ConvertBody> read_convert_body(std::string_view body) { return read_body<ConvertBody>(body); }
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body) { return read_body<DiagnoseBody>(body); }
+app::Result<RewriteBody> read_rewrite_body(std::string_view body) { return read_body<RewriteBody>(body); }
+app::Result<CompareTextBody> read_compare_text_body(std::string_view body) { return read_body<CompareTextBody>(body); }
 app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) {
   return read_by<MeasureBody>(kMeasures[static_cast<std::size_t>(what)], body);
 }
@@ -337,6 +354,9 @@ Schemas request_schemas() {
       described<app::CheckOrder>("CheckOrder", read_members, "what is checked, and for which machine"),
       described<ConvertBody>("ConvertOrder", read_members, "a text and the control that it is translated for"),
       described<DiagnoseBody>("DiagnoseOrder", read_members, "a text that is being written; it is not stored"),
+      described<RewriteBody>("RewriteOrder", read_members, "a text that is being written, and how it is rewritten"),
+      described<CompareTextBody>("CompareText", read_members,
+                                 "a text that is being written, and what it is held against"),
       described<MeasureBody>("AccuracyOrder", read_accuracy, "a program, and what it is held against"),
       described<MeasureBody>("GougeOrder", read_gouge, "a program, and what it is held against"),
       described<MeasureBody>("TimingOrder", read_timing, "a program, its machine and line"),

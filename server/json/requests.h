@@ -10,6 +10,7 @@
 #include "dialects/compile/translate/convert.h"
 #include "server/app/checks/measured.h"
 #include "server/app/library/programs.h"
+#include "server/app/library/rewriting.h"
 #include "server/app/out/webhooks.h"
 #include "server/app/receive/receiving.h"
 #include "server/json/schemas.h"
@@ -61,6 +62,24 @@ struct DiagnoseBody {
   store::Delivery delivery = store::Delivery::memory;
 };
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body);
+
+// The same, and how it is laid out anew.
+struct RewriteBody {
+  DiagnoseBody of;
+  app::Rewriting how = app::Rewriting::renumber;
+  compile::Numbering numbering = compile::Numbering::numbered;
+  std::uint32_t first = 10;
+  std::uint32_t step = 10;
+};
+app::Result<RewriteBody> read_rewrite_body(std::string_view body);
+
+// A text that is held against a stored one.
+struct CompareTextBody {
+  std::string text;
+  store::Revision revision = 0;  // of the stored program; 0: the newest
+  std::string machine;           // empty: the control that each text looks like
+};
+app::Result<CompareTextBody> read_compare_text_body(std::string_view body);
 
 // A text or a stored program, and the control that it is translated for.
 struct ConvertBody {

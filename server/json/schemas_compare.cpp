@@ -23,9 +23,9 @@ Members answer_members() {
 }
 
 Schema side(std::string about) {
-  return object(
-      std::move(about),
-      {{"program", integer("its id")}, {"name", text("of the program")}, {"revision", integer("of its text")}});
+  return object(std::move(about), {{"program", integer("its id")},
+                                   {"name", text("of the program")},
+                                   {"revision", or_null(integer("of its text; null: a text that was given"))}});
 }
 
 Schema motions() {

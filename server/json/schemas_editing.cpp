@@ -32,6 +32,52 @@ Schema fault() {
                                          range() + Members{{"text", text("that stands in its place then")}}))}});
 }
 
+// What is known of a program's motions beside its points.
+Members path_members() {
+  const auto place = [](std::string about) { return list_of(3, number("x y z, x as radius"), std::move(about)); };
+  return {{"dialect", text("in which the text was read")},
+          {"control", control()},
+          {"x_is_diameter", flag("the program's x words are diameters")},
+          {"segments", integer("straight ones; an arc is chords with a deviation of 0.005 mm at most")},
+          {"low_mm", place("the lowest of all points")},
+          {"high_mm", place("the highest of all points")},
+          {"cut_mm", number("length of all cuts and threads")},
+          {"rapid_mm", number("length of all rapids, as straight lines")},
+          {"not_drawn", list_of(object("moves that the path does not have",
+                                       {{"why", one_of(app::kNotDrawnNames, "they are not there")},
+                                        {"moves", integer("of that kind")},
+                                        {"first_line", integer("of the first one; 0: in a called program")}}),
+                                "each reason once")},
+          {"other_axes", list_of(text("letter of an axis"), "that move, other than x, y and z")},
+          {"work_offsets",
+           list_of(integer("0: none, 1: G54, …"), "that the moves lie in; their zeros are drawn in one place")},
+          {"compensated", flag("moves have tool radius compensation, which the path does not have")},
+          {"is_cut_off", flag("there are more points than these")},
+          {"ran", flag("the program ran to its end")},
+          {"not_known", list_of(text("one sentence"), "what the run met and did not know, as a verdict has it")},
+          {"diagnostics", diagnostics_schema("of reading, validating and running the text; the first of each kind")}};
+}
+
+Schema statistics() {
+  const Schema tool =
+      object("what one tool does", {{"tool", or_null(text("as the program names it; null: before any is taken"))},
+                                    {"first_line", or_null(integer("that takes it; null: none of the text"))},
+                                    {"cut_mm", number("length of its cuts and threads")},
+                                    {"rapid_mm", number("length of its rapids")},
+                                    {"time_s", or_null(number("of its moves, dwells and change; null: not known"))}});
+  return object(
+      "what a text amounts to; without the programs that it calls",
+      path_members() +
+          Members{{"lines", integer("of the text")},
+                  {"bytes", integer("of the text")},
+                  {"blocks", integer("that were executed")},
+                  {"time_s",
+                   or_null(number(
+                       "of all moves, dwells and tool changes, without waiting for control or line; null: not known"))},
+                  {"why_no_time", or_null(text("why no time is known; null: it is"))},
+                  {"tools", list_of(tool, "in the order in which they are taken first")}});
+}
+
 }  // namespace
 
 Schemas editing_schemas() {
@@ -65,6 +111,15 @@ Schemas editing_schemas() {
                                    "where each line of the translation comes from; empty: the text itself")},
                {"diagnostics", diagnostics_schema("of the given text; the first of each kind")},
                {"folded", folded()}})},
+      {"Rewritten", object("a rewritten text; it is not stored",
+                           {{"text", or_null(text("the same program; null: refused"))},
+                            {"numbers", integer("blocks that have a number now; where numbers were asked for")},
+                            {"references", integer("words that name one of them")},
+                            {"assumptions", list_of(text("one sentence"), "what was taken for granted")},
+                            {"refused", list_of(object("what stands against it",
+                                                       {{"line", or_null(integer("of the given text; null: of none"))},
+                                                        {"text", text("why")}}),
+                                                "none: it was done")}})},
       {"DialectWords",
        object("the words of a control's language",
               {{"dialect", text("its name")},
@@ -83,42 +138,22 @@ Schemas editing_schemas() {
 }
 
 Schemas path_schemas() {
-  const auto place = [](std::string about) { return list_of(3, number("x y z, x as radius"), std::move(about)); };
   return {
       {"ToolPath",
        object(
-           "what is known of a program's toolpath: the programmed one, without tool radius compensation, in "
-           "the "
-           "active work offset",
-           {{"dialect", text("in which the text was read")},
-            {"control", control()},
-            {"x_is_diameter", flag("the program's x words are diameters")},
-            {"points", integer("rows of the columns")},
-            {"segments", integer("straight ones; an arc is chords with a deviation of 0.005 mm at most")},
-            {"low_mm", place("the lowest of all points")},
-            {"high_mm", place("the highest of all points")},
-            {"cut_mm", number("length of all cuts and threads")},
-            {"rapid_mm", number("length of all rapids, as straight lines")},
-            {"not_drawn", list_of(object("moves that the path does not have",
-                                         {{"why", one_of(app::kNotDrawnNames, "they are not there")},
-                                          {"moves", integer("of that kind")},
-                                          {"first_line", integer("of the first one; 0: in a called program")}}),
-                                  "each reason once")},
-            {"other_axes", list_of(text("letter of an axis"), "that move, other than x, y and z")},
-            {"work_offsets",
-             list_of(integer("0: none, 1: G54, …"), "that the moves lie in; their zeros are drawn in one place")},
-            {"compensated", flag("moves have tool radius compensation, which the path does not have")},
-            {"is_cut_off", flag("there are more points than these")},
-            {"ran", flag("the program ran to its end")},
-            {"not_known", list_of(text("one sentence"), "what the run met and did not know, as a verdict has it")},
-            {"diagnostics", diagnostics_schema("of reading, validating and running the text; the first of each kind")},
-            {"kind_names", list_of(one_of(app::kPathKindNames, "of segment"), "by the numbers of the column")},
-            {"columns",
-             object("a row a point; numbers little-endian, as base64",
-                    {{"points_mm", text("x y z as 32-bit floats, x as radius")},
-                     {"kinds", text("what leads to the point, a byte; begin: nothing does")},
-                     {"lines", text("of the program's text as 32-bit integers; 0: in a called program")},
-                     {"feeds", text("as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind")}})}})}};
+           "what is known of a program's toolpath: the programmed one, without tool radius compensation, in the active "
+           "work offset",
+           path_members() +
+               Members{
+                   {"points", integer("rows of the columns")},
+                   {"kind_names", list_of(one_of(app::kPathKindNames, "of segment"), "by the numbers of the column")},
+                   {"columns",
+                    object("a row a point; numbers little-endian, as base64",
+                           {{"points_mm", text("x y z as 32-bit floats, x as radius")},
+                            {"kinds", text("what leads to the point, a byte; begin: nothing does")},
+                            {"lines", text("of the program's text as 32-bit integers; 0: in a called program")},
+                            {"feeds", text("as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind")}})}})},
+      {"Statistics", statistics()}};
 }
 
 }  // namespace dripfeed::json

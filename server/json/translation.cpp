@@ -1,4 +1,4 @@
-// A refused translation has no text: half of one would be cut.
+// What was refused has no text: half of one would be cut.
 #include "server/json/translation.h"
 
 #include <utility>
@@ -30,6 +30,17 @@ std::string translation(const app::Translation& translation, compile::ConvertMod
   Document document = {{"from", translation.from}, {"to", translation.to}, {"mode", compile::name_of(mode)}};
   document.update(document_of(translation.result, translation.source));
   return dump(document);
+}
+
+std::string rewritten(const app::Rewritten& rewritten) {
+  Document refused = Document::array();
+  for (const compile::RenumberRefusal& one : rewritten.refused)
+    refused.push_back({{"line", id_or_null(one.line)}, {"text", one.text}});
+  return dump({{"text", rewritten.refused.empty() ? Document(rewritten.text) : Document(nullptr)},
+               {"numbers", rewritten.numbers},
+               {"references", rewritten.references},
+               {"assumptions", rewritten.assumptions},
+               {"refused", std::move(refused)}});
 }
 
 }  // namespace dripfeed::json

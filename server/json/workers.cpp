@@ -197,6 +197,23 @@ app::Result<std::string> DocumentWorkers::path(const app::DiagnoseOrder& order, 
   return of_text("path", order, waiter);
 }
 
+app::Result<std::string> DocumentWorkers::statistics(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
+  return of_text("statistics", order, waiter);
+}
+
+app::Result<std::string> DocumentWorkers::rewrite(const app::RewriteOrder& order, const app::Waiter& waiter) {
+  WorkPackage request;
+  request.head = write_text_order("rewrite", order.of, request);
+  request.head["seconds"] = budget_.seconds;
+  request.head["how"] = static_cast<int>(order.how);
+  request.head["numbering"] = static_cast<int>(order.numbering);
+  request.head["first"] = order.first;
+  request.head["step"] = order.step;
+  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return std::move(reply->texts.at(0));
+}
+
 app::Result<std::string> DocumentWorkers::of_text(std::string_view kind, const app::DiagnoseOrder& order,
                                                   const app::Waiter& waiter) {
   WorkPackage request;

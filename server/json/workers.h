@@ -12,6 +12,7 @@
 #include "server/app/checks/workers.h"
 #include "server/app/jobs/restarting.h"
 #include "server/app/library/compare.h"
+#include "server/app/library/rewriting.h"
 #include "server/app/library/translation.h"
 #include "server/app/shop/called_programs.h"
 
@@ -53,8 +54,14 @@ class DocumentWorkers final : public app::Workers {
   // The document of json::translation.
   app::Result<std::string> convert(const app::TranslationOrder& order, const app::Waiter& waiter);
 
+  // The document of json::rewritten.
+  app::Result<std::string> rewrite(const app::RewriteOrder& order, const app::Waiter& waiter);
+
   // The document of json::tool_path.
   app::Result<std::string> path(const app::DiagnoseOrder& order, const app::Waiter& waiter);
+
+  // The document of json::statistics.
+  app::Result<std::string> statistics(const app::DiagnoseOrder& order, const app::Waiter& waiter);
 
   struct Restart {
     bool is_possible = false;

@@ -42,6 +42,15 @@ def revisions_of_one(client):
     return program
 
 
+def a_text_that_is_not_stored(client, program):
+    found = client.must("POST", f"/programs/{program}/compare", {"text": MOVED, "revision": 1}, role="programmer")
+    expect(answers(found) == ["differs"] * 3 and found["motions"]["deviation_mm"] == 0.25, found)
+    expect(found["first"]["revision"] == 1 and found["second"] == {"program": program, "name": "O0100", "revision": None}, found)
+    expect(answers(client.must("POST", f"/programs/{program}/compare", {"text": MOVED})) == ["equal"] * 3, "the newest is what was saved last")
+    expect(client.get(f"/programs/{program}")["revision"] == 3, "something was stored")
+    client.refuse(404, "POST", f"/programs/{program}/compare", {"text": MOVED, "revision": 9})
+
+
 def programs_of_two(client, program):
     other = add(client, PLAIN.replace("O0100", "O0200"), "O0200")
     expect(answers(client.get(f"/programs/{program}/compare?with={other}&revision=1")) == ["differs", "equal", "equal"], "the name is held against it")
@@ -95,6 +104,7 @@ def all_of_it(folder):
     by_command(folder)
     client = Client(folder).start()
     program = revisions_of_one(client)
+    a_text_that_is_not_stored(client, program)
     programs_of_two(client, program)
     a_machine_decides(client, program)
     refusals(client, program)

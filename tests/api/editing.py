@@ -136,6 +136,44 @@ def a_dump_is_taken_apart(client):
     client.refuse(422, "POST", "/split", {})
 
 
+def a_text_laid_out_anew(client):
+    """The same program with other numbers, blanks or letters; or refused, with the line."""
+
+    def rewrite(text, how, **more):
+        return client.must("POST", "/rewrite", {"text": text, "dialect": "fanuc", "how": how, **more}, role="programmer")
+
+    numbered = rewrite(GOOD, "renumber", numbering="all", first=100, step=100)
+    expect("GOTO500\n" in numbered["text"] and "\nN500 G1 X10. F100.\n" in numbered["text"] and numbered["references"] == 1, numbered)
+    bare = rewrite(numbered["text"], "renumber", numbering="none")
+    expect(bare["text"].count("\nN") == 1 and bare["numbers"] == 1, bare)
+    lost = rewrite(GOOD.replace("GOTO20", "GOTO30"), "renumber")
+    expect(lost["text"] is None and [one["line"] for one in lost["refused"]] == [8], lost)
+    close = rewrite(GOOD, "remove_blanks")["text"]
+    expect("\nN20G1X10.F100.\n" in close and "O0100(PUMP)" in close, close)
+    expect("\nN20 G1 X10. F100.\n" in rewrite(close, "add_blanks")["text"], "blanks come back")
+    expect(rewrite(GOOD.lower(), "upper_case")["text"] == GOOD.replace("(PUMP)", "(pump)"), "capitals, but for the comment")
+    small = rewrite(GOOD, "lower_case")
+    expect(small["text"] is None and small["refused"][0]["line"] > 0, small)
+    client.refuse(422, "POST", "/rewrite", {"text": GOOD, "how": "backwards"}, words=["how"])
+    client.refuse(422, "POST", "/rewrite", {"text": GOOD, "how": "renumber", "step": 0}, words=["step"])
+
+
+def what_it_amounts_to(client):
+    """Lengths by tool; a time on a machine alone, whose axes decide it."""
+    two = "O0100\nG21 G17 G90 G94 G54\nT1 M6\nG0 X0. Y0. Z5.\nG1 Z0. F100.\nX60.\nT2 M6\nG0 X0.\nM30\n"
+    found = client.must("POST", "/statistics", {"text": two, "dialect": "fanuc"}, role="programmer")
+    expect([(one["tool"], one["first_line"], one["cut_mm"], one["rapid_mm"], one["time_s"]) for one in found["tools"]] == [("T1", 3, 65, 0, None), ("T2", 7, 0, 60, None)], found["tools"])
+    expect((found["cut_mm"], found["rapid_mm"], found["lines"], found["bytes"], found["blocks"]) == (65, 60, 9, len(two), 8), found)
+    expect(found["time_s"] is None and "machine" in found["why_no_time"], found["why_no_time"])
+    expect(found["low_mm"] == [0, 0, 0] and found["high_mm"] == [60, 0, 5], found)
+    text = plain_program(40)
+    timed = client.must("POST", "/statistics", {"text": text, "machine": "lathe"}, role="programmer")
+    expect(timed["why_no_time"] is None and timed["time_s"] > 0 and abs(sum(one["time_s"] for one in timed["tools"]) - timed["time_s"]) < 1e-9, timed)
+    program = client.post("/programs", {"name": "O0190", "dialect": "fanuc", "text": text})["id"]
+    whole = client.must("POST", "/timing", {"program": program, "machine": "lathe", "delivery": "memory"})
+    expect(abs(whole["motion_s"] - timed["time_s"]) < 1e-6 * whole["motion_s"], (whole["motion_s"], timed["time_s"]))
+
+
 def run(folder):
     client = Client(folder).start()
     a_dump_is_taken_apart(client)
@@ -145,6 +183,8 @@ def run(folder):
     which_language(client)
     words(client)
     a_translation(client)
+    a_text_laid_out_anew(client)
+    what_it_amounts_to(client)
     a_preview(client)
     expect(client.server.alive(), "the server is gone")
     client.server.stop()

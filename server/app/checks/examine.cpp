@@ -242,8 +242,8 @@ void take_errors(const compile::ProgramLibrary::Loaded& called, CheckReport& rep
 }
 
 // Which programs of the run stand in another text.
-std::vector<bool> run_into(ir::MotionSink& sink, const Examination& e, const ir::Program& program,
-                           const compile::ThinProgram* thin, CheckReport& report) {
+Followed::Run run_into(ir::MotionSink& sink, const Examination& e, const ir::Program& program,
+                       const compile::ThinProgram* thin, CheckReport& report) {
   const ir::Control control = for_check(e.control);
   compile::ProgramLibrary library(
       control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
@@ -263,7 +263,7 @@ std::vector<bool> run_into(ir::MotionSink& sink, const Examination& e, const ir:
   std::vector<bool> is_elsewhere;
   for (const std::string& name : run.programs)
     is_elsewhere.push_back(!is_elsewhere.empty() && texts.find(name) != nullptr);
-  return is_elsewhere;
+  return {std::move(is_elsewhere), std::move(run.strings)};
 }
 
 void run_checks(const Examination& e, const ir::Program& program, const compile::ThinProgram* thin,
@@ -411,9 +411,9 @@ CheckReport examine(const Examination& examination) {
 
 Followed follow(const Examination& examination, ir::MotionSink& sink) {
   Followed out;
-  out.report = examine_by(examination,
-                          [&](const Examination& e, const ir::Program& program, const compile::ThinProgram* thin,
-                              CheckReport& report) { out.is_elsewhere = run_into(sink, e, program, thin, report); });
+  out.report =
+      examine_by(examination, [&](const Examination& e, const ir::Program& program, const compile::ThinProgram* thin,
+                                  CheckReport& report) { out.run = run_into(sink, e, program, thin, report); });
   return out;
 }
 

@@ -49,8 +49,12 @@ ir::Control for_check(const ir::Control& given);
 // Reads, validates and runs a text as a check does, and hands its motions to `sink` alone: what the machine would make
 // of them is not checked, so that there is no verdict.
 struct Followed {
+  struct Run {
+    std::vector<bool> is_elsewhere;    // by ir::Place::program: its lines are of another text
+    std::vector<std::string> strings;  // by ir::Motion::text
+  };
   CheckReport report;
-  std::vector<bool> is_elsewhere;  // by ir::Place::program: its lines are of another text
+  Run run;
 };
 Followed follow(const Examination& examination, ir::MotionSink& sink);
 

@@ -10,6 +10,7 @@
 
 #include "checks/arcs.h"
 #include "checks/machine.h"
+#include "dialects/compile/dialect/execute.h"
 #include "server/app/checks/machine_facts.h"
 #include "server/app/checks/workers.h"
 
@@ -62,6 +63,7 @@ void PathRecorder::consume(std::span<const ir::Motion> motions) {
   for (const ir::Motion& motion : motions) {
     if (is_full()) return;
     if (motion.kind == ir::MotionKind::offset) work_offset_ = motion.number;
+    if (motion.kind == ir::MotionKind::tool) tools_.take(motion);
     if (ir::is_move(motion.kind)) add(motion);
   }
 }
@@ -97,7 +99,8 @@ void PathRecorder::add(const ir::Motion& given) {
           .kind = PathKind::begin,
           .line = motion.place.line,
           .program = motion.place.program,
-          .feed = 0.0F};
+          .feed = 0.0F,
+          .tool = tools_.current()};
   if (here_ != row.spot) push(row);
   const bool knows_arc = checks::is_arc(motion) && (row.spot.unknown & plane_of(motion)) == 0;
   row.kind = kind_of(motion);
@@ -128,12 +131,19 @@ void PathRecorder::keep(const Row& row, std::uint32_t line) {
   path_.feeds.push_back(row.feed);
 }
 
-ToolPath PathRecorder::finish(const std::vector<bool>& is_elsewhere) {
+ToolPath PathRecorder::finish(const Followed::Run& run) {
+  const auto is_elsewhere = [&](std::uint32_t program) {
+    return program < run.is_elsewhere.size() && run.is_elsewhere[program];
+  };
+  for (std::uint32_t i = 0; i < tools_.all().size(); ++i) {
+    const ir::Place& place = tools_.all()[i].place;
+    path_.tools.push_back(
+        {.name = tools_.name_of(i, run.strings), .first_line = is_elsewhere(place.program) ? 0 : place.line});
+  }
   const Spot* before = nullptr;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Row row = rows_[i];
-    const bool elsewhere = row.program < is_elsewhere.size() && is_elsewhere[row.program];
-    const std::uint32_t line = elsewhere ? 0 : row.line;
+    const std::uint32_t line = is_elsewhere(row.program) ? 0 : row.line;
     const bool unknown = (row.spot.unknown & commanded_) != 0;
     const bool is_move = row.kind != PathKind::begin;
     if (is_move && row.ends_move && (unknown || before == nullptr)) {
@@ -154,6 +164,8 @@ ToolPath PathRecorder::finish(const std::vector<bool>& is_elsewhere) {
     const double length =
         std::hypot(row.spot.at[0] - from->at[0], row.spot.at[1] - from->at[1], row.spot.at[2] - from->at[2]);
     (row.kind == PathKind::rapid ? path_.rapid_mm : path_.cut_mm) += length;
+    ToolMoves& by_tool = path_.tools[row.tool];
+    (row.kind == PathKind::rapid ? by_tool.rapid_mm : by_tool.cut_mm) += length;
     ++path_.segments;
     keep(row, line);
   }
@@ -161,19 +173,25 @@ ToolPath PathRecorder::finish(const std::vector<bool>& is_elsewhere) {
   return std::move(path_);
 }
 
-Result<ToolPath> follow_path(const DiagnoseOrder& order, const Documents& documents, const CheckBudget& budget) {
-  const auto opened = open_text(order, documents);
-  if (!opened) return std::unexpected(opened.error());
-  Examination& e = (*opened)->examination;
+ToolPath record_path(Examination& e, const CheckBudget& budget, ir::MotionSink* beside) {
   PathRecorder recorder(x_is_diameter(e.control, e.profile));
   e.used_up = [&recorder, in_time = time_budget(budget.seconds)] {
     if (recorder.is_full()) return fmt::format("{} points of a path", ToolPath::kMostPoints);
     return in_time ? in_time() : std::string();
   };
-  Followed followed = follow(e, recorder);
-  ToolPath path = recorder.finish(followed.is_elsewhere);
+  std::vector<ir::MotionSink*> all = {&recorder};
+  if (beside != nullptr) all.push_back(beside);
+  compile::FanOut sinks(std::move(all));
+  Followed followed = follow(e, sinks);
+  ToolPath path = recorder.finish(followed.run);
   path.report = std::move(followed.report);
   return path;
+}
+
+Result<ToolPath> follow_path(const DiagnoseOrder& order, const Documents& documents, const CheckBudget& budget) {
+  const auto opened = open_text(order, documents);
+  if (!opened) return std::unexpected(opened.error());
+  return record_path((*opened)->examination, budget);
 }
 
 }  // namespace dripfeed::app

@@ -15,6 +15,7 @@
 #include "dialects/ir/motion.h"
 #include "server/app/base/check_budget.h"
 #include "server/app/checks/diagnose.h"
+#include "server/app/checks/tool_list.h"
 
 namespace dripfeed::app {
 
@@ -29,6 +30,14 @@ inline constexpr std::array<std::string_view, 3> kNotDrawnNames = {"unknown_plac
 struct NotDrawnMoves {
   std::uint64_t count = 0;
   std::uint32_t first_line = 0;
+};
+
+// What one tool does of it.
+struct ToolMoves {
+  std::string name;              // "T5", or as the program names it; "": before any is taken
+  std::uint32_t first_line = 0;  // that takes it; 0: none of the text
+  double cut_mm = 0.0;
+  double rapid_mm = 0.0;
 };
 
 struct ToolPath {
@@ -46,6 +55,7 @@ struct ToolPath {
   std::array<double, 3> high_mm{};
   double cut_mm = 0.0;
   double rapid_mm = 0.0;
+  std::vector<ToolMoves> tools;  // in the order in which they are taken first
   std::array<NotDrawnMoves, kNotDrawnNames.size()> not_drawn{};
   std::uint16_t other_axes = 0;         // bit per ir::Axis: moves beside x, y and z
   std::set<std::int32_t> work_offsets;  // as ir::Motion::number, of the moves
@@ -60,8 +70,7 @@ class PathRecorder final : public ir::MotionSink {
   explicit PathRecorder(bool x_is_diameter, std::size_t most_points = ToolPath::kMostPoints);
   void consume(std::span<const ir::Motion> motions) override;
   [[nodiscard]] bool is_full() const { return path_.is_cut_off; }
-  // `is_elsewhere`: by ir::Place::program, whether its lines are of another text.
-  ToolPath finish(const std::vector<bool>& is_elsewhere);
+  ToolPath finish(const Followed::Run& run);
 
  private:
   struct Spot {
@@ -75,7 +84,8 @@ class PathRecorder final : public ir::MotionSink {
     std::uint32_t line = 0;
     std::uint32_t program = 0;
     float feed = 0.0F;
-    bool ends_move = true;  // it is no chord within an arc
+    std::uint32_t tool = 0;  // of tools_
+    bool ends_move = true;   // it is no chord within an arc
   };
   void add(const ir::Motion& given);
   void leave_out(NotDrawn why, const ir::Motion& motion);
@@ -86,9 +96,13 @@ class PathRecorder final : public ir::MotionSink {
   std::size_t most_points_;
   std::vector<Row> rows_;
   std::optional<Spot> here_;  // where the last point is
+  ToolList tools_;
   std::int32_t work_offset_ = 0;
   std::uint8_t commanded_ = 0;  // bit per axis
 };
+
+// Of an opened text; `beside` gets the same motions.
+ToolPath record_path(Examination& examination, const CheckBudget& budget, ir::MotionSink* beside = nullptr);
 
 // Errors: as diagnose_text.
 Result<ToolPath> follow_path(const DiagnoseOrder& order, const Documents& documents, const CheckBudget& budget);

@@ -20,9 +20,12 @@ import type {
   Release,
   ReleaseMove,
   Rendered,
+  Rewriting,
+  Rewritten,
   RestartPreview,
   SearchResult,
   SplitProgram,
+  Statistics,
   ToolPath,
   Verdict,
   VerdictSummary,
@@ -83,6 +86,8 @@ export const deskCalls = {
     request<Page<ProgramRevision>>('GET', `/programs/${id}/revisions${queryOf({ limit: 50, after })}`),
   compare: (id: number, query: { revision?: number; with?: number; with_revision?: number; machine?: string }) =>
     request<Comparison>('GET', `/programs/${id}/compare${queryOf(query)}`, { timeoutMs: kWorkMs }),
+  compareText: (id: number, of: { text: string; revision: number; machine?: string }) =>
+    request<Comparison>('POST', `/programs/${id}/compare`, { body: of, timeoutMs: kWorkMs }),
   programPath: (id: number, revision: number, machine: string) =>
     request<ToolPath>('GET', `/programs/${id}/path${queryOf({ revision, machine })}`, { timeoutMs: kWorkMs }),
   pathOfText: (order: DiagnoseOrder) => request<ToolPath>('POST', '/path', { body: order, timeoutMs: kWorkMs }),
@@ -91,6 +96,8 @@ export const deskCalls = {
   diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),
   split: async (text: string) => (await request<{ programs: SplitProgram[] }>('POST', '/split', { body: { text }, timeoutMs: kTextMs })).programs,
   convert: (order: ConvertOrder) => request<Converted>('POST', '/convert', { body: order, timeoutMs: kWorkMs }),
+  rewrite: (order: Rewriting) => request<Rewritten>('POST', '/rewrite', { body: order, timeoutMs: kWorkMs }),
+  statistics: (order: DiagnoseOrder) => request<Statistics>('POST', '/statistics', { body: order, timeoutMs: kWorkMs }),
   words: (dialect: string, kind: string, gSystem: string) =>
     request<DialectWords>('GET', `/dialects/${enc(dialect)}/words${queryOf({ kind, g_system: gSystem })}`),
 

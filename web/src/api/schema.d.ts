@@ -925,7 +925,11 @@ export interface paths {
          */
         get: operations["get_programs_id_compare"];
         put?: never;
-        post?: never;
+        /**
+         * hold a text that is being written against a revision: text, meaning, motions; it is not stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_programs_id_compare"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1092,6 +1096,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/rewrite": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a text that is being written with other block numbers, blanks or letters: the same program, or refused; it is not stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_rewrite"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/path": {
         parameters: {
             query?: never;
@@ -1106,6 +1130,26 @@ export interface paths {
          * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_path"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/statistics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * how far and, on a machine, how long the tools of a text move; it is not stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_statistics"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3302,6 +3346,43 @@ export interface components {
              */
             delivery?: "drip" | "memory" | null;
         };
+        /** @description a text that is being written, and how it is rewritten */
+        RewriteOrder: {
+            /** @description the whole text */
+            text?: string | null;
+            /** @description in which the text is read; not given: the machine's, or the one that the text looks like */
+            dialect?: string | null;
+            /** @description whose control counts; not given: the one that the text looks like */
+            machine?: string | null;
+            /**
+             * @description how the text would go to the control; not given: memory
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /**
+             * @description what is changed of it
+             * @enum {string}
+             */
+            how: "renumber" | "add_blanks" | "remove_blanks" | "upper_case" | "lower_case";
+            /**
+             * @description which blocks have a number then: those that have one now, all, or none but those that are named; not given: numbered
+             * @enum {string|null}
+             */
+            numbering?: "numbered" | "all" | "none" | null;
+            /** @description first number of a program; not given: 10 */
+            first?: number | null;
+            /** @description from number to number; not given: 10 */
+            step?: number | null;
+        };
+        /** @description a text that is being written, and what it is held against */
+        CompareText: {
+            /** @description the whole text */
+            text?: string | null;
+            /** @description of the stored program; not given: the newest */
+            revision?: number | null;
+            /** @description whose control counts; not given: the one that each text looks like */
+            machine?: string | null;
+        };
         /** @description a program, and what it is held against */
         AccuracyOrder: {
             /** @description id of the program */
@@ -5267,8 +5348,8 @@ export interface components {
                 program: number;
                 /** @description of the program */
                 name: string;
-                /** @description of its text */
-                revision: number;
+                /** @description of its text; null: a text that was given */
+                revision: number | null;
             };
             /** @description of `with` */
             second: {
@@ -5276,8 +5357,8 @@ export interface components {
                 program: number;
                 /** @description of the program */
                 name: string;
-                /** @description of its text */
-                revision: number;
+                /** @description of its text; null: a text that was given */
+                revision: number | null;
             };
             /** @description line by line; forms of the end of a block, blank lines and blanks at the end of a line do not count */
             text: {
@@ -5627,6 +5708,24 @@ export interface components {
                 more: number;
             }[];
         };
+        /** @description a rewritten text; it is not stored */
+        Rewritten: {
+            /** @description the same program; null: refused */
+            text: string | null;
+            /** @description blocks that have a number now; where numbers were asked for */
+            numbers: number;
+            /** @description words that name one of them */
+            references: number;
+            /** @description what was taken for granted */
+            assumptions: string[];
+            /** @description none: it was done */
+            refused: {
+                /** @description of the given text; null: of none */
+                line: number | null;
+                /** @description why */
+                text: string;
+            }[];
+        };
         /** @description the words of a control's language */
         DialectWords: {
             /** @description its name */
@@ -5689,8 +5788,6 @@ export interface components {
             };
             /** @description the program's x words are diameters */
             x_is_diameter: boolean;
-            /** @description rows of the columns */
-            points: number;
             /** @description straight ones; an arc is chords with a deviation of 0.005 mm at most */
             segments: number;
             /** @description the lowest of all points */
@@ -5747,6 +5844,8 @@ export interface components {
                 /** @description by which the control itself would name it */
                 alarm: string | null;
             }[];
+            /** @description rows of the columns */
+            points: number;
             /** @description by the numbers of the column */
             kind_names: ("begin" | "rapid" | "cut_per_min" | "cut_per_rev" | "cut_inverse_time" | "thread")[];
             /** @description a row a point; numbers little-endian, as base64 */
@@ -5760,6 +5859,116 @@ export interface components {
                 /** @description as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind */
                 feeds: string;
             };
+        };
+        /** @description what a text amounts to; without the programs that it calls */
+        Statistics: {
+            /** @description in which the text was read */
+            dialect: string;
+            /** @description as which control the text was read */
+            control: {
+                /** @description for people */
+                title: string;
+                /**
+                 * @description of machine
+                 * @enum {string}
+                 */
+                kind: "mill" | "lathe" | "mill-turn";
+                /**
+                 * @description G code system of a lathe
+                 * @enum {string}
+                 */
+                g_system: "A" | "B" | "C";
+                /**
+                 * @description at power-on
+                 * @enum {string}
+                 */
+                feed_mode: "per-minute" | "per-revolution" | "inverse-time";
+                /** @description by which it was inferred; 0: it was named, or is the default */
+                because_line: number;
+                /** @description the control was inferred from the text */
+                inferred: boolean;
+            };
+            /** @description the program's x words are diameters */
+            x_is_diameter: boolean;
+            /** @description straight ones; an arc is chords with a deviation of 0.005 mm at most */
+            segments: number;
+            /** @description the lowest of all points */
+            low_mm: number[];
+            /** @description the highest of all points */
+            high_mm: number[];
+            /** @description length of all cuts and threads */
+            cut_mm: number;
+            /** @description length of all rapids, as straight lines */
+            rapid_mm: number;
+            /** @description each reason once */
+            not_drawn: {
+                /**
+                 * @description they are not there
+                 * @enum {string}
+                 */
+                why: "unknown_place" | "machine_coordinates" | "no_place";
+                /** @description of that kind */
+                moves: number;
+                /** @description of the first one; 0: in a called program */
+                first_line: number;
+            }[];
+            /** @description that move, other than x, y and z */
+            other_axes: string[];
+            /** @description that the moves lie in; their zeros are drawn in one place */
+            work_offsets: number[];
+            /** @description moves have tool radius compensation, which the path does not have */
+            compensated: boolean;
+            /** @description there are more points than these */
+            is_cut_off: boolean;
+            /** @description the program ran to its end */
+            ran: boolean;
+            /** @description what the run met and did not know, as a verdict has it */
+            not_known: string[];
+            /** @description of reading, validating and running the text; the first of each kind */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description of the text */
+            lines: number;
+            /** @description of the text */
+            bytes: number;
+            /** @description that were executed */
+            blocks: number;
+            /** @description of all moves, dwells and tool changes, without waiting for control or line; null: not known */
+            time_s: number | null;
+            /** @description why no time is known; null: it is */
+            why_no_time: string | null;
+            /** @description in the order in which they are taken first */
+            tools: {
+                /** @description as the program names it; null: before any is taken */
+                tool: string | null;
+                /** @description that takes it; null: none of the text */
+                first_line: number | null;
+                /** @description length of its cuts and threads */
+                cut_mm: number;
+                /** @description length of its rapids */
+                rapid_mm: number;
+                /** @description of its moves, dwells and change; null: not known */
+                time_s: number | null;
+            }[];
         };
         /** @description how far a program lies from the nominal */
         AccuracyFigures: {
@@ -10050,6 +10259,56 @@ export interface operations {
             };
         };
     };
+    post_programs_id_compare: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CompareText"];
+            };
+        };
+        responses: {
+            /** @description hold a text that is being written against a revision: text, meaning, motions; it is not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Comparison"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_programs_id_path: {
         parameters: {
             query?: {
@@ -10417,6 +10676,53 @@ export interface operations {
             };
         };
     };
+    post_rewrite: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RewriteOrder"];
+            };
+        };
+        responses: {
+            /** @description a text that is being written with other block numbers, blanks or letters: the same program, or refused; it is not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Rewritten"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_path: {
         parameters: {
             query?: never;
@@ -10440,6 +10746,53 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ToolPath"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_statistics: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DiagnoseOrder"];
+            };
+        };
+        responses: {
+            /** @description how far and, on a machine, how long the tools of a text move; it is not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Statistics"];
                 };
             };
             400: components["responses"]["Problem400"];

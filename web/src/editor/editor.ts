@@ -1,12 +1,14 @@
 // The text of a program in CodeMirror. It stands in a shadow root: there its styles are constructed sheets, which the
 // page's policy allows, and none of them touches the page. It asks the server for nothing.
-import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { lintGutter, lintKeymap, nextDiagnostic, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from '@codemirror/search';
 import { Compartment, EditorSelection, EditorState } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
 import type { DialectWords, Fault } from '../api/types';
 import { columnOffset } from '../rules/program_files';
+
+import { lineChanges } from './changes';
 import { coloring, setWords, wordAt } from './colors';
 import { look } from './theme';
 import { Words } from './words';
@@ -25,6 +27,8 @@ export interface EditorOptions {
 export interface Editor {
   text: () => string;
   setText: (text: string) => void;
+  // The text of `of` becomes `to`, as one step that can be undone; false: it is another text by now.
+  rewrite: (to: string, of: string) => boolean;
   setReadOnly: (readOnly: boolean) => void;
   setWords: (words: DialectWords, isSure: boolean) => void; // isSure: of the control that the text is for
   // Of the text as it stood when it was asked about; null where it has changed since.
@@ -123,6 +127,11 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
     text: () => view.state.doc.toString(),
     setText: (text) => {
       if (text !== view.state.doc.toString()) view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
+    },
+    rewrite: (to, of) => {
+      if (of !== view.state.doc.toString()) return false;
+      view.dispatch({ changes: lineChanges(view.state.doc, to), annotations: isolateHistory.of('full'), userEvent: 'input.rewrite' });
+      return true;
     },
     setReadOnly: (is) => view.dispatch({ effects: writable.reconfigure(readOnly(is)) }),
     setWords: (words, isSure) => view.dispatch({ effects: setWords.of(new Words(words, isSure)) }),

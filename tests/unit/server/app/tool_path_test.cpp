@@ -16,7 +16,7 @@ ToolPath path_of(const std::string& text, std::size_t most_points = ToolPath::kM
   const auto opened = open_text({.dialect = dialect, .text = text}, test::PlainDocuments());
   PathRecorder recorder(false, most_points);
   Followed followed = follow((*opened)->examination, recorder);
-  ToolPath path = recorder.finish(followed.is_elsewhere);
+  ToolPath path = recorder.finish(followed.run);
   path.report = std::move(followed.report);
   return path;
 }
@@ -83,7 +83,7 @@ TEST(ToolPath, AnArcOfALatheIsAnArc) {
   (*opened)->examination.control = compile::find_dialect("fanuc")->control(ir::MachineKind::lathe, ir::GSystem::a);
   PathRecorder recorder(true);
   const Followed followed = follow((*opened)->examination, recorder);
-  const ToolPath path = recorder.finish(followed.is_elsewhere);
+  const ToolPath path = recorder.finish(followed.run);
   ASSERT_GT(path.segments, 10U);
   EXPECT_EQ(path.high_mm, (std::array<double, 3>{70, 0, 0})) << "radii";
   EXPECT_NEAR(path.cut_mm, 10.0 + 10.0 * std::numbers::pi, 0.05);

@@ -5,12 +5,15 @@ import { t } from '../../i18n/i18n';
 import { Facts, type Fact } from '../../parts/facts';
 import { axesOf, axisFactor, axisName, lengthText, mm } from './words';
 
+export type Extents = Pick<ToolPath, 'low_mm' | 'high_mm' | 'x_is_diameter'>;
+
+export const extentText = (path: Extents, axis: number): string => {
+  const [low = '', high = ''] = [path.low_mm, path.high_mm].map((bound) => mm(axisFactor(path, axis) * (bound[axis] ?? 0)));
+  return t('path.extent', { low, high });
+};
+
 export function PathFacts({ path }: { path: ToolPath }) {
-  const extents: Fact[] = axesOf(path).map((axis) => {
-    const factor = axisFactor(path, axis);
-    const [low, high] = [path.low_mm, path.high_mm].map((bound) => mm(factor * (bound[axis] ?? 0)));
-    return [axisName(path, axis), t('path.extent', { low: low ?? '', high: high ?? '' })];
-  });
+  const extents: Fact[] = axesOf(path).map((axis) => [axisName(path, axis), extentText(path, axis)]);
   return (
     <div class="path-facts">
       <Facts

@@ -4,13 +4,17 @@ import { count } from '../../format/numbers';
 import { t } from '../../i18n/i18n';
 import { offsetName } from '../../rules/work_offsets';
 
-export function PathGaps({ path }: { path: ToolPath }) {
+type Gaps = Pick<ToolPath, 'diagnostics' | 'not_known' | 'is_cut_off'>;
+type Notes = Pick<ToolPath, 'not_drawn' | 'compensated' | 'other_axes' | 'work_offsets'>;
+
+// `title`: of what there is, though it is not all.
+export function PathGaps({ path, title }: { path: Gaps; title: string }) {
   const alarms = path.diagnostics.filter(({ severity }) => severity === 'error');
   if (path.not_known.length === 0 && alarms.length === 0 && !path.is_cut_off) return null;
   return (
     <div class="notice tone-waiting" role="status">
       <p>
-        <strong>{t(path.is_cut_off ? 'path.cut_off' : 'path.not_whole', { points: count(path.points) })}</strong>
+        <strong>{title}</strong>
       </p>
       <ul class="listed">
         {alarms.map((one) => (
@@ -26,7 +30,7 @@ export function PathGaps({ path }: { path: ToolPath }) {
   );
 }
 
-export function PathNotes({ path }: { path: ToolPath }) {
+export function PathNotes({ path }: { path: Notes }) {
   const notes = notesOf(path);
   if (notes.length === 0) return null;
   return (
@@ -41,7 +45,7 @@ export function PathNotes({ path }: { path: ToolPath }) {
   );
 }
 
-function notesOf(path: ToolPath): string[] {
+function notesOf(path: Notes): string[] {
   const notes = path.not_drawn.map(({ why, moves, first_line }) => {
     const text = t(`path_not_drawn.${why}`, { count: moves, text: count(moves) });
     return first_line > 0 ? `${text} ${t('path.first_line', { line: first_line })}` : text;

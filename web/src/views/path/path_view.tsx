@@ -1,6 +1,7 @@
 // The toolpath of a program: the picture, what it consists of in words, and what is not known of it.
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { ToolPath } from '../../api/types';
+import { count } from '../../format/numbers';
 import { t } from '../../i18n/i18n';
 import { lazyView } from '../../parts/lazy';
 import { dataOf, kBegin, type PathData } from '../../path/data';
@@ -46,13 +47,13 @@ export function PathView({ path, line, chosen }: PathProps) {
     return (
       <>
         <p class="notice tone-waiting">{t('path.nothing')}</p>
-        <PathGaps path={path} />
+        <PathGaps path={path} title={t(path.is_cut_off ? 'path.cut_off' : 'path.not_whole', { points: count(path.points) })} />
         <PathNotes path={path} />
       </>
     );
   return (
     <>
-      <PathGaps path={path} />
+      <PathGaps path={path} title={t(path.is_cut_off ? 'path.cut_off' : 'path.not_whole', { points: count(path.points) })} />
       <Picture path={path} data={data} at={at === last ? null : at} line={at === null ? line : (data.lines[at] ?? 0)} picked={goTo} />
       <label class="path-slider">
         <span>{t('path.along')}</span>

@@ -16,7 +16,7 @@ export const axisName = (path: Pick<ToolPath, 'x_is_diameter'>, axis: number): s
 export const axisFactor = (path: Pick<ToolPath, 'x_is_diameter'>, axis: number): number => (axis === 0 && path.x_is_diameter ? 2 : 1);
 
 // An axis along which the path has no extent and that stands at 0 is not spoken of.
-export const axesOf = (path: ToolPath): number[] => [0, 1, 2].filter((axis) => path.low_mm[axis] !== 0 || path.high_mm[axis] !== 0);
+export const axesOf = (path: Pick<ToolPath, 'low_mm' | 'high_mm'>): number[] => [0, 1, 2].filter((axis) => path.low_mm[axis] !== 0 || path.high_mm[axis] !== 0);
 
 export const lengthText = (length_mm: number): string => (length_mm >= 10_000 ? `${count(length_mm / 1000)} m` : `${count(length_mm)} mm`);
 

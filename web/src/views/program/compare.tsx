@@ -82,7 +82,8 @@ const kAnswers: Record<LinesAnswer['answer'], Wording['tone']> = { equal: 'good'
 
 const answerWording = (answer: LinesAnswer['answer']): Wording => ({ text: t(`likeness.${answer}`), tone: kAnswers[answer] });
 
-export function ComparedView({ of }: { of: Comparison }) {
+// `chosen`: shows a line of a text that is no revision.
+export function ComparedView({ of, chosen }: { of: Comparison; chosen?: (line: number) => void }) {
   return (
     <div class="compared">
       <Facts
@@ -93,11 +94,11 @@ export function ComparedView({ of }: { of: Comparison }) {
           ...motionFacts(of),
         ]}
       />
-      {of.text.answer === 'differs' && <Changes title={t('compare.text_changes')} of={of} lines={of.text} />}
+      {of.text.answer === 'differs' && <Changes title={t('compare.text_changes')} of={of} lines={of.text} chosen={chosen} />}
       {of.meaning.answer === 'differs' && of.text.change_count !== of.meaning.change_count && (
         <details>
           <summary>{t('compare.meaning_only')}</summary>
-          <Changes title={t('compare.meaning_changes')} of={of} lines={of.meaning} />
+          <Changes title={t('compare.meaning_changes')} of={of} lines={of.meaning} chosen={chosen} />
         </details>
       )}
     </div>
@@ -124,7 +125,7 @@ function motionFacts({ motions }: Comparison): Fact[] {
 }
 
 // Side by side on a wide screen, one below the other on a narrow one.
-function Changes({ title, of, lines }: { title: string; of: Comparison; lines: LinesAnswer }) {
+function Changes({ title, of, lines, chosen }: { title: string; of: Comparison; lines: LinesAnswer; chosen: Chosen }) {
   return (
     <section class="changes" aria-label={title}>
       <h2>{title}</h2>
@@ -135,27 +136,39 @@ function Changes({ title, of, lines }: { title: string; of: Comparison; lines: L
       </div>
       {lines.changes.map((change, index) => (
         <div key={index} class="change">
-          <ChangedLines side="first" of={of.first} lines={change.first} />
-          <ChangedLines side="second" of={of.second} lines={change.second} />
+          <ChangedLines side="first" of={of.first} lines={change.first} chosen={chosen} />
+          <ChangedLines side="second" of={of.second} lines={change.second} chosen={chosen} />
         </div>
       ))}
     </section>
   );
 }
 
-const sideName = ({ name, revision }: Comparison['first']): string => t('compare.side', { name, revision });
+const sideName = ({ name, revision }: Comparison['first']): string => (revision === null ? t('compare.written') : t('compare.side', { name, revision }));
+
+type Chosen = ((line: number) => void) | undefined;
+
+const LineOf = ({ of, line, chosen }: { of: Comparison['first']; line: number; chosen: Chosen }) =>
+  of.revision !== null ? (
+    <a href={hrefs.program(of.program, 'text', { revision: String(of.revision), line: String(line) })}>{line}</a>
+  ) : (
+    <button type="button" class="line-go" onClick={() => chosen?.(line)}>
+      {line}
+    </button>
+  );
 
 interface ChangedLinesProps {
   side: 'first' | 'second';
   of: Comparison['first'];
   lines: { line: number; text: string }[];
+  chosen: Chosen;
 }
 
-const ChangedLines = ({ side, of, lines }: ChangedLinesProps) => (
+const ChangedLines = ({ side, of, lines, chosen }: ChangedLinesProps) => (
   <ol class={`changed changed-${side}`} aria-label={sideName(of)}>
     {lines.map(({ line, text }) => (
       <li key={line}>
-        <a href={hrefs.program(of.program, 'text', { revision: String(of.revision), line: String(line) })}>{line}</a>
+        <LineOf of={of} line={line} chosen={chosen} />
         <code>{text}</code>
       </li>
     ))}

@@ -1,13 +1,14 @@
 // The toolpath beside the text. It is the path of the text as it stands: a stored revision's, or what is being
 // written, asked for anew after a pause.
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
 import type { Program, ToolPath } from '../../api/types';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
+import { Older } from '../../parts/older';
+import { useAsked } from '../../parts/use_asked';
 import { useNumberOf } from '../../parts/use_number_of';
-import { useSettled } from '../../parts/use_settled';
 import { PathView } from '../path/path_view';
 
 interface Props {
@@ -20,15 +21,9 @@ interface Props {
 }
 
 const kPause_ms = 1_200;
-const kLongest_chars = 400_000; // a longer one is drawn when a person asks for it
 
 export function PathPanel({ program, revision, written, machine, line, chosen }: Props) {
-  const [asked, setAsked] = useState<string | null>(written);
-  const settled = useSettled(written, kPause_ms);
-  const isLong = (settled?.length ?? 0) > kLongest_chars;
-  useEffect(() => {
-    if (!isLong) setAsked(settled);
-  }, [settled, isLong]);
+  const { text: asked, isOlder: isBehind, askNow } = useAsked(written, kPause_ms);
   const number = useNumberOf(asked);
   const key = `${program.id} ${machine} ${asked === null ? `revision ${revision}` : `written ${number}`}`;
   const { value, error, loading } = useLoaded<ToolPath>(key, () =>
@@ -39,7 +34,7 @@ export function PathPanel({ program, revision, written, machine, line, chosen }:
   const kept = useRef<ToolPath | null>(null);
   if (value) kept.current = value;
   const shown = value ?? kept.current;
-  const isOlder = written !== asked || (loading && shown !== null);
+  const isOlder = isBehind || (loading && shown !== null);
   return (
     <section class="path" aria-label={t('path.title')} aria-busy={loading}>
       <h2>{t('path.title')}</h2>
@@ -49,16 +44,7 @@ export function PathPanel({ program, revision, written, machine, line, chosen }:
           {t('path.running')}
         </p>
       )}
-      {isOlder && (
-        <p class="hint" role="status">
-          {t('path.older')}{' '}
-          {isLong && written !== asked && (
-            <button type="button" class="button button-small" onClick={() => setAsked(written)}>
-              {t('path.again')}
-            </button>
-          )}
-        </p>
-      )}
+      {isOlder && <Older what={t('path.older')} askNow={askNow} />}
       {shown && <PathView path={shown} line={line} chosen={chosen} />}
     </section>
   );

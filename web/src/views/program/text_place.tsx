@@ -1,8 +1,6 @@
 // The text: read by everybody, written by programmers. What the server finds in it stands in the margin and in the list
 // beside it; a save is the next revision, and never over another one that somebody made meanwhile.
-import type { RefObject } from 'preact';
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { ApiError, newOrderKey } from '../../api/client';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
 import type { Program } from '../../api/types';
 import type { Editor } from '../../editor/editor';
@@ -11,30 +9,18 @@ import { clockTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
-import { changeQuery, hrefs } from '../../router';
-import { decodeProgram, lineEndOf, linesOf } from '../../rules/program_files';
-import { loader } from '../../state/loader';
-import { machines, person } from '../../state/shop';
+import { hrefs } from '../../router';
+import { person } from '../../state/shop';
+import { FiguresPanel } from './figures_panel';
 import { PathPanel } from './path_panel';
 import { TranslationPanel } from './translation_panel';
 import type { PlaceProps } from './program_view';
 import { SidePanel } from './side_panel';
 import { TextEditor } from './text_editor';
 import { useDiagnosis } from './use_diagnosis';
-import { useDraft, type Drafting } from './use_draft';
-
-interface Stored {
-  text: string; // line ends as LF
-  lineEnd: string;
-  isMixed: boolean; // several kinds of line ends: a save makes them one
-  isLatin1: boolean;
-}
-
-function storedOf(bytes: ArrayBuffer): Stored {
-  const { text, encoding } = decodeProgram(bytes);
-  const lineEnd = lineEndOf(text);
-  return { text: linesOf(text).join('\n'), lineEnd: lineEnd ?? '\n', isMixed: lineEnd === null, isLatin1: encoding === 'latin-1' };
-}
+import { useDraft } from './use_draft';
+import { storedOf, useWriting, type WritingProps, type WritingState } from './use_writing';
+import { Download, WritingBar, type BesideText } from './writing_bar';
 
 const kMost_bytes = 16 * 1024 * 1024; // a longer text is not shown here
 
@@ -46,12 +32,6 @@ export const TextPlace = (props: PlaceProps) =>
   ) : (
     <ShownText {...props} />
   );
-
-const Download = ({ program, revision }: { program: Program; revision: number }) => (
-  <a class="button" download={program.name} href={deskCalls.textHref(program.id, revision)}>
-    {t('text.download')}
-  </a>
-);
 
 function ShownText(props: PlaceProps) {
   const { program, query } = props;
@@ -78,72 +58,6 @@ function ShownText(props: PlaceProps) {
   return <Writing key={`${shown} ${isOld}`} {...props} base={shown} isOld={isOld} stored={stored} drafting={drafting} moveTo={setOpened} />;
 }
 
-interface WritingProps extends PlaceProps {
-  base: number; // the revision that is shown, and that a save follows
-  isOld: boolean; // an earlier one, to read
-  stored: Stored;
-  drafting: Drafting;
-  moveTo: (base: number) => void;
-}
-
-// What is written, what it began from, and what a person may do with it.
-function useWriting(props: WritingProps) {
-  const { program, isOld, drafting, changed, again, moveTo } = props;
-  const draft = !isOld && drafting.found?.base === props.base ? drafting.found : null;
-  const [text, setText] = useState(draft?.text ?? props.stored.text);
-  const [restoredAt, setRestoredAt] = useState(draft && draft.text !== props.stored.text ? draft.atMs : null);
-  const [saved, setSaved] = useState<{ base: number; text: string } | null>(null); // since it was opened
-  const [saving, setSaving] = useState(false);
-  const [error, setError] = useState<unknown>(null);
-  const [key, setKey] = useState(newOrderKey);
-  const base = saved?.base ?? props.base;
-  const stored: Stored = saved ? { ...props.stored, text: saved.text, isMixed: false } : props.stored;
-  const mayWrite = props.may && !isOld && !stored.isLatin1;
-  const isChanged = text !== stored.text;
-  const isBehind = !isOld && program.revision > base;
-  useEffect(() => {
-    if (isBehind && !isChanged) moveTo(program.revision);
-  }, [isBehind, isChanged]);
-
-  const edit = (to: string) => {
-    setText(to);
-    setKey(newOrderKey());
-    if (to === stored.text) void drafting.drop(base);
-    else drafting.keep(base, to);
-  };
-  const discard = () => {
-    void drafting.drop(base);
-    setText(stored.text);
-    setRestoredAt(null);
-    if (isBehind) moveTo(program.revision);
-  };
-  const save = async () => {
-    if (saving || !isChanged || !mayWrite || isBehind) return;
-    setSaving(true);
-    setError(null);
-    try {
-      const next = await loader.order(deskCalls.addRevision(program.id, base, text.split('\n').join(stored.lineEnd), key));
-      await drafting.drop(base);
-      setSaved({ base: next.revision, text });
-      setRestoredAt(null);
-      setKey(newOrderKey());
-      changed(next);
-    } catch (failure) {
-      if (failure instanceof ApiError && failure.status === 412) again(); // who saved, and what
-      else setError(failure);
-    }
-    setSaving(false);
-  };
-  // The text as it is goes on from the newest revision; what that one changed is the person's to put in.
-  const rebase = async () => {
-    await drafting.move(base, program.revision, text);
-    moveTo(program.revision);
-  };
-  return { text, base, stored, mayWrite, isChanged, isBehind, restoredAt, saving, error, edit, discard, save, rebase };
-}
-
-type WritingState = ReturnType<typeof useWriting>;
-
 function Writing(props: WritingProps) {
   const { program, query, isProgrammer } = props;
   const writing = useWriting(props);
@@ -158,14 +72,13 @@ function Writing(props: WritingProps) {
   useLeaving(writing.isChanged);
   useSaveKey(writing.save);
   const seekLine = useLineOfQuery(query.get('line'), editor);
-  const withPath = query.get('path') === '1';
-  const to = isProgrammer ? query.get('to') : null;
+  const beside = besideOf(query, isProgrammer);
   return (
-    <div class={withPath || to ? 'writing writing-beside' : 'writing'}>
+    <div class={isAnyBeside(beside) ? 'writing writing-beside' : 'writing'}>
       <div class="writing-main">
         <Notices program={program} isOld={props.isOld} writing={writing} />
         <Failure error={writing.error} />
-        <WritingBar program={program} writing={writing} editor={editor} line={line} withPath={withPath} withTranslation={to !== null} machine={isProgrammer ? machine : null} />
+        <WritingBar program={program} writing={writing} editor={editor} line={line} beside={beside} machine={isProgrammer ? machine : null} />
         <p class="word-help">{word}</p>
         <TextEditor
           text={text}
@@ -181,22 +94,29 @@ function Writing(props: WritingProps) {
           opened={seekLine}
         />
       </div>
-      <Beside {...props} writing={writing} machine={machine} line={line} withPath={withPath} to={to} chosen={(at) => editor.current?.show(at)} />
+      <Beside {...props} writing={writing} machine={machine} line={line} beside={beside} chosen={(at) => editor.current?.show(at)} />
       {isProgrammer && <SidePanel diagnosis={diagnosis} isFixable={mayWrite && diagnosis.of === text} editor={editor} line={line} />}
     </div>
   );
 }
 
+const besideOf = (query: URLSearchParams, isProgrammer: boolean): BesideText => ({
+  withPath: query.get('path') === '1',
+  withFigures: isProgrammer && query.get('figures') === '1',
+  to: isProgrammer ? query.get('to') : null,
+});
+
+const isAnyBeside = ({ withPath, withFigures, to }: BesideText): boolean => withPath || withFigures || to !== null;
+
 interface BesideProps extends WritingProps {
   writing: WritingState;
   machine: string;
   line: number;
-  withPath: boolean;
-  to: string | null; // what it is translated for; null: it is not
+  beside: BesideText;
   chosen: (line: number) => void;
 }
 
-const Beside = ({ program, query, isProgrammer, writing, machine, line, withPath, to, chosen }: BesideProps) => (
+const Beside = ({ program, query, isProgrammer, writing, machine, line, beside: { withPath, withFigures, to }, chosen }: BesideProps) => (
   <>
     {withPath && (
       <PathPanel
@@ -205,6 +125,16 @@ const Beside = ({ program, query, isProgrammer, writing, machine, line, withPath
         written={writing.isChanged && isProgrammer ? writing.text : null}
         machine={machine}
         line={line}
+        chosen={chosen}
+      />
+    )}
+    {withFigures && (
+      <FiguresPanel
+        program={program}
+        base={writing.base}
+        stored={writing.stored.text}
+        written={writing.isChanged ? writing.text : null}
+        machine={machine}
         chosen={chosen}
       />
     )}
@@ -222,55 +152,6 @@ const Beside = ({ program, query, isProgrammer, writing, machine, line, withPath
     )}
   </>
 );
-
-interface BarProps {
-  program: Program;
-  writing: WritingState;
-  editor: RefObject<Editor | null>;
-  line: number;
-  withPath: boolean;
-  withTranslation: boolean;
-  machine: string | null; // null: it is not chosen here
-}
-
-const WritingBar = ({ program, writing, editor, line, withPath, withTranslation, machine }: BarProps) => (
-  <div class="writing-bar">
-    <SaveButtons program={program} writing={writing} />
-    <button type="button" class="button" onClick={() => editor.current?.find()}>
-      {t('text.find')}
-    </button>
-    <button type="button" class="button" aria-pressed={withPath} onClick={() => changeQuery('path', withPath ? null : '1')}>
-      {t('path.title')}
-    </button>
-    {machine !== null && (
-      <button type="button" class="button" aria-pressed={withTranslation} onClick={() => changeQuery('to', withTranslation ? null : '?')}>
-        {t('translation.title')}
-      </button>
-    )}
-    <Download program={program} revision={writing.base} />
-    {machine !== null && <MachineChoice dialect={program.dialect} value={machine} />}
-    <span class="writing-state" role="status">
-      {writing.isChanged ? t('text.not_saved') : t('text.saved', { revision: writing.base })} {t('fault.line', { line })}
-    </span>
-  </div>
-);
-
-function SaveButtons({ program, writing }: { program: Program; writing: WritingState }) {
-  const { mayWrite, isChanged, isBehind, saving, restoredAt, save, discard } = writing;
-  if (!mayWrite) return null;
-  return (
-    <>
-      <button type="button" class="button button-main" aria-disabled={!isChanged || saving || isBehind} onClick={() => void save()}>
-        {saving ? t('dialog.sending') : t('text.save', { next: program.revision + 1 })}
-      </button>
-      {isChanged && !isBehind && restoredAt === null && (
-        <button type="button" class="button" onClick={discard}>
-          {t('text.discard')}
-        </button>
-      )}
-    </>
-  );
-}
 
 const kNoFaults: never[] = [];
 
@@ -313,24 +194,6 @@ function Notices({ program, isOld, writing }: { program: Program; isOld: boolean
         </p>
       )}
     </>
-  );
-}
-
-// For whose control the text is read; without one, for the one that it looks like.
-function MachineChoice({ dialect, value }: { dialect: string; value: string }) {
-  const fitting = useMemo(() => [...machines.value.values()].filter((one) => one.head.value.dialect === dialect), [machines.value, dialect]);
-  return (
-    <label class="choice">
-      <span>{t('text.read_for')}</span>
-      <select value={value} onChange={(event) => changeQuery('machine', event.currentTarget.value || null)}>
-        <option value="">{t('text.read_as_it_looks')}</option>
-        {fitting.map(({ name }) => (
-          <option key={name} value={name}>
-            {name}
-          </option>
-        ))}
-      </select>
-    </label>
   );
 }
 

@@ -10,8 +10,9 @@ import { Badge } from '../../parts/badge';
 import { OrderDialog, showDialog } from '../../parts/dialog';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
+import { Older } from '../../parts/older';
+import { useAsked } from '../../parts/use_asked';
 import { useNumberOf } from '../../parts/use_number_of';
-import { useSettled } from '../../parts/use_settled';
 import { changeQuery, goUnlessLeft, hrefs } from '../../router';
 import { kDialects } from '../../rules/dialects';
 import { lineFrom, originOf, sideOf, standingOf } from '../../rules/translations';
@@ -34,20 +35,20 @@ const kNoFaults: never[] = [];
 
 export function TranslationPanel(props: Props) {
   const { program, machine, to, mode } = props;
-  const text = useSettled(props.text, kPause_ms);
+  const { text, isOlder, askNow } = useAsked(props.text, kPause_ms);
   const number = useNumberOf(text);
   const side = sideOf(to);
   const key = side && `${program.id} ${machine} ${to} ${mode} ${number}`;
   const { value, error, loading } = useLoaded<Converted>(key, () =>
     deskCalls.convert({ text, dialect: program.dialect, mode, ...(machine ? { machine } : {}), ...side }),
   );
-  const isOlder = text !== props.text;
   return (
     <section class="translation" aria-label={t('translation.title')} aria-busy={loading}>
       <h2>{t('translation.title')}</h2>
       <Choices dialect={program.dialect} to={to} mode={mode} />
       <Failure error={error} />
-      {(loading || isOlder) && side && (
+      {isOlder && side && <Older what={t('translation.older')} askNow={askNow} />}
+      {(loading || (isOlder && !askNow)) && side && (
         <p class="hint" role="status">
           {t('translation.running')}
         </p>

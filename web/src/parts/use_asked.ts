@@ -1,0 +1,23 @@
+// The text that the server is asked about, while another one may be written: it follows once that rests. A long one
+// follows only when a person asks for it.
+import { useEffect, useState } from 'preact/hooks';
+import { useSettled } from './use_settled';
+
+const kLongest_chars = 400_000;
+
+export interface Asked<Text> {
+  text: Text;
+  isOlder: boolean; // another one is written by now
+  askNow: (() => void) | null; // null: it follows by itself
+}
+
+export function useAsked<Text extends string | null>(written: Text, pause_ms: number): Asked<Text> {
+  const [asked, setAsked] = useState(written);
+  const settled = useSettled(written, pause_ms);
+  const isLong = (settled?.length ?? 0) > kLongest_chars;
+  useEffect(() => {
+    if (!isLong) setAsked(settled);
+  }, [settled, isLong]);
+  const isOlder = written !== asked;
+  return { text: asked, isOlder, askNow: isLong && isOlder ? () => setAsked(written) : null };
+}
