@@ -1,7 +1,9 @@
 // The transitions of releases, as a table, and what clears a text.
 #include "store/releases.h"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -33,14 +35,26 @@ std::string words_of(const RestartOf& restart) {
   return fmt::format(" that continues release {} at line {}", restart.release, restart.line);
 }
 
-bool clears(const Verdict& verdict) {
+bool clears(const Verdict& verdict, std::int64_t now_ms) {
+  const auto is_waived = [&](std::string_view point) {
+    return std::ranges::any_of(verdict.waivers,
+                               [&](const Waiver& one) { return one.point == point && counts_at(one, now_ms); });
+  };
   switch (verdict.of.outcome) {
     case Outcome::pass: return true;
     case Outcome::warn:
-    case Outcome::unknown: return !verdict.waivers.empty();
+    case Outcome::unknown:
+      return is_waived({}) || (!verdict.of.points.empty() && std::ranges::all_of(verdict.of.points, is_waived));
     case Outcome::fail: return false;
   }
   return false;
+}
+
+std::string why_not_clear(const Verdict& verdict, std::int64_t now_ms) {
+  const auto ended = std::ranges::find_if(verdict.waivers, [&](const Waiver& one) { return !counts_at(one, now_ms); });
+  if (verdict.of.outcome == Outcome::fail || ended == verdict.waivers.end())
+    return std::string(name_of(verdict.of.outcome));
+  return fmt::format("{}, and a waiver of {} has ended", name_of(verdict.of.outcome), ended->name);
 }
 
 }  // namespace dripfeed::store

@@ -102,7 +102,8 @@ class Releases : public Repository {
   // Oldest first.
   virtual Result<std::vector<ReleaseStep>> history(Id release) = 0;
   // Whether this very text may be fed now. Errors: not_released, transfers_used_up, no_verdict, verdict_not_passed.
-  virtual Result<Clearance> released_for(std::string_view text_sha256, std::string_view machine, Delivery delivery) = 0;
+  virtual Result<Clearance> released_for(std::string_view text_sha256, std::string_view machine, Delivery delivery,
+                                         std::int64_t now_ms) = 0;
 };
 
 }  // namespace dripfeed::store

@@ -208,10 +208,10 @@ Response get_check(const Call& call) {
 Response waive_check(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
-  const auto body = json::read_reason_body(call.request.body, true);
+  const auto body = json::read_waiver_body(call.request.body);
   if (!body) return problem_response(body.error());
   app::Application& app = call.api.application();
-  const auto verdict = app.store().verdicts().waive(*id, body->reason, {std::string(call.user), app.clock().wall_ms()});
+  const auto verdict = app.store().verdicts().waive(*id, *body, {std::string(call.user), app.clock().wall_ms()});
   if (!verdict) return problem_response(app::from_store(verdict.error()));
   return created(fmt::format("/api/v1/checks/{}", verdict->id), json::verdict(*verdict));
 }

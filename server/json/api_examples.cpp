@@ -27,7 +27,7 @@ constexpr std::array kExamples = {
     ApiExample{"VerdictSummary", R"({"id": 140, "program": 77, "revision": 1,
       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357", "machine": "lathe-1",
       "machine_revision": 4, "delivery": "drip", "verdict": "pass", "stale": false, "created_by": "the MES",
-      "created_at_ms": 1795500200000, "calls": [], "waivers": []})"},
+      "created_at_ms": 1795500200000, "calls": [], "points": [], "waivers": []})"},
     ApiExample{"NewRelease", R"({"program": 77, "machine": "lathe-1", "delivery": "drip"})"},
     ApiExample{"ReleaseMove", R"({"to": "proving", "transfers": 3})"},
     ApiExample{"Release", R"({"id": 17, "state": "approved", "program": 77, "revision": 1, "machine": "lathe-1",

@@ -41,6 +41,7 @@ Reply check(const Work& work) {
   WorkPackage reply;
   reply.head["outcome"] = static_cast<int>(done->outcome);
   reply.add(done->report);
+  reply.head["points"] = write_texts(done->points, reply);
   return reply;
 }
 

@@ -111,6 +111,9 @@ struct RestartBody {
 };
 app::Result<RestartBody> read_restart_body(std::string_view body, bool makes);
 
+// A verdict is waived, or one point of it.
+app::Result<store::NewWaiver> read_waiver_body(std::string_view body);
+
 struct ReasonBody {
   std::string reason;
 };

@@ -64,10 +64,18 @@ Schema without_stall() {
 
 Schema verdict_word(std::string about) { return one_of(store::kNames<store::Outcome>, std::move(about)); }
 
-Schema waivers() {
-  return list_of(object("a person answers for it",
-                        {{"name", text("of the person")}, {"reason", text("why")}, {"at_ms", time_ms("when")}}),
-                 "of this verdict");
+Members waivers() {
+  return {
+      {"points", list_of(text("one sentence"),
+                         "what stands between it and a pass; none: it is waived as a whole, or not at all")},
+      {"waivers",
+       list_of(object("a person answers for it",
+                      {{"name", text("of the person")},
+                       {"reason", text("why")},
+                       {"at_ms", time_ms("when")},
+                       {"point", or_null(text("that it is for; null: for all of them"))},
+                       {"expires_at_ms", or_null(time_ms("from then on it counts no longer; null: it does not end"))}}),
+               "of this verdict")}};
 }
 
 Members verdict_head() {
@@ -195,9 +203,9 @@ Schema calls() {
 Schemas check_schemas() {
   return {
       {"VerdictSummary", object("what the checks found in a program, without their report",
-                                verdict_head() + Members{{"calls", calls()}, {"waivers", waivers()}})},
+                                verdict_head() + Members{{"calls", calls()}} + waivers())},
       {"Verdict", object("what the checks found in a program",
-                         verdict_head() + report() + Members{{"calls", calls()}, {"waivers", waivers()}})},
+                         verdict_head() + report() + Members{{"calls", calls()}} + waivers())},
       {"EventVerdict", object("a program was checked", {{"id", integer("of the verdict")},
                                                         {"verdict", verdict_word("of the checks")},
                                                         {"machine", text("for which it was checked")},

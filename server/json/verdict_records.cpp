@@ -24,7 +24,11 @@ Document verdict_document(const store::Verdict& verdict) {
 Document waivers_document(const store::Verdict& verdict) {
   Document waivers = Document::array();
   for (const store::Waiver& waiver : verdict.waivers)
-    waivers.push_back({{"name", waiver.name}, {"reason", waiver.reason}, {"at_ms", waiver.at_ms}});
+    waivers.push_back({{"name", waiver.name},
+                       {"reason", waiver.reason},
+                       {"at_ms", waiver.at_ms},
+                       {"point", text_or_null(waiver.point)},
+                       {"expires_at_ms", time_or_null(waiver.expires_at_ms)}});
   return waivers;
 }
 
@@ -40,6 +44,7 @@ Document calls_document(const store::Verdict& verdict) {
 std::string verdict_summary(const store::Verdict& verdict) {
   Document document = verdict_document(verdict);
   document["calls"] = calls_document(verdict);
+  document["points"] = verdict.of.points;
   document["waivers"] = waivers_document(verdict);
   return dump(document);
 }
@@ -53,6 +58,7 @@ std::string verdict(const store::Verdict& verdict) {
     }
   }
   document["calls"] = calls_document(verdict);
+  document["points"] = verdict.of.points;
   document["waivers"] = waivers_document(verdict);
   return dump(document);
 }

@@ -17,6 +17,16 @@ Document write_values(const app::Values& values, WorkPackage& into) {
   return list;
 }
 
+app::Values read_values(const Document& from, const WorkPackage& package) {
+  app::Values values;
+  for (const Document& one : from) {
+    values[package.texts.at(one.at(0).get<std::size_t>())] = package.texts.at(one.at(1).get<std::size_t>());
+  }
+  return values;
+}
+
+}  // namespace
+
 Document write_texts(const std::vector<std::string>& texts, WorkPackage& into) {
   Document list = Document::array();
   for (const std::string& one : texts) list.push_back(into.add(one));
@@ -28,16 +38,6 @@ std::vector<std::string> read_texts(const Document& from, const WorkPackage& pac
   for (const Document& one : from) texts.push_back(package.texts.at(one.get<std::size_t>()));
   return texts;
 }
-
-app::Values read_values(const Document& from, const WorkPackage& package) {
-  app::Values values;
-  for (const Document& one : from) {
-    values[package.texts.at(one.at(0).get<std::size_t>())] = package.texts.at(one.at(1).get<std::size_t>());
-  }
-  return values;
-}
-
-}  // namespace
 
 const std::string& WorkPackage::text_of(const Document& from, std::string_view member) const {
   const auto found = from.find(member);

@@ -33,6 +33,8 @@ Document write_case(const app::CaseOrder& order, WorkPackage& into);
 app::CaseOrder read_case(const Document& from, const WorkPackage& package);
 Document write_called(const std::vector<app::CalledText>& called, WorkPackage& into);
 std::vector<app::CalledText> read_called(const Document& from, const WorkPackage& package);
+Document write_texts(const std::vector<std::string>& texts, WorkPackage& into);
+std::vector<std::string> read_texts(const Document& from, const WorkPackage& package);
 Document write_names(const std::set<std::string>& names, WorkPackage& into);
 std::set<std::string> read_names(const Document& from, const WorkPackage& package);
 Document write_family(const app::RenderWork& work, WorkPackage& into);

@@ -88,8 +88,9 @@ app::Result<app::CheckDone> DocumentWorkers::check(const app::CaseOrder& order, 
   };
   auto reply = ask_with_called(caller_of(order), called, make, waiter);
   if (!reply) return std::unexpected(reply.error());
+  std::vector<std::string> points = read_texts(reply->head.at("points"), *reply);
   return app::CheckDone{static_cast<store::Outcome>(reply->head.at("outcome").get<int>()),
-                        std::move(reply->texts.at(0)), std::move(called)};
+                        std::move(reply->texts.at(0)), std::move(called), std::move(points)};
 }
 
 app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work, const app::Waiter& waiter) {

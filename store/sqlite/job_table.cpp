@@ -85,10 +85,10 @@ std::uint64_t last_rank(Session& session, std::string_view machine) {
 
 }  // namespace
 
-Result<void> JobTable::check_clearance(const Job& job) {
+Result<void> JobTable::check_clearance(const Job& job, std::int64_t now_ms) {
   const auto release = releases_.get(job.release);
   if (!release) return std::unexpected(release.error());
-  const auto clearance = releases_.clearance_of(*release);
+  const auto clearance = releases_.clearance_of(*release, now_ms);
   if (!clearance) return std::unexpected(clearance.error());
   return {};
 }
@@ -114,7 +114,8 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
       return session.refuse(ErrorCode::broken_reference, fmt::format("release {}", job.release));
     }
     if (!release) return std::unexpected(release.error());
-    if (const auto clearance = releases_.clearance_of(*release); !clearance) return std::unexpected(clearance.error());
+    if (const auto clearance = releases_.clearance_of(*release, by.at_ms); !clearance)
+      return std::unexpected(clearance.error());
     if (auto open = refuse_closed(session, job.order, release->of.machine); !open) return std::unexpected(open.error());
     Job added;
     added.release = job.release;
@@ -154,7 +155,7 @@ Result<Job> JobTable::move(Id job, const JobMove& move, const Stamp& by) {
     if (move.torn && !breaks) return session.refuse(ErrorCode::invalid_value, "only a job that broke off can be torn");
     if (move.to == JobState::armed) {
       if (auto open = refuse_closed(session, old->order, old->machine); !open) return std::unexpected(open.error());
-      if (auto clear = check_clearance(*old); !clear) return std::unexpected(clear.error());
+      if (auto clear = check_clearance(*old, by.at_ms); !clear) return std::unexpected(clear.error());
       if (auto line = check_line(*old); !line) return std::unexpected(line.error());
     }
     const Job next = moved(*old, move, by);

@@ -27,7 +27,7 @@ class JobTable final : public store::Jobs {
   store::Result<std::vector<store::Job>> interrupt_unfinished(const store::Stamp& by) override;
 
  private:
-  store::Result<void> check_clearance(const store::Job& job);
+  store::Result<void> check_clearance(const store::Job& job, std::int64_t now_ms);
   store::Result<void> check_line(const store::Job& job);
   store::Result<std::optional<store::Job>> find(std::string_view sql, std::string_view machine);
 

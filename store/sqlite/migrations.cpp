@@ -13,6 +13,7 @@
 #include "store/sqlite/schema_v11.h"
 #include "store/sqlite/schema_v12.h"
 #include "store/sqlite/schema_v13.h"
+#include "store/sqlite/schema_v14.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -140,7 +141,8 @@ std::span<const Migration> migrations() {
                                       Migration{10, "users", kSchemaV10},
                                       Migration{11, "webhooks and orders", kSchemaV11},
                                       Migration{12, "called programs of verdicts", kSchemaV12},
-                                      Migration{13, "restarts", kSchemaV13}};
+                                      Migration{13, "restarts", kSchemaV13},
+                                      Migration{14, "waivers of points", kSchemaV14}};
   return kMigrations;
 }
 

@@ -124,7 +124,7 @@ Result<void> ReleaseTable::refuse_restart_of(Session& session, const NewRelease&
   return {};
 }
 
-Result<void> ReleaseTable::check(const Release& release, const ReleaseMove& move) {
+Result<void> ReleaseTable::check(const Release& release, const ReleaseMove& move, std::int64_t now_ms) {
   const auto refuse = [&](ErrorCode code, std::string detail) {
     return std::unexpected(Error{code, std::move(detail)});
   };
@@ -148,7 +148,7 @@ Result<void> ReleaseTable::check(const Release& release, const ReleaseMove& move
   }
   if (row->needs_sign_off && move.note.empty()) return refuse(ErrorCode::sign_off_missing, subject_of(release.id));
   if (row->needs_verdict) {
-    const auto verdict = clearing_verdict(release);
+    const auto verdict = clearing_verdict(release, now_ms);
     if (!verdict) return std::unexpected(verdict.error());
     if (verdict->stale) return refuse(ErrorCode::verdict_stale, fmt::format("verdict {}", verdict->id));
   }
@@ -159,7 +159,7 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
   return database_.write(subject_of(release), [&](Session& session) -> Result<Release> {
     auto moved = get(release);
     if (!moved) return moved;
-    if (auto fits = check(*moved, move); !fits) return std::unexpected(fits.error());
+    if (auto fits = check(*moved, move, by.at_ms); !fits) return std::unexpected(fits.error());
     const bool shown = moved->of.restart.is_one() && move.to == ReleaseState::proving;
     if (shown || move.to == ReleaseState::approved) {
       if (auto other = refuse_own_eyes(session, *moved, by); !other) return std::unexpected(other.error());
@@ -234,18 +234,18 @@ Result<std::vector<ReleaseStep>> ReleaseTable::history(Id release) {
   });
 }
 
-Result<store::Verdict> ReleaseTable::clearing_verdict(const Release& release) {
+Result<store::Verdict> ReleaseTable::clearing_verdict(const Release& release, std::int64_t now_ms) {
   auto verdict = verdicts_.newest(release.text_sha256, release.of.machine, release.of.delivery);
   if (!verdict) return std::unexpected(verdict.error());
   if (!*verdict) return std::unexpected(Error{ErrorCode::no_verdict, subject_of(release.id)});
-  if (!store::clears(**verdict)) {
+  if (!store::clears(**verdict, now_ms)) {
     return std::unexpected(Error{ErrorCode::verdict_not_passed, fmt::format("verdict {}: {}", (*verdict)->id,
-                                                                            store::name_of((*verdict)->of.outcome))});
+                                                                            store::why_not_clear(**verdict, now_ms))});
   }
   return std::move(**verdict);
 }
 
-Result<Clearance> ReleaseTable::clearance_of(const Release& release) {
+Result<Clearance> ReleaseTable::clearance_of(const Release& release, std::int64_t now_ms) {
   const bool proving = release.state == ReleaseState::proving;
   if (!proving && release.state != ReleaseState::approved) {
     return std::unexpected(
@@ -255,20 +255,20 @@ Result<Clearance> ReleaseTable::clearance_of(const Release& release) {
     return std::unexpected(Error{ErrorCode::transfers_used_up,
                                  fmt::format("{} of {}", release.transfers_done, release.transfers_allowed)});
   }
-  auto verdict = clearing_verdict(release);
+  auto verdict = clearing_verdict(release, now_ms);
   if (!verdict) return std::unexpected(verdict.error());
   return Clearance{release, std::move(*verdict)};
 }
 
 Result<Clearance> ReleaseTable::released_for(std::string_view text_sha256, std::string_view machine,
-                                             store::Delivery delivery) {
+                                             store::Delivery delivery, std::int64_t now_ms) {
   return database_.read("release", [&](Session& session) -> Result<Clearance> {
     static const std::string kSql = select_where("sha256 = ? AND machine = ? AND delivery = ? AND state <> 'obsolete'");
     Query query(session, kSql, text_sha256, machine, delivery);
     if (!query.next()) {
       return session.refuse(ErrorCode::not_released, fmt::format("text {} on {}", text_sha256, machine));
     }
-    return clearance_of(read_release(query));
+    return clearance_of(read_release(query), now_ms);
   });
 }
 

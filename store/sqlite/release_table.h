@@ -17,17 +17,17 @@ class ReleaseTable final : public store::Releases {
                                                   const store::ReleaseFilter& filter) override;
   store::Result<std::vector<store::ReleaseStep>> history(store::Id release) override;
   store::Result<store::Clearance> released_for(std::string_view text_sha256, std::string_view machine,
-                                               store::Delivery delivery) override;
+                                               store::Delivery delivery, std::int64_t now_ms) override;
 
   // What released_for says of one release.
-  store::Result<store::Clearance> clearance_of(const store::Release& release);
+  store::Result<store::Clearance> clearance_of(const store::Release& release, std::int64_t now_ms);
   // A job of it begins to feed: one transfer less while it is proving. Within the caller's transaction.
   static void count_transfer(Session& session, store::Id release);
 
  private:
   store::Result<void> refuse_restart_of(Session& session, const store::NewRelease& release);
-  store::Result<store::Verdict> clearing_verdict(const store::Release& release);
-  store::Result<void> check(const store::Release& release, const store::ReleaseMove& move);
+  store::Result<store::Verdict> clearing_verdict(const store::Release& release, std::int64_t now_ms);
+  store::Result<void> check(const store::Release& release, const store::ReleaseMove& move, std::int64_t now_ms);
 
   Database& database_;
   store::Verdicts& verdicts_;

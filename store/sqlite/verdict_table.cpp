@@ -1,6 +1,8 @@
 // A verdict row never changes but for growing stale; waivers are rows of their own.
 #include "store/sqlite/verdict_table.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "store/hash/sha256.h"
@@ -46,12 +48,15 @@ Verdict read_verdict(Query& query) {
 }
 
 void read_waivers(Session& session, Verdict& verdict) {
-  Query query(session, "SELECT name, reason, at_ms FROM waiver WHERE verdict = ? ORDER BY n", verdict.id);
+  Query query(session, "SELECT name, reason, at_ms, point, expires_at_ms FROM waiver WHERE verdict = ? ORDER BY n",
+              verdict.id);
   while (query.next()) {
     store::Waiver waiver;
     waiver.name = query.text();
     waiver.reason = query.text();
     waiver.at_ms = query.signed_number();
+    waiver.point = query.text();
+    waiver.expires_at_ms = query.signed_number();
     verdict.waivers.push_back(std::move(waiver));
   }
 }
@@ -67,12 +72,26 @@ void read_calls(Session& session, Verdict& verdict) {
   }
 }
 
+void read_points(Session& session, Verdict& verdict) {
+  Query query(session, "SELECT text FROM verdict_point WHERE verdict = ? ORDER BY n", verdict.id);
+  while (query.next()) verdict.of.points.push_back(query.text());
+}
+
 void read_what_belongs(Session& session, Verdict& verdict) {
+  read_points(session, verdict);
   read_calls(session, verdict);
   read_waivers(session, verdict);
 }
 
 std::string subject_of(Id verdict) { return fmt::format("verdict/{}", verdict); }
+
+// "known", "known; for: line 7: …; until 1700000000000".
+std::string detail_of(const store::NewWaiver& waiver) {
+  std::string detail = waiver.reason;
+  if (!waiver.point.empty()) detail += fmt::format("; for: {}", waiver.point);
+  if (waiver.expires_at_ms != 0) detail += fmt::format("; until {}", waiver.expires_at_ms);
+  return detail;
+}
 
 std::string select_where(std::string_view rest) {
   return fmt::format("SELECT {} FROM verdict WHERE {}", kColumns, rest);
@@ -91,6 +110,9 @@ Result<Verdict> VerdictTable::add(const NewVerdict& verdict, const Stamp& by) {
     for (const store::VerdictCall& call : verdict.calls)
       session.run("INSERT INTO verdict_call (verdict, name, program, revision) VALUES (?, ?, ?, ?)", id, call.name,
                   call.program, call.revision);
+    std::uint64_t number = 0;
+    for (const std::string& point : verdict.points)
+      session.run("INSERT INTO verdict_point (verdict, n, text) VALUES (?, ?, ?)", id, ++number, point);
     add_audit_row(
         session,
         {.action = "verdict.add",
@@ -104,20 +126,25 @@ Result<Verdict> VerdictTable::add(const NewVerdict& verdict, const Stamp& by) {
   });
 }
 
-Result<Verdict> VerdictTable::waive(Id verdict, std::string_view reason, const Stamp& by) {
+Result<Verdict> VerdictTable::waive(Id verdict, const store::NewWaiver& waiver, const Stamp& by) {
   return database_.write(subject_of(verdict), [&](Session& session) -> Result<Verdict> {
-    if (reason.empty() || by.actor.empty()) {
+    if (waiver.reason.empty() || by.actor.empty()) {
       return session.refuse(ErrorCode::invalid_value, "a waiver needs a reason and a name");
     }
+    if (waiver.expires_at_ms != 0 && waiver.expires_at_ms <= by.at_ms)
+      return session.refuse(ErrorCode::invalid_value, "the end of the waiver is over");
     const auto old = get(verdict);
     if (!old) return old;
+    if (!waiver.point.empty() && std::ranges::find(old->of.points, waiver.point) == old->of.points.end())
+      return session.refuse(ErrorCode::invalid_value, "the verdict has no such point");
     if (needs_four_eyes(session, old->of.machine) &&
         by.actor == author_of_revision(session, old->of.program, old->of.revision)) {
       return session.refuse(ErrorCode::four_eyes, by.actor + " wrote the text");
     }
-    session.run("INSERT INTO waiver (verdict, n, name, reason, at_ms) VALUES (?, ?, ?, ?, ?)", verdict,
-                old->waivers.size() + 1, by.actor, reason, by.at_ms);
-    add_audit_row(session, {.action = "verdict.waive", .subject = subject_of(verdict), .detail = std::string(reason)},
+    session.run(
+        "INSERT INTO waiver (verdict, n, name, reason, at_ms, point, expires_at_ms) VALUES (?, ?, ?, ?, ?, ?, ?)",
+        verdict, old->waivers.size() + 1, by.actor, waiver.reason, by.at_ms, waiver.point, waiver.expires_at_ms);
+    add_audit_row(session, {.action = "verdict.waive", .subject = subject_of(verdict), .detail = detail_of(waiver)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
     return get(verdict);

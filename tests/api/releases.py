@@ -1,6 +1,7 @@
 """The life of a release: every step that is allowed and every one that is not, what guards them, and what may be fed in which state."""
 
 import sys
+import time
 
 from client import Client, HandControl, expect, hand_profile, in_folder, plain_program
 
@@ -109,6 +110,29 @@ def unknown_needs_a_waiver(client):
     client.post(f"/releases/{release}/transitions", {"to": "in_review"})
 
 
+def each_point_is_waived(client):
+    """One by one, and one for a time: then it counts no longer, and the refusal says so."""
+    text = plain_program(3, "O0911").replace("M05", "M123\nM05").replace("F0.2", "F0.2 F0.3", 2)
+    program = client.post("/programs", {"name": "O0911", "dialect": "fanuc", "text": text})["id"]
+    verdict = client.post("/checks", {"program": program, "machine": "lathe"})
+    expect(len(verdict["points"]) > 1, f"{verdict['points']}")
+    release = client.post("/releases", {"program": program, "machine": "lathe"})["id"]
+    waivers = f"/checks/{verdict['id']}/waivers"
+    client.refuse(422, "POST", waivers, {"reason": "no", "point": "line 1: nothing of it"}, words=["point"])
+    client.refuse(422, "POST", waivers, {"reason": "no", "expires_at_ms": 1000}, words=["over"])
+    for point in verdict["points"][:-1]:
+        client.must("POST", waivers, {"reason": "as meant", "point": point}, role="approver")
+        client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "in_review"}, words=[verdict["verdict"]])
+    end_ms = int(time.time() * 1000) + 1500
+    client.must("POST", waivers, {"reason": "for now", "point": verdict["points"][-1], "expires_at_ms": end_ms}, role="approver")
+    client.post(f"/releases/{release}/transitions", {"to": "in_review"})
+    time.sleep(1.6)
+    client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "proving", "transfers": 1}, words=["the approver has ended"])
+    waived = client.must("POST", waivers, {"reason": "all of it"}, role="approver")
+    expect(waived["waivers"][-1]["point"] is None and waived["waivers"][-2]["expires_at_ms"] == end_ms, waived["waivers"])
+    client.post(f"/releases/{release}/transitions", {"to": "proving", "transfers": 1})
+
+
 def another_text_is_not_released(client):
     release = Texts(client)
     release.count = 60
@@ -153,6 +177,7 @@ def life_of_a_release(folder):
     a_programmer_hands_in(client)
     fail_is_never_released(client)
     unknown_needs_a_waiver(client)
+    each_point_is_waived(client)
     another_text_is_not_released(client)
     another_machine_is_not_released(client, control)
     client.server.stop()

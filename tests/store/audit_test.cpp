@@ -108,7 +108,7 @@ TEST_F(AuditTest, EveryChangeLeavesARow) {
   must(store_->families().change("roll", 1, "f2", by("anna")));
   must(store_->parts().change("R-100", 1, {"roll", 2, "{}"}, by("anna")));
   const Verdict verdict = add_verdict(*store_, must(store_->programs().get(job.program)), "mill-1");
-  must(store_->verdicts().waive(verdict.id, "known", by("anna")));
+  must(store_->verdicts().waive(verdict.id, {.reason = "known"}, by("anna")));
   const Token token = must(store_->tokens().add({.name = "mes", .role = Role::viewer, .hash = "hash"}, by("anna")));
   must(store_->tokens().revoke(token.id, by("anna")));
   std::vector<std::string> seen;

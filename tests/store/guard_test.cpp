@@ -16,7 +16,7 @@ class Guard : public StoreTest {
   Guard() {
     job_ = add_job(*store_, "mill-1");
     const Verdict verdict = must(store_->verdicts().list({})).items.at(0);
-    must(store_->verdicts().waive(verdict.id, "known", by("anna")));
+    must(store_->verdicts().waive(verdict.id, {.reason = "known"}, by("anna")));
     const std::array rows{NewLedgerRow{job_.id, {0, 0, 0, 10}, ""}};
     must(store_->ledger().append(rows, 1));
     must(store_->tokens().revoke(
@@ -63,7 +63,8 @@ TEST_F(Guard, ReferencesAreKept) {
       "INSERT INTO part_revision VALUES ('R-9', 1, 'roll', 1, '', '', 0)",
       "INSERT INTO part_revision VALUES ('R-100', 2, 'roll', 9, '', '', 0)",
       "INSERT INTO content_chunk VALUES (99, 0, x'00')",
-      "INSERT INTO waiver VALUES (99, 1, 'n', 'r', 0)",
+      "INSERT INTO waiver VALUES (99, 1, 'n', 'r', 0, '', 0)",
+      "INSERT INTO verdict_point VALUES (99, 1, 'p')",
       "INSERT INTO release_step VALUES (99, 1, '', '', '', '', 0)",
       "INSERT INTO ledger VALUES (99, 99, 1, 0, 0, 0, 0, 0, '', NULL)",
       "DELETE FROM machine",

@@ -27,17 +27,18 @@ class ReleaseTest : public StoreTest {
     return store_->releases().move(release.id, {to, std::move(note), transfers}, by("bert", 60));
   }
   Result<Clearance> cleared() {
-    return store_->releases().released_for(program_.newest.sha256, "mill-1", Delivery::drip);
+    return store_->releases().released_for(program_.newest.sha256, "mill-1", Delivery::drip, now_ms_);
   }
 
   Program program_;
+  std::int64_t now_ms_ = 0;
 };
 
 TEST_F(ReleaseTest, VerdictRoundTrip) {
   NewVerdict verdict{program_.id, 1, "mill-1", 1, Delivery::memory, Outcome::warn, "a long report"};
   const Verdict made = must(store_->verdicts().add(verdict, by("anna", 5)));
-  must(store_->verdicts().waive(made.id, "known", by("bert", 6)));
-  must(store_->verdicts().waive(made.id, "known twice", by("carl", 7)));
+  must(store_->verdicts().waive(made.id, {.reason = "known"}, by("bert", 6)));
+  must(store_->verdicts().waive(made.id, {.reason = "known twice"}, by("carl", 7)));
   reopen();
   const Verdict read = must(store_->verdicts().get(made.id));
   EXPECT_EQ(read.of.program, program_.id);
@@ -62,10 +63,10 @@ TEST_F(ReleaseTest, VerdictRefusals) {
   verdict.revision = 2;
   EXPECT_EQ(refusal(store_->verdicts().add(verdict, by("anna"))), ErrorCode::broken_reference);
   EXPECT_EQ(refusal(store_->verdicts().get(1)), ErrorCode::not_found);
-  EXPECT_EQ(refusal(store_->verdicts().waive(1, "reason", by("anna"))), ErrorCode::not_found);
+  EXPECT_EQ(refusal(store_->verdicts().waive(1, {.reason = "reason"}, by("anna"))), ErrorCode::not_found);
   const Verdict made = add_verdict(*store_, program_, "mill-1");
-  EXPECT_EQ(refusal(store_->verdicts().waive(made.id, "", by("anna"))), ErrorCode::invalid_value);
-  EXPECT_EQ(refusal(store_->verdicts().waive(made.id, "reason", by(""))), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(store_->verdicts().waive(made.id, {.reason = ""}, by("anna"))), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(store_->verdicts().waive(made.id, {.reason = "reason"}, by(""))), ErrorCode::invalid_value);
 }
 
 TEST_F(ReleaseTest, NewestVerdictIsPerTextMachineAndDelivery) {
@@ -125,11 +126,11 @@ TEST_F(ReleaseTest, TheWholeWay) {
   EXPECT_EQ(clearance.release.approved_by, "bert");
   EXPECT_EQ(clearance.release.sign_off, "measured");
   EXPECT_EQ(clearance.verdict.id, verdict.id);
-  EXPECT_EQ(refusal(store_->releases().released_for(program_.newest.sha256, "mill-1", Delivery::memory)),
+  EXPECT_EQ(refusal(store_->releases().released_for(program_.newest.sha256, "mill-1", Delivery::memory, 0)),
             ErrorCode::not_released);
-  EXPECT_EQ(refusal(store_->releases().released_for(program_.newest.sha256, "mill-2", Delivery::drip)),
+  EXPECT_EQ(refusal(store_->releases().released_for(program_.newest.sha256, "mill-2", Delivery::drip, 0)),
             ErrorCode::not_released);
-  EXPECT_EQ(refusal(store_->releases().released_for(std::string(64, 'b'), "mill-1", Delivery::drip)),
+  EXPECT_EQ(refusal(store_->releases().released_for(std::string(64, 'b'), "mill-1", Delivery::drip, 0)),
             ErrorCode::not_released);
   must(move(release, ReleaseState::obsolete));
   EXPECT_EQ(refusal(cleared()), ErrorCode::not_released);
@@ -177,19 +178,46 @@ TEST_F(ReleaseTest, TheVerdictGuardsEachStep) {
   EXPECT_EQ(refusal(move(release, ReleaseState::in_review)), ErrorCode::verdict_not_passed);
   const Verdict unknown = add_verdict(*store_, program_, "mill-1", Outcome::unknown);
   EXPECT_EQ(refusal(move(release, ReleaseState::in_review)), ErrorCode::verdict_not_passed);
-  must(store_->verdicts().waive(unknown.id, "the probe is not simulated", by("anna")));
+  must(store_->verdicts().waive(unknown.id, {.reason = "the probe is not simulated"}, by("anna")));
   must(move(release, ReleaseState::in_review));
   must(store_->families().change("roll", 1, "roll 2", by("anna")));
   EXPECT_EQ(refusal(move(release, ReleaseState::proving)), ErrorCode::verdict_stale);
   const Verdict warn = add_verdict(*store_, program_, "mill-1", Outcome::warn);
   EXPECT_EQ(refusal(move(release, ReleaseState::proving)), ErrorCode::verdict_not_passed);
-  must(store_->verdicts().waive(warn.id, "the dwell is meant", by("anna")));
+  must(store_->verdicts().waive(warn.id, {.reason = "the dwell is meant"}, by("anna")));
   EXPECT_EQ(refusal(move(release, ReleaseState::proving, "", 0)), ErrorCode::invalid_value);
   must(move(release, ReleaseState::proving));
   EXPECT_EQ(refusal(move(release, ReleaseState::approved, "")), ErrorCode::sign_off_missing);
   add_verdict(*store_, program_, "mill-1", Outcome::fail);
   EXPECT_EQ(refusal(move(release, ReleaseState::approved)), ErrorCode::verdict_not_passed);
   EXPECT_EQ(refusal(cleared()), ErrorCode::verdict_not_passed) << "a later failed check takes the clearance back";
+}
+
+TEST_F(ReleaseTest, EachPointIsWaivedByItselfAndAWaiverEnds) {
+  NewVerdict verdict{program_.id, 1, "mill-1", 1, Delivery::drip, Outcome::warn, ""};
+  verdict.points = {"line 3: a dwell", "line 7: a stop"};
+  const Verdict made = must(store_->verdicts().add(verdict, by("anna")));
+  const auto waive = [&](const NewWaiver& waiver) { return store_->verdicts().waive(made.id, waiver, by("bert", 10)); };
+  EXPECT_EQ(refusal(waive({.reason = "known", .point = "line 4: a dwell"})), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(waive({.reason = "known", .point = {}, .expires_at_ms = 10})), ErrorCode::invalid_value);
+  const Release release = make_draft();
+  must(waive({.reason = "it is meant", .point = "line 3: a dwell"}));
+  EXPECT_EQ(refusal(move(release, ReleaseState::in_review)), ErrorCode::verdict_not_passed) << "one of two";
+  must(waive({.reason = "for this lot", .point = "line 7: a stop", .expires_at_ms = 100}));
+  must(move(release, ReleaseState::in_review));
+  must(move(release, ReleaseState::proving));
+  reopen();
+  const Verdict read = must(store_->verdicts().get(made.id));
+  EXPECT_EQ(read.of.points, verdict.points);
+  ASSERT_EQ(read.waivers.size(), 2U);
+  EXPECT_EQ(read.waivers[1].point, "line 7: a stop");
+  EXPECT_EQ(read.waivers[1].expires_at_ms, 100);
+  now_ms_ = 99;
+  EXPECT_TRUE(cleared());
+  now_ms_ = 100;
+  const auto over = cleared();
+  ASSERT_EQ(refusal(over), ErrorCode::verdict_not_passed) << "what was waived for a time is not for ever";
+  EXPECT_NE(over.error().detail.find("a waiver of bert has ended"), std::string::npos) << over.error().detail;
 }
 
 TEST_F(ReleaseTest, AStaleVerdictDoesNotTakeAnApprovalBackButIsTold) {

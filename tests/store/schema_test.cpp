@@ -153,7 +153,7 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     const auto waits = must(store_->webhooks().due(1, 10));
     EXPECT_EQ(waits ? waits->event.of.word : "", has_webhooks ? "ping" : "");
     EXPECT_EQ(must(store_->releases().list({})).items.at(0).of.restart.line, migration.version >= 13 ? 2U : 0U);
-    must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
+    must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip, 0));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");
   }

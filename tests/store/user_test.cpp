@@ -129,8 +129,8 @@ TEST_F(UserTest, WhoWroteATextDoesNotApproveItWhereFourEyesAreWanted) {
   const auto verdict =
       must(store_->verdicts().add({program.id, 1, "mill-1", 1, Delivery::drip, Outcome::warn, ""}, by("checker")));
   must(users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("boss")));
-  EXPECT_EQ(refusal(store_->verdicts().waive(verdict.id, "known", by(author))), ErrorCode::four_eyes);
-  must(store_->verdicts().waive(verdict.id, "known", by("bert")));
+  EXPECT_EQ(refusal(store_->verdicts().waive(verdict.id, {.reason = "known"}, by(author))), ErrorCode::four_eyes);
+  must(store_->verdicts().waive(verdict.id, {.reason = "known"}, by("bert")));
   const Release release = must(store_->releases().add({program.id, 1, "mill-1", Delivery::drip}, by("dora")));
   const auto move = [&](ReleaseState to, const std::string& who) {
     return store_->releases().move(release.id, {to, "the first part is good", 1}, by(who));

@@ -5,7 +5,7 @@ import type { Job, Order, Release, VerdictSummary } from '../src/api/types';
 import { csvOf, isoTime } from '../src/rules/csv';
 import { durationOf, sumsOf } from '../src/rules/history';
 import { byUrgency, filtered, fromLocalField, isLate, localField } from '../src/rules/orders';
-import { fitting, hindranceOf, needsFourEyes, stepsOf, verdictOf } from '../src/rules/releases';
+import { fitting, hindranceOf, needsFourEyes, openPoints, stepsOf, verdictOf } from '../src/rules/releases';
 import { sorted } from '../src/rules/sorting';
 import { offsetName } from '../src/rules/work_offsets';
 
@@ -58,20 +58,35 @@ test('sums count bytes of what is done, and the time of all that fed', () => {
   assert.deepEqual(sums, { states: { done: 1, failed: 1, cancelled: 1, interrupted: 0 }, bytes: 100, seconds: 5 });
 });
 
+test('each point of a verdict is waived by itself, or all of them at once', () => {
+  const of = (waivers: VerdictSummary['waivers']) => verdict({ verdict: 'warn', points: ['p', 'q'], waivers });
+  const p = { ...waiver, point: 'p' };
+  assert.deepEqual(openPoints(of([p]), kNow), ['q']);
+  assert.equal(hindranceOf(of([p]), kNow), 'not_waived');
+  assert.equal(hindranceOf(of([p, { ...waiver, point: 'q' }]), kNow), null);
+  assert.equal(hindranceOf(of([p, { ...waiver, point: 'q', expires_at_ms: 1 }]), kNow), 'waiver_ended');
+  assert.deepEqual(openPoints(of([waiver]), kNow), []);
+  assert.equal(hindranceOf(verdict({ verdict: 'warn', waivers: [p] }), kNow), 'not_waived', 'a point that the verdict does not have');
+});
+
 const release = (change: Partial<Release>): Release =>
   ({ id: 9, program: 1, machine: 'mill', delivery: 'drip', sha256: 'aa', state: 'approved', transfers_done: 0, transfers_allowed: 0, ...change }) as Release;
 const verdict = (change: Partial<VerdictSummary>): VerdictSummary =>
-  ({ id: 1, sha256: 'aa', machine: 'mill', delivery: 'drip', verdict: 'pass', stale: false, waivers: [], ...change }) as VerdictSummary;
+  ({ id: 1, sha256: 'aa', machine: 'mill', delivery: 'drip', verdict: 'pass', stale: false, points: [], waivers: [], ...change }) as VerdictSummary;
+const kNow = 1000;
+const waiver = { name: 'a', reason: 'b', at_ms: 1, point: null, expires_at_ms: null };
 
 test('what hinders a release is its newest verdict on the same text, machine and delivery', () => {
   const all = [verdict({ id: 1, verdict: 'fail' }), verdict({ id: 3 }), verdict({ id: 4, machine: 'lathe', verdict: 'fail' }), verdict({ id: 5, sha256: 'bb' })];
   assert.equal(verdictOf(all, release({}))?.id, 3);
-  assert.equal(hindranceOf(null), 'not_checked');
-  assert.equal(hindranceOf(verdict({})), null);
-  assert.equal(hindranceOf(verdict({ verdict: 'fail', waivers: [{ name: 'a', reason: 'b', at_ms: 1 }] })), 'failed', 'nobody waives that');
-  assert.equal(hindranceOf(verdict({ verdict: 'unknown' })), 'not_waived');
-  assert.equal(hindranceOf(verdict({ verdict: 'unknown', waivers: [{ name: 'a', reason: 'b', at_ms: 1 }] })), null);
-  assert.equal(hindranceOf(verdict({ stale: true })), 'stale');
+  assert.equal(hindranceOf(null, kNow), 'not_checked');
+  assert.equal(hindranceOf(verdict({}), kNow), null);
+  assert.equal(hindranceOf(verdict({ verdict: 'fail', waivers: [waiver] }), kNow), 'failed', 'nobody waives that');
+  assert.equal(hindranceOf(verdict({ verdict: 'unknown' }), kNow), 'not_waived');
+  assert.equal(hindranceOf(verdict({ verdict: 'unknown', waivers: [waiver] }), kNow), null);
+  assert.equal(hindranceOf(verdict({ stale: true }), kNow), 'stale');
+  assert.equal(hindranceOf(verdict({ verdict: 'warn', waivers: [{ ...waiver, expires_at_ms: kNow }] }), kNow), 'waiver_ended');
+  assert.equal(hindranceOf(verdict({ verdict: 'warn', waivers: [{ ...waiver, expires_at_ms: kNow + 1 }] }), kNow), null);
   assert.deepEqual(stepsOf(release({ state: 'in_review' })).filter(({ towardsControl }) => towardsControl).map(({ to }) => to), ['proving']);
   assert.ok(needsFourEyes([{ name: 'g', machines: ['mill'], four_eyes: true }], 'mill'));
   assert.ok(!needsFourEyes([{ name: 'g', machines: ['mill'], four_eyes: false }], 'mill'));

@@ -139,7 +139,8 @@ Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view
                               .delivery = order.delivery,
                               .outcome = done->outcome,
                               .report = std::move(done->report),
-                              .calls = calls_of(done->called)};
+                              .calls = calls_of(done->called),
+                              .points = std::move(done->points)};
   auto verdict = lift(store_.verdicts().add(row, {std::string(actor), clock_.wall_ms()}));
   if (!verdict) return std::unexpected(verdict.error());
   events_.publish({.id = 0,

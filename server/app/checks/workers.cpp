@@ -10,6 +10,7 @@
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/text/number.h"
 #include "server/app/checks/timed_rendering.h"
+#include "server/app/checks/verdict_points.h"
 #include "server/app/shop/catalog.h"
 
 namespace dripfeed::app {
@@ -101,7 +102,7 @@ Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const 
   if (!one) return std::unexpected(one.error());
   (*one)->examination.used_up = time_budget(budget.seconds);
   const CheckReport report = examine((*one)->examination);
-  return CheckDone{outcome_of(report.verdict), documents.write_report(report)};
+  return CheckDone{outcome_of(report.verdict), documents.write_report(report), {}, points_of(report)};
 }
 
 Result<RenderDone> render_family(const RenderWork& work, const Documents& documents) {

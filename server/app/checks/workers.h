@@ -51,8 +51,9 @@ Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& do
 
 struct CheckDone {
   store::Outcome outcome = store::Outcome::unknown;
-  std::string report;                   // as Documents::write_report has it
-  std::vector<CalledText> called = {};  // that it was run with
+  std::string report;                    // as Documents::write_report has it
+  std::vector<CalledText> called = {};   // that it was run with
+  std::vector<std::string> points = {};  // as points_of gives them
 };
 Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const CheckBudget& budget, CalledBy& called);
 

@@ -95,7 +95,7 @@ async function waiveAndFourEyes(page) {
   await page.getByText(/needs a person who waives it/).first().waitFor().catch(() => undefined);
   await page.getByRole('button', { name: 'Waive this verdict…' }).click();
   expect(await dialog(page).getByRole('button', { name: /^Waive as/ }).isDisabled(), 'without a reason nothing is waived');
-  await dialog(page).getByRole('textbox').fill('#500 is set by the probe before');
+  await dialog(page).getByRole('textbox', { name: /^Why this may go/ }).fill('#500 is set by the probe before');
   await accessible(page, 'a waiver');
   await shot(page, 'review-waive');
   await dialog(page).getByRole('button', { name: /^Waive as/ }).click();
@@ -112,10 +112,39 @@ async function waiveAndFourEyes(page) {
   });
   await page.goto(`${url}/#/review/${release}`);
   await page.getByRole('button', { name: 'Waive this verdict…' }).click();
-  await dialog(page).getByRole('textbox').fill('#500 is set by the probe before');
+  await dialog(page).getByRole('textbox', { name: /^Why this may go/ }).fill('#500 is set by the probe before');
   await dialog(page).getByRole('button', { name: /^Waive as/ }).click();
   await page.getByText(/Waived by .*: #500 is set by the probe before/).first().waitFor();
   expect(true, 'another person waives it, with name and reason');
+}
+
+// One point after the other, each with a reason; and one that ends by itself.
+async function points(page) {
+  await rig.machine('mill-8', { jobs: 0 });
+  const text = kText.replace('O0900 (HUB)', 'O0903 (CAM)').replace('F0.2', 'F0.2 F0.3').replace('X110.', 'X#500');
+  const program = (await rig.call('POST', '/programs', { name: 'O0903', dialect: 'fanuc', text }, 'programmer')).body.id;
+  const check = (await rig.call('POST', '/checks', { program, machine: 'mill-8' }, 'programmer')).body;
+  expect(check.points.length > 1, `the verdict has points (${check.points.join('; ')})`);
+  const release = (await rig.call('POST', '/releases', { program, machine: 'mill-8' }, 'programmer')).body.id;
+  const handIn = () => rig.call('POST', `/releases/${release}/transitions`, { to: 'in_review' }, 'programmer');
+  await signIn(page, url, tokens.approver);
+  await page.goto(`${url}/#/review/${release}`);
+  const open = page.getByRole('button', { name: /^Waive this point/ });
+  await open.first().waitFor();
+  await accessible(page, 'the points of a verdict');
+  await shot(page, 'review-points');
+  for (let left = check.points.length; left > 0; left -= 1) {
+    expect((await handIn()).status === 409, `${left} points stand against the release`);
+    await open.first().click();
+    await dialog(page).getByRole('textbox', { name: /^Why this may go/ }).fill('set by the probe');
+    if (left === 1) await dialog(page).getByLabel(/^Last day on which it counts/).fill('2099-12-31');
+    await dialog(page).getByRole('button', { name: /^Waive as/ }).click();
+    await until(async () => (await open.count()) === left - 1, 'the point is waived');
+  }
+  await page.getByText(/It ends 2100-01-01 00:00:00/).waitFor();
+  await accessible(page, 'waived points');
+  await shot(page, 'review-points-waived');
+  expect((await handIn()).status === 200, 'with each point waived it goes on');
 }
 
 async function looks(page) {
@@ -143,5 +172,6 @@ async function looks(page) {
 await main([
   ['an approver: look, let prove, approve, return', () => withPage(kDesk, approve)],
   ['a waiver and four eyes', () => withPage(kDesk, waiveAndFourEyes)],
+  ['a waiver of each point', () => withPage(kDesk, points)],
   ['every look', () => withPage(kDesk, looks)],
 ]);

@@ -52,16 +52,31 @@ TEST(Verdicts, FailIsNeverClearedWarnAndUnknownOnlyByAWaiver) {
   Verdict verdict;
   const auto with = [&](Outcome outcome) {
     verdict.of.outcome = outcome;
-    return clears(verdict);
+    return clears(verdict, 10);
   };
   EXPECT_TRUE(with(Outcome::pass));
   EXPECT_FALSE(with(Outcome::warn));
   EXPECT_FALSE(with(Outcome::unknown));
   EXPECT_FALSE(with(Outcome::fail));
+  verdict.waivers.push_back({"anna", "measured by hand", 1, {}, 10});
+  EXPECT_FALSE(with(Outcome::warn)) << "it has ended";
   verdict.waivers.push_back({"anna", "measured by hand", 1});
   EXPECT_TRUE(with(Outcome::warn));
   EXPECT_TRUE(with(Outcome::unknown));
   EXPECT_FALSE(with(Outcome::fail));
+}
+
+TEST(Verdicts, APointWithoutAWaiverKeepsItFromClearing) {
+  Verdict verdict;
+  verdict.of.outcome = Outcome::unknown;
+  verdict.waivers.push_back({"anna", "known", 1, "a"});
+  EXPECT_FALSE(clears(verdict, 10)) << "without points it is waived as a whole";
+  verdict.of.points = {"a", "b"};
+  EXPECT_FALSE(clears(verdict, 10));
+  verdict.waivers.push_back({"bert", "known", 1, "b"});
+  EXPECT_TRUE(clears(verdict, 10));
+  verdict.of.outcome = Outcome::fail;
+  EXPECT_FALSE(clears(verdict, 10));
 }
 
 TEST(Names, GoBothWays) {

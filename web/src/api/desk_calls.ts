@@ -11,6 +11,7 @@ import type {
   DialectWords,
   Family,
   FamilySummary,
+  NewWaiver,
   Page,
   Part,
   Preview,
@@ -116,7 +117,7 @@ export const deskCalls = {
   moveRelease: (id: number, move: ReleaseMove, key: string) => request<Release>('POST', `/releases/${id}/transitions`, { body: move, key }),
   // Who did what with it, newest first.
   releaseHistory: (id: number) => everything<AuditRow>('/audit', { subject: `release/${id}` }),
-  waive: (check: number, reason: string, key: string) => request<Verdict>('POST', `/checks/${check}/waivers`, { body: { reason }, key }),
+  waive: (check: number, waiver: NewWaiver, key: string) => request<Verdict>('POST', `/checks/${check}/waivers`, { body: waiver, key }),
   checkPicture: ({ route, plot }: CheckPicture, of: PictureOf) =>
     requestText(`/${route}?plot=${plot}`, { method: 'POST', body: of, timeoutMs: kWorkMs }),
   previewRestart: (release: number, line: number) =>

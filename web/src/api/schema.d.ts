@@ -1270,7 +1270,7 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * waive a verdict, with a reason
+         * waive a verdict or one point of it, with a reason; it may end by itself
          * @description Needs the role `approver`. A token with scopes needs `releases`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_checks_id_waivers"];
@@ -3583,6 +3583,15 @@ export interface components {
             /** @description for the record */
             reason: string;
         };
+        /** @description a person answers for a verdict, or for a point of it */
+        NewWaiver: {
+            /** @description for the record */
+            reason: string;
+            /** @description one of the verdict's points, as it stands there; not given: all of it */
+            point?: string | null;
+            /** @description from then on it counts no longer, in milliseconds since 1970; not given: it does not end */
+            expires_at_ms?: number | null;
+        };
         /**
          * @description why a person does it
          * @example {
@@ -4906,6 +4915,7 @@ export interface components {
          *       "created_by": "the MES",
          *       "created_at_ms": 1795500200000,
          *       "calls": [],
+         *       "points": [],
          *       "waivers": []
          *     }
          */
@@ -4947,6 +4957,8 @@ export interface components {
                 /** @description of the program */
                 revision: number;
             }[];
+            /** @description what stands between it and a pass; none: it is waived as a whole, or not at all */
+            points: string[];
             /** @description of this verdict */
             waivers: {
                 /** @description of the person */
@@ -4955,6 +4967,10 @@ export interface components {
                 reason: string;
                 /** @description when; milliseconds since 1970, UTC */
                 at_ms: number;
+                /** @description that it is for; null: for all of them */
+                point: string | null;
+                /** @description from then on it counts no longer; null: it does not end; milliseconds since 1970, UTC */
+                expires_at_ms: number | null;
             }[];
         };
         /** @description what the checks found in a program */
@@ -5316,6 +5332,8 @@ export interface components {
                 /** @description of the program */
                 revision: number;
             }[];
+            /** @description what stands between it and a pass; none: it is waived as a whole, or not at all */
+            points: string[];
             /** @description of this verdict */
             waivers: {
                 /** @description of the person */
@@ -5324,6 +5342,10 @@ export interface components {
                 reason: string;
                 /** @description when; milliseconds since 1970, UTC */
                 at_ms: number;
+                /** @description that it is for; null: for all of them */
+                point: string | null;
+                /** @description from then on it counts no longer; null: it does not end; milliseconds since 1970, UTC */
+                expires_at_ms: number | null;
             }[];
         };
         /** @description a program was checked */
@@ -11103,11 +11125,11 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["Reason"];
+                "application/json": components["schemas"]["NewWaiver"];
             };
         };
         responses: {
-            /** @description waive a verdict, with a reason */
+            /** @description waive a verdict or one point of it, with a reason; it may end by itself */
             201: {
                 headers: {
                     /** @description the path of what was made */

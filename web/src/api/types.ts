@@ -70,6 +70,7 @@ export type Comparison = Schemas['Comparison'];
 export type LinesAnswer = Comparison['text'];
 export type VerdictSummary = Schemas['VerdictSummary'];
 export type Verdict = Schemas['Verdict'];
+export type NewWaiver = Schemas['NewWaiver'];
 export type Outcome = Verdict['verdict'];
 export type ToolPath = Schemas['ToolPath'];
 export type SplitProgram = Schemas['SplitText']['programs'][number];

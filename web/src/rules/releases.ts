@@ -28,14 +28,31 @@ export function fitting(releases: readonly Release[], machine: string | null, of
   return releases.filter((one) => mayBeQueued(one) && (machine === null || one.machine === machine)).sort((a, b) => rank(a) - rank(b) || b.id - a.id);
 }
 
-export type Hindrance = 'not_checked' | 'failed' | 'not_waived' | 'stale';
+export type Hindrance = 'not_checked' | 'failed' | 'not_waived' | 'waiver_ended' | 'stale';
+
+type Waived = Pick<VerdictSummary, 'points' | 'waivers'>;
+export type Waiver = VerdictSummary['waivers'][number];
+
+export const hasEnded = ({ expires_at_ms }: Waiver, now_ms: number): boolean => expires_at_ms !== null && expires_at_ms <= now_ms;
+
+// null: of all of them.
+const isPointWaived = ({ waivers }: Waived, point: string | null, now_ms: number): boolean =>
+  waivers.some((one) => one.point === point && !hasEnded(one, now_ms));
+
+// Points for which nobody answers yet.
+export const openPoints = (verdict: Waived, now_ms: number): string[] =>
+  isPointWaived(verdict, null, now_ms) ? [] : verdict.points.filter((point) => !isPointWaived(verdict, point, now_ms));
+
+const isWaived = (verdict: Waived, now_ms: number): boolean =>
+  isPointWaived(verdict, null, now_ms) || (verdict.points.length > 0 && openPoints(verdict, now_ms).length === 0);
 
 // What keeps it from going on towards the control. The server decides; this is for people.
-export function hindranceOf(verdict: Pick<VerdictSummary, 'verdict' | 'waivers' | 'stale'> | null): Hindrance | null {
+export function hindranceOf(verdict: Pick<VerdictSummary, 'verdict' | 'stale'> & Waived | null, now_ms: number): Hindrance | null {
   if (!verdict) return 'not_checked';
   if (verdict.verdict === 'fail') return 'failed';
   if (verdict.stale) return 'stale';
-  return verdict.verdict !== 'pass' && verdict.waivers.length === 0 ? 'not_waived' : null;
+  if (verdict.verdict === 'pass' || isWaived(verdict, now_ms)) return null;
+  return verdict.waivers.some((one) => hasEnded(one, now_ms)) ? 'waiver_ended' : 'not_waived';
 }
 
 // Whether another person than who wrote or released a text must approve it on this machine.

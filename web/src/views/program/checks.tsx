@@ -15,6 +15,7 @@ import { goUnlessLeft, hrefs } from '../../router';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
 import { bestRole } from '../../state/shop';
+import { WaiverText } from '../review/waive';
 import type { PlaceProps } from './program_view';
 import { OutcomeBadge, VerdictReport } from './verdict_report';
 
@@ -50,8 +51,8 @@ export function ChecksPlace({ program, query }: PlaceProps) {
                   <a href={hrefs.program(program.id, 'checks', { check: String(id) })}>{t('checks.report', { id })}</a>
                   {stale && <span class="reason">{t('checks.stale')}</span>}
                   {waivers.map((one) => (
-                    <span key={one.at_ms} class="reason">
-                      {t('checks.waived', { name: one.name, reason: one.reason })}
+                    <span key={`${one.at_ms} ${one.point}`} class="reason">
+                      <WaiverText of={one} />
                     </span>
                   ))}
                 </>

@@ -6,6 +6,7 @@ import type { Release, VerdictSummary } from '../../api/types';
 import { releaseText } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { OrderDialog, showDialog } from '../../parts/dialog';
+import { minutes } from '../../parts/clock';
 import { hindranceOf, stepsOf, type ReleaseStepOffer } from '../../rules/releases';
 import { person } from '../../state/shop';
 
@@ -19,7 +20,7 @@ interface Props {
 
 export function Decision({ release, verdict, fourEyes, isApprover, changed }: Props) {
   const steps = stepsOf(release);
-  const hindrance = hindranceOf(verdict);
+  const hindrance = hindranceOf(verdict, minutes.value);
   if (steps.length === 0) return null;
   const isOwn = release.created_by === person().name;
   return (

@@ -11,6 +11,7 @@ import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
+import { minutes } from '../../parts/clock';
 import { hindranceOf, isUnderReview, verdictOf } from '../../rules/releases';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
@@ -89,7 +90,7 @@ function VerdictCell({ release }: { release: Release }) {
   if (error !== null) return <Failure error={error} />;
   if (!value) return null;
   const verdict = verdictOf(value, release);
-  const hindrance = hindranceOf(verdict);
+  const hindrance = hindranceOf(verdict, minutes.value);
   return (
     <>
       {verdict && <OutcomeBadge outcome={verdict.verdict} />}
