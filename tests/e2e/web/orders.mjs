@@ -95,6 +95,28 @@ async function planner(page) {
   await shot(page, 'orders');
 }
 
+// What a list shows is what its file has.
+async function files(page) {
+  const program = (await rig.call('POST', '/programs', { name: '=O0444', dialect: 'fanuc', text: 'O0444\nM30\n' })).body;
+  await rig.machine('torn', { jobs: 0 });
+  await rig.machine('whole', { jobs: 0 });
+  await signIn(page, url, tokens.admin);
+  await page.goto(`${url}/#/library?q=O0444`);
+  await page.getByRole('link', { name: '=O0444', exact: true }).waitFor();
+  const csv = () => page.getByRole('button', { name: 'Export as CSV' });
+  const programs = await saved(page, () => csv().click());
+  expect(programs.name === 'programs.csv' && programs.lines.length === 2 && programs.lines[1].startsWith(`${program.id},'=O0444,fanuc,`), `a name is no formula (${programs.lines[1]})`);
+  await page.goto(`${url}/#/people/audit`);
+  await page.getByRole('table').waitFor();
+  const audit = await saved(page, () => csv().click());
+  expect(audit.lines[0] === 'seq,at,actor,action,subject,detail,hash' && audit.lines.some((line) => line.includes(',program.add,')), 'the audit, with its hashes');
+  await page.goto(`${url}/#/alarms`);
+  await page.getByLabel('Machine').selectOption('whole');
+  await page.getByText('No open alarm.').waitFor();
+  await accessible(page, 'alarms of one machine');
+  await shot(page, 'alarms-filtered');
+}
+
 async function history(page) {
   const jobs = await rig.machine('past', { jobs: 3 });
   for (const job of jobs.slice(0, 2)) await rig.call('POST', `/jobs/${job}/cancel`);
@@ -107,6 +129,12 @@ async function history(page) {
   expect(/Jobs\s+2/.test(await sums.innerText()) && /cancelled\s+2/i.test(await sums.innerText()), 'sums');
   const { lines } = await saved(page, () => page.getByRole('button', { name: 'Export as CSV' }).click());
   expect(lines.length === 3 && lines[1].includes(',cancelled,'), 'and the file');
+  await sums.getByRole('combobox', { name: 'Sums by' }).selectOption({ label: 'Machine' });
+  await sums.getByRole('row').filter({ hasText: 'past' }).filter({ hasText: '2' }).waitFor();
+  await sums.getByRole('combobox', { name: 'Sums by' }).selectOption({ label: 'Shift' });
+  await sums.getByText(/Shifts of eight hours/).waitFor();
+  const ofShifts = await saved(page, () => sums.getByRole('button', { name: 'Export as CSV' }).click());
+  expect(ofShifts.lines.length >= 2 && ofShifts.lines[0].startsWith('shift,jobs,done'), `sums by shift, and their file (${ofShifts.lines[0]})`);
   await accessible(page, 'the history');
   await shot(page, 'history');
   await page.getByRole('search').getByLabel('State').selectOption('done');
@@ -137,6 +165,7 @@ async function looks(page) {
 
 await main([
   ['a planner: add, queue, report, hold, change, find, sort, export', () => withPage(kDesk, planner)],
+  ['lists as files', () => withPage(kDesk, files)],
   ['transfers of the past', () => withPage(kDesk, history)],
   ['every look', () => withPage(kDesk, looks)],
 ]);

@@ -9,9 +9,11 @@ import { dialectText } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { minutes } from '../../parts/clock';
 import { showDialog } from '../../parts/dialog';
+import { CsvButton } from '../../parts/csv_button';
 import { Empty } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
+import { isoTime, type CsvColumn } from '../../rules/csv';
 import { atLeast } from '../../rules/roles';
 import { changeQuery, go, hrefs, route } from '../../router';
 import { person } from '../../state/shop';
@@ -193,6 +195,7 @@ function SearchLine({ words, filter, items }: SearchLineProps) {
           ))}
         </select>
       </label>
+      <CsvButton name="programs" columns={kCsv} rows={items.map(({ program }) => program)} />
     </search>
   );
 }
@@ -294,3 +297,16 @@ const RevisionCell = ({ program }: { program: Program }) => (
     {program.origin.part && <a href={hrefs.part(program.origin.part)}>{t('library.of_part', { part: program.origin.part })}</a>}
   </>
 );
+
+const kCsv: CsvColumn<Program>[] = [
+  { head: 'program', of: ({ id }) => id },
+  { head: 'name', of: ({ name }) => name },
+  { head: 'dialect', of: ({ dialect }) => dialect },
+  { head: 'folder', of: ({ folder }) => folder },
+  { head: 'tags', of: ({ tags }) => tags.join(' ') },
+  { head: 'revision', of: ({ revision }) => revision },
+  { head: 'bytes', of: ({ bytes: size }) => size },
+  { head: 'blocks', of: ({ blocks }) => blocks },
+  { head: 'changed_by', of: ({ created_by }) => created_by },
+  { head: 'changed', of: ({ created_at_ms }) => isoTime(created_at_ms) },
+];

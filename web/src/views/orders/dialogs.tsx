@@ -4,9 +4,10 @@ import { orderCalls } from '../../api/order_calls';
 import type { Order, OrderState, Release } from '../../api/types';
 import { deliveryText, orderWording, releaseText } from '../../format/words';
 import { t } from '../../i18n/i18n';
+import { MachineField } from '../../parts/choice';
 import { OrderDialog } from '../../parts/dialog';
 import { fromLocalField, localField, needsReason } from '../../rules/orders';
-import { machines, programName } from '../../state/shop';
+import { programName } from '../../state/shop';
 
 interface Plan {
   part: string;
@@ -53,17 +54,7 @@ function PlanFields({ plan, set }: { plan: Plan; set: (plan: Plan) => void }) {
     <>
       <Field label={t('fact.part')} value={plan.part} required change={(part) => set({ ...plan, part })} />
       <Field label={t('orders_view.quantity')} type="number" min={1} value={plan.quantity} required change={(quantity) => set({ ...plan, quantity })} />
-      <label class="field">
-        <span>{t('fact.machine')}</span>
-        <select value={plan.machine} onChange={(event) => set({ ...plan, machine: event.currentTarget.value })}>
-          <option value="">{t('orders_view.any_machine')}</option>
-          {[...machines.value.keys()].map((one) => (
-            <option key={one} value={one}>
-              {one}
-            </option>
-          ))}
-        </select>
-      </label>
+      <MachineField label={t('fact.machine')} value={plan.machine} empty={t('orders_view.any_machine')} change={(machine) => set({ ...plan, machine })} />
       <Field label={t('column.due')} type="datetime-local" value={plan.due} change={(due) => set({ ...plan, due })} />
       <Field label={t('orders_view.priority')} type="number" value={plan.priority} change={(priority) => set({ ...plan, priority })} />
     </>

@@ -1,6 +1,7 @@
 // Transfers of the past: filtered by the server, summed up, and as a file for a spreadsheet.
 import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../../api/calls';
+import { orderCalls } from '../../api/order_calls';
 import type { Job, JobState } from '../../api/types';
 import { bytes, count } from '../../format/numbers';
 import { dateTime, duration } from '../../format/times';
@@ -8,17 +9,17 @@ import { jobReason, jobWording } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { programText } from '../../orders/dialogs';
 import { Badge } from '../../parts/badge';
+import { Choice, MachineField } from '../../parts/choice';
 import { CsvButton } from '../../parts/csv_button';
 import { Empty } from '../../parts/empty';
 import { Facts, type Fact } from '../../parts/facts';
 import { Failure } from '../../parts/failure';
-import { Table } from '../../parts/table';
+import { Table, type Column } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
 import { changeQuery, hrefs } from '../../router';
 import { isoTime, type CsvColumn } from '../../rules/csv';
-import { durationOf, kEndedStates, sumsOf } from '../../rules/history';
+import { durationOf, groupsOf, kEndedStates, kGroupings, sumsOf, type Group, type Grouping } from '../../rules/history';
 import { loader } from '../../state/loader';
-import { machines } from '../../state/shop';
 import { takeJobs } from '../../state/changes';
 
 const kPage = 200;
@@ -34,13 +35,19 @@ export function HistoryView({ query }: { query: URLSearchParams }) {
       </p>
       <h1 tabIndex={-1}>{t('title.history')}</h1>
       <div class="search-line" role="search">
-        <Choice label={t('column.state')} value={state} name="state" options={kEndedStates.map((one) => [one, jobWording(one).text])} />
-        <Choice label={t('column.machine')} value={machine} name="machine" options={[...machines.value.keys()].map((one) => [one, one])} />
+        <Choice
+          label={t('column.state')}
+          value={state}
+          options={kEndedStates.map((one) => [one, jobWording(one).text] as const)}
+          empty={t('list.all')}
+          change={(one) => changeQuery('state', one || null)}
+        />
+        <MachineField label={t('column.machine')} value={machine} empty={t('list.all')} change={(one) => changeQuery('machine', one || null)} />
         <CsvButton name="jobs" columns={kCsv} rows={rows} />
       </div>
       <Failure error={error} />
       {!loading && rows.length === 0 && error === null && <Empty>{t('past.none')}</Empty>}
-      {rows.length > 0 && <Sums rows={rows} isWhole={more === null} />}
+      {rows.length > 0 && <Sums rows={rows} isWhole={more === null} by={kGroupings.find((one) => one === query.get('by')) ?? ''} />}
       {rows.length > 0 && <History rows={rows} />}
       {more && (
         <button type="button" class="button" onClick={more}>
@@ -72,28 +79,7 @@ function useHistory(state: JobState | '', machine: string) {
   return { rows: all.filter(({ ended_at_ms }) => ended_at_ms !== null), more: next === null ? null : more, error: first.error ?? failed, loading: first.loading };
 }
 
-interface ChoiceProps {
-  label: string;
-  name: string;
-  value: string;
-  options: readonly (readonly [value: string, text: string])[];
-}
-
-const Choice = ({ label, name, value, options }: ChoiceProps) => (
-  <label class="field">
-    <span>{label}</span>
-    <select value={value} onChange={(event) => changeQuery(name, event.currentTarget.value || null)}>
-      <option value="">{t('list.all')}</option>
-      {options.map(([one, text]) => (
-        <option key={one} value={one}>
-          {text}
-        </option>
-      ))}
-    </select>
-  </label>
-);
-
-function Sums({ rows, isWhole }: { rows: readonly Job[]; isWhole: boolean }) {
+function Sums({ rows, isWhole, by }: { rows: readonly Job[]; isWhole: boolean; by: Grouping | '' }) {
   const sums = sumsOf(rows);
   return (
     <section class="card" aria-label={t('past.sums')}>
@@ -107,9 +93,54 @@ function Sums({ rows, isWhole }: { rows: readonly Job[]; isWhole: boolean }) {
           [t('past.time'), duration(sums.seconds)],
         ]}
       />
+      <Choice
+        label={t('past.by')}
+        value={by}
+        options={kGroupings.map((one) => [one, t(`past_by.${one}`)] as const)}
+        empty={t('past.by_nothing')}
+        change={(one) => changeQuery('by', one || null)}
+      />
+      {by !== '' && <Groups rows={rows} by={by} />}
     </section>
   );
 }
+
+// Of the part by its order; a transfer without one is of no part that is known.
+function Groups({ rows, by }: { rows: readonly Job[]; by: Grouping }) {
+  const orders = useLoaded(by === 'part' ? 'orders' : null, () => orderCalls.orders(''));
+  const parts = new Map(orders.value?.map(({ id, part }) => [id, part]));
+  if (by === 'part' && !orders.value) return <Failure error={orders.error} />;
+  const groups = groupsOf(rows, by, (order) => (order === null ? '' : (parts.get(order) ?? '')));
+  const head = t(`past_by.${by}`);
+  return (
+    <>
+      {by === 'shift' && <p class="hint">{t('past.shifts')}</p>}
+      <Table
+        label={t('past.sums_by', { by: head })}
+        rows={groups}
+        keyOf={({ name }) => name}
+        columns={[
+          { id: 'name', head, by: ({ name }) => name, cell: ({ name }) => name || t('past.no_part') },
+          { id: 'jobs', head: t('nav.jobs'), by: ({ jobs }) => jobs, cell: ({ jobs }) => count(jobs) },
+          ...kEndedStates.map(
+            (state): Column<Group> => ({ id: state, head: jobWording(state).text, by: ({ sums }) => sums.states[state], cell: ({ sums }) => count(sums.states[state]) }),
+          ),
+          { id: 'bytes', head: t('past.bytes'), by: ({ sums }) => sums.bytes, cell: ({ sums }) => bytes(sums.bytes) },
+          { id: 'time', head: t('past.time'), by: ({ sums }) => sums.seconds, cell: ({ sums }) => duration(sums.seconds) },
+        ]}
+      />
+      <CsvButton name={`sums-by-${by}`} columns={groupCsv(by)} rows={groups} />
+    </>
+  );
+}
+
+const groupCsv = (by: Grouping): CsvColumn<Group>[] => [
+  { head: by, of: ({ name }) => name },
+  { head: 'jobs', of: ({ jobs }) => jobs },
+  ...kEndedStates.map((state): CsvColumn<Group> => ({ head: state, of: ({ sums }) => sums.states[state] })),
+  { head: 'bytes', of: ({ sums }) => sums.bytes },
+  { head: 'seconds', of: ({ sums }) => Math.round(sums.seconds * 10) / 10 },
+];
 
 const History = ({ rows }: { rows: readonly Job[] }) => (
   <Table

@@ -8,6 +8,7 @@ import { orderWording } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { Badge } from '../../parts/badge';
 import { minutes } from '../../parts/clock';
+import { Choice, MachineField } from '../../parts/choice';
 import { CsvButton } from '../../parts/csv_button';
 import { showDialog } from '../../parts/dialog';
 import { Empty } from '../../parts/empty';
@@ -18,7 +19,7 @@ import { changeQuery, goUnlessLeft, hrefs } from '../../router';
 import { isoTime, type CsvColumn } from '../../rules/csv';
 import { byUrgency, filtered, isLate, kOrderStates } from '../../rules/orders';
 import { atLeast } from '../../rules/roles';
-import { bestRole, machines } from '../../state/shop';
+import { bestRole } from '../../state/shop';
 import { NewOrderDialog } from './dialogs';
 
 const stateOf = (text: string | null): OrderState | '' => (text === 'all' ? '' : (kOrderStates.find((one) => one === text) ?? 'open'));
@@ -68,28 +69,13 @@ const Filters = ({ filter, children }: FilterProps) => (
       <span>{t('orders_view.words')}</span>
       <input type="search" value={filter.words} onInput={(event) => changeQuery('q', event.currentTarget.value || null)} autocomplete="off" />
     </label>
-    <label class="field">
-      <span>{t('column.state')}</span>
-      <select value={filter.state || 'all'} onChange={(event) => changeQuery('state', event.currentTarget.value)}>
-        <option value="all">{t('list.all')}</option>
-        {kOrderStates.map((one) => (
-          <option key={one} value={one}>
-            {orderWording(one).text}
-          </option>
-        ))}
-      </select>
-    </label>
-    <label class="field">
-      <span>{t('column.machine')}</span>
-      <select value={filter.machine} onChange={(event) => changeQuery('machine', event.currentTarget.value || null)}>
-        <option value="">{t('list.all')}</option>
-        {[...machines.value.keys()].map((one) => (
-          <option key={one} value={one}>
-            {one}
-          </option>
-        ))}
-      </select>
-    </label>
+    <Choice
+      label={t('column.state')}
+      value={filter.state || 'all'}
+      options={[['all', t('list.all')], ...kOrderStates.map((one) => [one, orderWording(one).text] as const)]}
+      change={(state) => changeQuery('state', state)}
+    />
+    <MachineField label={t('column.machine')} value={filter.machine} empty={t('list.all')} change={(machine) => changeQuery('machine', machine || null)} />
     {children}
   </div>
 );

@@ -4,10 +4,12 @@ import { peopleCalls } from '../../api/people_calls';
 import type { AuditRow } from '../../api/types';
 import { dateTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
+import { CsvButton } from '../../parts/csv_button';
 import { Empty } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
+import { isoTime, type CsvColumn } from '../../rules/csv';
 import { loader } from '../../state/loader';
 import { TextField } from './fields';
 
@@ -44,6 +46,7 @@ export function Audit() {
         <button type="submit" class="button">
           {t('audit.filter')}
         </button>
+        <CsvButton name="audit" columns={kCsv} rows={rows} />
       </form>
       <Failure error={first.error ?? error} />
       {first.value?.items.length === 0 && <Empty>{t('audit.none')}</Empty>}
@@ -69,3 +72,13 @@ export function Audit() {
     </section>
   );
 }
+
+const kCsv: CsvColumn<AuditRow>[] = [
+  { head: 'seq', of: ({ seq }) => seq },
+  { head: 'at', of: ({ at_ms }) => isoTime(at_ms) },
+  { head: 'actor', of: ({ actor }) => actor },
+  { head: 'action', of: ({ action }) => action },
+  { head: 'subject', of: ({ subject }) => subject },
+  { head: 'detail', of: ({ detail }) => detail },
+  { head: 'hash', of: ({ hash }) => hash },
+];
