@@ -8,6 +8,8 @@ import re
 
 TOLERANCE = 2e-4  # both print four decimals
 TOLERANCE_INCH = 1.4e-3  # … of an inch there
+# Calls whose arguments are numbers.
+NUMBERED = ("SET_FEED_RATE", "STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE", "ARC_FEED", "DWELL")
 PLANES = {"XY": "XYZ", "YZ": "YZX", "XZ": "ZXY"}
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d*)?(?:e[-+]?\d+)?|[-+]?\.\d+")
 
@@ -50,7 +52,7 @@ class Canon:
         return [value * self.unit for value in values[:3]] + list(values[3:6])
 
     def call(self, name, text):
-        values = [float(value) for value in re.split(r"[, ]+", text)] if re.fullmatch(r"[-+\d., e]+", text) else []
+        values = [float(value) for value in text.split(",")] if name in NUMBERED else []
         if name == "USE_LENGTH_UNITS":
             self.unit = 25.4 if "INCH" in text else 1.0
         elif name == "SELECT_PLANE":
