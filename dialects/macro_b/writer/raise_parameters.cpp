@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "dialects/facts/flow_graph.h"
+#include "dialects/ir/sections.h"
 #include "dialects/passes/macro_arguments.h"
 #include "dialects/passes/refusal.h"
-#include "dialects/ir/sections.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/walk.h"
 
