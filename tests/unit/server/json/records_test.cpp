@@ -138,7 +138,8 @@ TEST(Records, AVerdictIsItsRowWithTheReportsMembers) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          R"("blocks":12,"not_checked":["a"],"calls":[],"waivers":[{"name":"boris","reason":"seen","at_ms":3}])"));
+          R"("blocks":12,"not_checked":["a"],"calls":[],"points":[],"waivers":[{"name":"boris","reason":"seen","at_ms":3,)"
+          R"("point":null,"expires_at_ms":null}])"));
   row.of.report = "not a document";
   EXPECT_TRUE(is_json(verdict(row)));
 }
