@@ -24,7 +24,8 @@ Every word that the built-in dialects know for their usual controls, by what a c
 - **Reported**: the control knows it, and what it does depends on the machine or is not followed. The report names it, and
   the verdict is `unknown` until a person waives it or the machine's profile states its effect.
 
-Words that stand in no list are errors: `unknown-code`, `unknown-address` or `unknown-name`.
+A word that stands in no list is named as `unknown-code`, `unknown-address` or `unknown-name`; where an option or a definition file
+may bring it, that is a warning, and the verdict is no better than `unknown`.
 )";
 
 struct Kind {
