@@ -3,8 +3,10 @@
 #include <thread>
 
 #include <arpa/inet.h>
+#include <linux/sockios.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -55,9 +57,14 @@ class FarEnd {
   void say(std::string_view text) const {
     EXPECT_EQ(::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
   }
-  void hold_little() const {
-    const int bytes = 32'768;
-    ::setsockopt(descriptor_, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof(bytes));
+  // Waits until the other side's kernel has all that was sent.
+  [[nodiscard]] bool arrived() const {
+    for (int i = 0; i < 5'000; ++i) {
+      int waiting = 0;
+      if (::ioctl(descriptor_, SIOCOUTQ, &waiting) == 0 && waiting == 0) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
   }
   // What the socket takes of it within 10 ms.
   [[nodiscard]] std::size_t push(std::string_view text) const {
@@ -180,9 +187,9 @@ TEST_F(SocketTest, AFloodIsReadInPiecesAndNamed) {
 
 TEST_F(SocketTest, NothingLeavesBeforeWhatCameIsHeard) {
   connect();
-  peer_->hold_little();
-  flood(*peer_, std::chrono::milliseconds(100));
-  peer_->say("\x13");  // it stands behind all that was not read yet
+  // More than may be read at once, and no more than the kernel holds: what is still under way has not come.
+  peer_->say(std::string(3 * kReadsAtOnce_bytes, '\x11') + '\x13');
+  ASSERT_TRUE(peer_->arrived());
   std::size_t taken = 0;
   bool heard = false;
   for (int i = 0; i < 30'000 && !heard; ++i) {
