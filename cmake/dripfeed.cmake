@@ -57,6 +57,7 @@ if(DRIPFEED_FUZZ)
 endif()
 
 include(precompiled)
+include(together)
 
 # dripfeed_library(NAME [ROOMS a b] [DEPENDS a b] [SYSTEM lib...]): the folder it is called in, as target dripfeed_NAME.
 # ROOMS are folders in it that belong to the library; DEPENDS names other folders by their short names; SYSTEM names
@@ -73,6 +74,7 @@ function(dripfeed_library name)
     add_library(dripfeed_${name} STATIC ${sources})
     set(scope PUBLIC)
     dripfeed_use_precompiled(dripfeed_${name} dripfeed_headers)
+    dripfeed_together(dripfeed_${name} library)
     # The lint of symbols asks for the archives of a top folder.
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE folder)
     string(REGEX REPLACE "/.*" "" top ${folder})
@@ -113,6 +115,7 @@ function(dripfeed_test name)
   else()
     dripfeed_use_precompiled(${name} dripfeed_headers_test)
   endif()
+  dripfeed_together(${name} test)
   add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)

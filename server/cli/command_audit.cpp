@@ -19,7 +19,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct AuditOptions {
   std::string data = "data";
   std::string output;
   std::string file;
@@ -43,7 +43,7 @@ app::Result<void> write_rows(store::Store& store, std::ostream& out) {
   return out ? app::Result<void>{} : app::fail(app::ErrorCode::unavailable, "the rows could not be written");
 }
 
-int export_rows(const Options& options) {
+int export_rows(const AuditOptions& options) {
   const auto store = app::lift(sqlite::open(store_path(options.data), {.create = false}));
   if (!store) {
     print_error(store.error());
@@ -56,12 +56,12 @@ int export_rows(const Options& options) {
   return written ? kDone : kWrongUse;
 }
 
-int refuse(const Options& options, std::uint64_t line, std::string_view why) {
+int refuse(const AuditOptions& options, std::uint64_t line, std::string_view why) {
   print_error(fmt::format("{}:{}: {}", options.file, line, why));
   return kFailed;
 }
 
-int verify_rows(const Options& options) {
+int verify_rows(const AuditOptions& options) {
   std::ifstream file(options.file, std::ios::binary);
   if (!file) {
     print_error(fmt::format("{} cannot be read", options.file));
@@ -85,7 +85,7 @@ int verify_rows(const Options& options) {
 void add_audit(CLI::App& app, int& exit_code) {
   CLI::App* audit = app.add_subcommand("audit", "who did what: export the rows, verify exported ones");
   audit->require_subcommand(1);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AuditOptions>();
   CLI::App* exporting = audit->add_subcommand("export", "all rows as lines of JSON, oldest first");
   exporting->add_option("--data", options->data, "folder of the store")->capture_default_str();
   exporting->add_option("--output", options->output, "a file instead of standard output");

@@ -15,7 +15,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct BackupOptions {
   std::string data;
   std::string file;
   bool replace = false;
@@ -50,7 +50,7 @@ std::string summary_of(const sqlite::Holding& holding) {
   return text;
 }
 
-int report(const store::Result<sqlite::Holding>& holding, const Options& options, std::string_view done) {
+int report(const store::Result<sqlite::Holding>& holding, const BackupOptions& options, std::string_view done) {
   if (!holding) {
     print_error(store::message_of(holding.error()));
     return holding.error().code == store::ErrorCode::corrupt ? kFailed : kWrongUse;
@@ -70,12 +70,12 @@ int report(const store::Result<sqlite::Holding>& holding, const Options& options
   return whole ? kDone : kFailed;
 }
 
-int back_up(const Options& options) {
+int back_up(const BackupOptions& options) {
   const auto made = sqlite::back_up(store_path(options.data), options.file);
   return report(made, options, fmt::format("{} is a whole backup of {}", options.file, options.data));
 }
 
-int restore(const Options& options) {
+int restore(const BackupOptions& options) {
   if (const auto made = make_data_folder(options.data); !made) {
     print_error(made.error());
     return kWrongUse;
@@ -95,7 +95,7 @@ int restore(const Options& options) {
 
 void add_backup(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("backup", "Copy a server's store to one file, also while it runs");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BackupOptions>();
   command->add_option("DATA", options->data, "folder of the store")->required();
   command->add_option("FILE", options->file, "the backup; it must not be there yet")->required();
   command->add_flag("--json", options->json, "one JSON object on standard output");
@@ -105,7 +105,7 @@ void add_backup(CLI::App& app, int& exit_code) {
 
 void add_restore(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("restore", "Make a server's store from a backup");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BackupOptions>();
   command->add_option("FILE", options->file, "the backup")->required();
   command->add_option("DATA", options->data, "folder of the store; made where there is none")->required();
   command->add_flag("--replace", options->replace, "put it in the place of the store there, which keeps its bytes");

@@ -20,7 +20,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct CalibrateOptions {
   TextOptions text;
   std::string write;
   bool prints = false;
@@ -36,7 +36,7 @@ int fail_with(const app::Error& error) {
 
 std::string fixed(double value, int places) { return text::format_fixed(value, places); }
 
-int write_program(const Options& options) {
+int write_program(const CalibrateOptions& options) {
   const auto chosen = choose_control(options.text);
   if (!chosen) return fail_with(chosen.error());
   const auto program = app::calibration_program(chosen->control, {.prints = options.prints, .calls = options.calls});
@@ -45,7 +45,7 @@ int write_program(const Options& options) {
 }
 
 // The cost model from the results file; what it was fitted to is added to `text`.
-app::Result<ir::CostModel> cost_of(const Options& options, const ChosenControl& chosen, std::string& text) {
+app::Result<ir::CostModel> cost_of(const CalibrateOptions& options, const ChosenControl& chosen, std::string& text) {
   const auto results = read_source(options.results);
   if (!results) return std::unexpected(results.error());
   const auto values = app::read_variables(results->text(), *chosen.dialect, chosen.control);
@@ -82,7 +82,7 @@ struct TimedRun {
   std::string file;
   double measured_s = 0.0;
 };
-app::Result<std::vector<TimedRun>> timed_runs(const Options& options) {
+app::Result<std::vector<TimedRun>> timed_runs(const CalibrateOptions& options) {
   std::vector<TimedRun> runs;
   for (const std::string& one : options.runs) {
     const std::size_t equals = one.rfind('=');
@@ -95,8 +95,8 @@ app::Result<std::vector<TimedRun>> timed_runs(const Options& options) {
 }
 
 // Factors that explain the measured cycle times, from the memory, with `cost` as the start.
-app::Result<timing::MachineFactors> factors_of(const Options& options, const std::optional<ir::CostModel>& cost,
-                                               std::string& text) {
+app::Result<timing::MachineFactors> factors_of(const CalibrateOptions& options,
+                                               const std::optional<ir::CostModel>& cost, std::string& text) {
   const auto timed = timed_runs(options);
   if (!timed) return std::unexpected(timed.error());
   std::vector<timing::MeasuredRun> runs;
@@ -128,7 +128,7 @@ app::Result<timing::MachineFactors> factors_of(const Options& options, const std
 }
 
 // Which programs measured the machine, and when. `before`: what was scaled to cycle times alone.
-std::string origin_of(const Options& options, std::string_view before) {
+std::string origin_of(const CalibrateOptions& options, std::string_view before) {
   std::string text(options.results.empty() ? before : app::kTimingProgramName);
   for (const std::string& run : options.runs)
     text += fmt::format("{}{}", text.empty() ? "" : "; ", "cycle time of " + run.substr(0, run.rfind('=')));
@@ -137,7 +137,7 @@ std::string origin_of(const Options& options, std::string_view before) {
                      static_cast<unsigned>(day.day()));
 }
 
-int fit_profile(const Options& options) {
+int fit_profile(const CalibrateOptions& options) {
   const auto chosen = choose_control(options.text);
   if (!chosen) return fail_with(chosen.error());
   if (!chosen->profile)
@@ -169,7 +169,7 @@ int fit_profile(const Options& options) {
   return write_output(options.text.output, *profile) ? kDone : kWrongUse;
 }
 
-int calibrate(const Options& options) {
+int calibrate(const CalibrateOptions& options) {
   const bool fits = !options.results.empty() || !options.runs.empty();
   if (options.write.empty() == !fits)
     return fail_with({app::ErrorCode::invalid, "calibrate either writes (--write) or fits (--results, --run)", {}});
@@ -181,7 +181,7 @@ int calibrate(const Options& options) {
 void add_calibrate(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("calibrate", "measures a control: its timing program, and the fit of its results");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CalibrateOptions>();
   add_text_options(*command, options->text);
   command->add_option("--write", options->write, "write the timing program there");
   command->add_flag("--dprnt", options->prints, "with --write: the program sends its results over the line, too");

@@ -20,7 +20,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct CheckOptions {
   TextOptions text;
   std::vector<std::string> files;
   NominalOptions nominal;
@@ -89,7 +89,7 @@ app::CheckReport report_of_faults(const RenderedFamily& rendered) {
   return report;
 }
 
-app::Result<Checked> check_family(const Options& options, text::Source family) {
+app::Result<Checked> check_family(const CheckOptions& options, text::Source family) {
   if (options.fix || options.sarif || !options.nominal.family.empty())
     return app::fail(app::ErrorCode::invalid,
                      fmt::format("{} is a family: --fix, --sarif and --nominal are for programs", family.name()));
@@ -112,7 +112,7 @@ app::Result<Checked> check_family(const Options& options, text::Source family) {
   return Checked{.report = std::move(report), .family = std::move(*rendered)};
 }
 
-app::Result<Checked> check_file(const Options& options, const std::string& path,
+app::Result<Checked> check_file(const CheckOptions& options, const std::string& path,
                                 const std::optional<Nominal>& nominal) {
   auto source = read_source(find_family(path));
   if (!source) return std::unexpected(source.error());
@@ -161,7 +161,7 @@ std::optional<RenderedFrom> origin_of(const Checked& checked) {
                       .lines = checked.family->lines};
 }
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   std::vector<app::CheckReport> reports;
   std::vector<std::optional<RenderedFrom>> families;
   std::optional<Nominal> nominal;
@@ -205,7 +205,7 @@ int check(const Options& options) {
 
 void add_check(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("check", "diagnostics and checks of programs and families");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   command->add_option("FILE", options->files, "programs or families, - for standard input")->required();
   add_text_options(*command, options->text);
   add_nominal_options(*command, options->nominal,

@@ -16,14 +16,14 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct CompareOptions {
   TextOptions text;
   std::string first;
   std::string second;
   std::uint32_t seconds = kCheckSeconds;
 };
 
-app::Result<app::ComparedText> open(const Options& options, const std::string& path) {
+app::Result<app::ComparedText> open(const CompareOptions& options, const std::string& path) {
   auto source = read_source(path);
   if (!source) return std::unexpected(source.error());
   auto chosen = choose_control(options.text, *source);
@@ -72,7 +72,7 @@ std::string moves_text(const compile::MovesAnswer& moves) {
   return out;
 }
 
-int compare(const Options& options) {
+int compare(const CompareOptions& options) {
   const auto first = open(options, options.first);
   const auto second = first ? open(options, options.second) : first;
   if (!second) {
@@ -90,7 +90,7 @@ int compare(const Options& options) {
 
 void add_compare(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("compare", "holds two programs against each other: text, meaning, motions");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareOptions>();
   command->add_option("A", options->first, "program, - for standard input")->required();
   command->add_option("B", options->second, "the other program")->required();
   add_text_options(*command, options->text);

@@ -15,7 +15,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct ConvertOptions {
   TextOptions text;
   std::string file;
   std::string from;
@@ -24,7 +24,8 @@ struct Options {
 };
 
 // The control for one side: its dialect, with --control and --machine as far as they fit it.
-app::Result<ChosenControl> control_for(const Options& options, const std::string& dialect, const text::Source* source) {
+app::Result<ChosenControl> control_for(const ConvertOptions& options, const std::string& dialect,
+                                       const text::Source* source) {
   TextOptions text = options.text;
   if (!text.machine.empty()) {
     auto machine = choose_control(text);
@@ -35,7 +36,7 @@ app::Result<ChosenControl> control_for(const Options& options, const std::string
   return source == nullptr ? choose_control(text) : choose_control(text, *source);
 }
 
-int convert(const Options& options) {
+int convert(const ConvertOptions& options) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
@@ -46,7 +47,7 @@ int convert(const Options& options) {
     print_error(from.error());
     return kWrongUse;
   }
-  Options target = options;
+  ConvertOptions target = options;
   target.text.modes.clear();  // they are the source's
   // A lathe's program goes to a lathe: what was found out about the source holds for the other side.
   if (target.text.control.empty() && from->control.kind != ir::MachineKind::mill) target.text.control = "kind=lathe";
@@ -77,7 +78,7 @@ int convert(const Options& options) {
 
 void add_convert(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("convert", "translates a program to another control");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertOptions>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command->add_option("--from", options->from, "dialect of the program")->required();
   command->add_option("--to", options->to, "dialect to translate to")->required();

@@ -14,7 +14,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct DoctorOptions {
   std::string data;
   bool json = false;
 };
@@ -41,7 +41,7 @@ std::string text_of(const Findings& found) {
   return text;
 }
 
-int doctor(const Options& options) {
+int doctor(const DoctorOptions& options) {
   const Findings found = look_at_all(options.data);
   if (!write_output("-", options.json ? doctor_document(found) : text_of(found))) return kWrongUse;
   return std::ranges::any_of(found, [](const Finding& one) { return one.health == Health::fault; }) ? kFailed : kDone;
@@ -51,7 +51,7 @@ int doctor(const Options& options) {
 
 void add_doctor(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("doctor", "Check what may keep a server from its work, and state what to do");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DoctorOptions>();
   command->add_option("DATA", options->data, "folder of the store")->required();
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->footer(

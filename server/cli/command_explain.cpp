@@ -13,13 +13,13 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct ExplainOptions {
   std::string id;
   bool all = false;
   bool markdown = false;
 };
 
-int explain(const Options& options) {
+int explain(const ExplainOptions& options) {
   if (options.all)
     return write_output("", options.markdown ? all_in_markdown() : list_of_diagnostics()) ? kDone : kWrongUse;
   if (options.id.empty() || options.markdown) {
@@ -39,7 +39,7 @@ int explain(const Options& options) {
 void add_explain(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("explain", "describes a diagnostic: cause, cure, alarms of the controls, examples");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExplainOptions>();
   command->add_option("ID", options->id, "the diagnostic, as missing-end");
   command->add_flag("--all", options->all, "lists all of them");
   command->add_flag("--markdown", options->markdown, "with --all: in full, as docs/diagnostics.md");

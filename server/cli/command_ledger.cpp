@@ -15,7 +15,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct LedgerOptions {
   std::string data;
   bool json = false;
 };
@@ -29,7 +29,7 @@ std::string summary_of(const sqlite::Verification& found) {
       found.faults.empty() ? std::string("whole") : fmt::format("{} faults", found.faults.size()));
 }
 
-int verify(const Options& options) {
+int verify(const LedgerOptions& options) {
   const std::string path = store_path(options.data);
   const auto found = sqlite::verify(path);
   if (!found) {
@@ -49,7 +49,7 @@ void add_ledger(CLI::App& app, int& exit_code) {
   CLI::App* command = ledger->add_subcommand(
       "verify",
       "checks a server's folder: the file, the audit's chain, each job's ledger, each content by its hash, torn marks");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LedgerOptions>();
   command->add_option("DIR", options->data, "folder of the store")->required();
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->footer("Exit: 0 whole, 1 at least one fault, 2 wrong use or the store cannot be read");

@@ -17,7 +17,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct LinkOptions {
   std::string link;
   std::string machine;
   std::uint32_t round_trips = 50;
@@ -44,7 +44,7 @@ void print_text(const app::LinkTestResult& r, const machine::LineSettings& line,
                  : "");
 }
 
-int link_test(const Options& options) {
+int link_test(const LinkOptions& options) {
   const auto profile = read_machine_at(options.link, options.machine);
   if (!profile) {
     print_error(profile.error());
@@ -80,7 +80,7 @@ void add_link(CLI::App& app, int& exit_code) {
   link->require_subcommand(1);
   CLI::App* command = link->add_subcommand(
       "test", "measures latency and characters after DC3 on a line whose data wires are bridged at its other end");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LinkOptions>();
   command->add_option("--link", options->link, "the line, as a machine's profile has it")->required();
   command->add_option("--machine", options->machine, "machine profile (a file or the name of a preset) for its budget");
   command->add_option("--round-trips", options->round_trips, "single characters to send")->check(CLI::Range(1, 10'000));

@@ -21,7 +21,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct OptimizeOptions {
   TextOptions text;
   std::string file;
   std::vector<std::string> with;
@@ -64,14 +64,14 @@ std::optional<std::string> take_rules(const std::vector<std::string>& names, boo
   return {};
 }
 
-std::optional<std::string> take(const Options& options, optimize::Settings& settings) {
+std::optional<std::string> take(const OptimizeOptions& options, optimize::Settings& settings) {
   if (auto fault = take_rules(options.with, true, settings.rules)) return fault;
   if (auto fault = take_rules(options.without, false, settings.rules)) return fault;
   if (auto fault = take_ranges(options.own, settings.own)) return fault;
   return take_ranges(options.free, settings.free);
 }
 
-int optimize_file(const Options& options) {
+int optimize_file(const OptimizeOptions& options) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
@@ -115,7 +115,7 @@ std::string rules_help() {
 
 void add_optimize(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("optimize", "rewrites a program so that its control computes it faster");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<OptimizeOptions>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command->add_option("--with", options->with, "a rule that is off (may be repeated)");
   command->add_option("--without", options->without, "a rule that is on (may be repeated)");

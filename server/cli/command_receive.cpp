@@ -29,7 +29,7 @@ constexpr std::chrono::milliseconds kLook{20};
 constexpr std::chrono::seconds kToOpen{5};
 constexpr std::chrono::milliseconds kLeaveTaking{200};
 
-struct Options {
+struct ReceiveOptions {
   std::string link;
   std::string machine;
   std::string output;
@@ -39,7 +39,7 @@ struct Options {
 };
 
 // The first reception that is more than noise. Nothing when none began in time, or a signal came.
-app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& profile, const Options& options,
+app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& profile, const ReceiveOptions& options,
                                                     const std::stop_token& stop) {
   const auto thread = io::start_link_thread();
   auto line = app::make_receiving_line(profile.line, *thread, io::take_modbus_seat, [] {});
@@ -72,7 +72,7 @@ app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& prof
   return std::nullopt;
 }
 
-int keep(const app::Reception& reception, const Options& options) {
+int keep(const app::Reception& reception, const ReceiveOptions& options) {
   const receive::Transfer transfer = receive::judge(reception.raw, reception.ending, reception.settings);
   const bool whole = transfer.fault == receive::Fault::none;
   const std::string path = whole ? options.output : options.output + ".quarantine";
@@ -96,7 +96,7 @@ int keep(const app::Reception& reception, const Options& options) {
   return kFailed;
 }
 
-int receive_one(const Options& options) {
+int receive_one(const ReceiveOptions& options) {
   const std::stop_token stop = stop_by_two_signals().first;
   const Logging logging;
   auto profile = read_machine_at(options.link, options.machine);
@@ -125,7 +125,7 @@ int receive_one(const Options& options) {
 
 void add_receive(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("receive", "takes one program that a control punches, without a server");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReceiveOptions>();
   command
       ->add_option("--link", options->link,
                    "serial:/dev/serial/by-id/NAME?baud=9600&framing=7E2, tcp://host:port, pty:/path")

@@ -16,7 +16,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct RenderOptions {
   FamilyOptions family;
   bool optimize = false;
 };
@@ -29,7 +29,7 @@ void optimize(RenderedFamily& rendered) {
   print_saving(made, rendered.source.name(), cost);
 }
 
-int render(const Options& asked) {
+int render(const RenderOptions& asked) {
   const FamilyOptions& options = asked.family;
   auto rendered = render_family(options);
   if (!rendered) {
@@ -53,7 +53,7 @@ int render(const Options& asked) {
 
 void add_render(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("render", "renders a part family for a control");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   add_family_options(*command, options->family);
   command->add_flag("--optimize", options->optimize, "a macro is rewritten so that the control computes it faster");
   command->callback([options, &exit_code] { exit_code = render(*options); });

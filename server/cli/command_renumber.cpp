@@ -20,7 +20,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct RenumberOptions {
   TextOptions text;
   std::string file;
   std::string blocks = "numbered";
@@ -33,7 +33,7 @@ compile::Numbering numbering_of(std::string_view name) {
   return static_cast<compile::Numbering>(found - std::begin(compile::kNumberingNames));
 }
 
-int renumber(const Options& options) {
+int renumber(const RenumberOptions& options) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
@@ -64,7 +64,7 @@ int renumber(const Options& options) {
 
 void add_renumber(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("renumber", "new block numbers; jumps and contours follow them");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenumberOptions>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command
       ->add_option("--blocks", options->blocks,

@@ -16,7 +16,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct RestartOptions {
   TextOptions text;
   std::string file;
   std::uint32_t line = 0;
@@ -32,7 +32,7 @@ void print_around(const compile::Restart& made, std::string_view name) {
   place(made.safe_after, "after");
 }
 
-int restart(const Options& options) {
+int restart(const RestartOptions& options) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
@@ -70,7 +70,7 @@ int restart(const Options& options) {
 void add_restart(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("restart", "writes the restart of a program at a line, with a preamble to read");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RestartOptions>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command->add_option("--line", options->line, "line of the file that is to be the first")
       ->required()

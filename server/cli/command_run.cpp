@@ -26,7 +26,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct RunOptions {
   TextOptions text;
   std::string file;
   std::string trace = "motions";
@@ -92,7 +92,7 @@ int report_run(const interpreter::RunResult& result, std::string_view name, Prin
   return result.ended == interpreter::Ended::end ? kDone : kFailed;
 }
 
-int print_blocks(const Options& options, const text::Source& source, const ChosenControl& chosen) {
+int print_blocks(const RunOptions& options, const text::Source& source, const ChosenControl& chosen) {
   compile::ProgramLibrary library(chosen.control, find_in(folders_for(options.text, options.file)));
   const compile::ConvertResult converted = compile::convert({.source = source,
                                                              .from = chosen.control,
@@ -107,7 +107,7 @@ int print_blocks(const Options& options, const text::Source& source, const Chose
 // Where the motions of a run go, and what is printed of them.
 class Output {
  public:
-  Output(const Options& options, const ir::Control& control, interpreter::RunNames& names)
+  Output(const RunOptions& options, const ir::Control& control, interpreter::RunNames& names)
       : options_(options),
         traces_(options.trace == "motions" && !options.text.json),
         writer_(control, names, [this](std::string_view text) { take(text); }) {}
@@ -128,7 +128,7 @@ class Output {
       kept_ += text;
   }
 
-  const Options& options_;
+  const RunOptions& options_;
   bool traces_;
   bool written_ = true;
   std::string kept_;
@@ -136,7 +136,7 @@ class Output {
   interpreter::TraceWriter writer_;
 };
 
-int interpret(const Options& options, interpreter::RunOptions run, const text::Source& source,
+int interpret(const RunOptions& options, interpreter::RunOptions run, const text::Source& source,
               const ChosenControl& chosen) {
   const ir::ReadResult read = chosen.dialect->read(source, chosen.control);
   print_diagnostics(read.diagnostics, source, chosen.control.title);
@@ -165,7 +165,7 @@ void print_from_file(const interpreter::RunDiagnostic& one, ProgramFile& file, c
 }
 
 // The program while it is read.
-int interpret_stream(const Options& options, interpreter::RunOptions run, ProgramFile& file,
+int interpret_stream(const RunOptions& options, interpreter::RunOptions run, ProgramFile& file,
                      const ChosenControl& chosen) {
   compile::ProgramLibrary library(chosen.control, find_in(folders_for(options.text, options.file)));
   interpreter::RunNames names;
@@ -193,7 +193,7 @@ app::Result<ChosenControl> control_to_run(const TextOptions& options, const text
   return ChosenControl{.dialect = reader, .control = reader->infer_control(source), .profile = {}, .inferred = false};
 }
 
-int run_source(const Options& options, interpreter::RunOptions run) {
+int run_source(const RunOptions& options, interpreter::RunOptions run) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
@@ -212,7 +212,7 @@ int run_source(const Options& options, interpreter::RunOptions run) {
   return interpret(options, std::move(run), *source, *chosen);
 }
 
-int run_stream(const Options& options, interpreter::RunOptions run, ProgramFile& file) {
+int run_stream(const RunOptions& options, interpreter::RunOptions run, ProgramFile& file) {
   const auto head = file.head();
   const auto chosen =
       head ? control_to_run(options.text, *head) : app::Result<ChosenControl>(std::unexpected(head.error()));
@@ -223,7 +223,7 @@ int run_stream(const Options& options, interpreter::RunOptions run, ProgramFile&
   return interpret_stream(options, std::move(run), file, *chosen);
 }
 
-int run_command(const Options& options) {
+int run_command(const RunOptions& options) {
   const auto limits = read_limits(options.limits);
   const auto state = read_state(options.state);
   for (const app::Error* error : {limits ? nullptr : &limits.error(), state ? nullptr : &state.error()}) {
@@ -251,7 +251,7 @@ int run_command(const Options& options) {
 
 void add_run(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "interprets a program");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   add_text_options(*command, options->text);
   command->add_option("--trace", options->trace, "what to print")

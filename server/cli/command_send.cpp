@@ -29,7 +29,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct SendOptions {
   std::string file;
   std::string link;
   std::string machine;
@@ -111,7 +111,7 @@ Named file_name_of(const machine::Profile& profile, const std::string& source_na
   return machine::tells_name(profile.line) ? name : std::string();
 }
 
-int report_end(const Transferred& sent, const WireHashes& hashes, const Options& options,
+int report_end(const Transferred& sent, const WireHashes& hashes, const SendOptions& options,
                const machine::LinkUrl& link) {
   const app::LineReport& report = sent.report;
   int exit_code = kDone;
@@ -133,13 +133,13 @@ int report_end(const Transferred& sent, const WireHashes& hashes, const Options&
   return write_output("-", document) ? exit_code : std::max(exit_code, kFailed);
 }
 
-void report_refusal(const LineRefusal& refusal, const Options& options, const machine::LinkUrl& link) {
+void report_refusal(const LineRefusal& refusal, const SendOptions& options, const machine::LinkUrl& link) {
   print_error(refusal.sentence);
   if (!options.json || refusal.exit_code != kTorn) return;
   if (const auto record = io::look_at_line(link)) write_output("-", torn_document(*record));
 }
 
-int send(const Options& options) {
+int send(const SendOptions& options) {
   const Stops stops = stop_by_two_signals();
   const Logging logging;
   if (!options.unreleased) {
@@ -203,7 +203,7 @@ int send(const Options& options) {
 
 void add_send(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("send", "feeds one program to a control, without a server");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SendOptions>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command
       ->add_option("--link", options->link,

@@ -53,7 +53,7 @@ constexpr rlim_t kMostFiles = 8192;
 // Of a request that computes when the server stops: a sweep looks every moment whether it is to end, a check does not.
 constexpr std::chrono::seconds kRequestsEndWithin{5};
 
-using Options = json::ServerOptions;
+using json::ServerOptions;
 
 // Only the owner may read it: it opens everything.
 app::Result<void> write_secret(const fs::path& path, const std::string& secret) {
@@ -90,12 +90,12 @@ void raise_file_limit() {
   ::setrlimit(RLIMIT_NOFILE, &files);  // where it is refused the limit stays, and HTTP takes half of it
 }
 
-std::string web_root(const Options& options) {
+std::string web_root(const ServerOptions& options) {
   if (!options.web.empty()) return options.web;
   return find_shared("../web/dist").value_or("");
 }
 
-app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const Options& options,
+app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const ServerOptions& options,
                                                                  const http::ListenAddress& address,
                                                                  modbus::RegisterView& registers) {
   auto listener =
@@ -106,7 +106,7 @@ app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const Options& 
 }
 
 // Each check runs in a process of this same program.
-io::WorkerDeskSettings desk_settings(const Options& options) {
+io::WorkerDeskSettings desk_settings(const ServerOptions& options) {
   const std::uint64_t memory_bytes = std::uint64_t{options.check_memory} << 20U;
   const std::uint64_t computing_s = std::uint64_t{options.check_seconds} * json::DocumentWorkers::kSweepChecks;
   return {.command = {"/proc/self/exe", "worker", "--memory-bytes", fmt::format("{}", memory_bytes), "--seconds",
@@ -122,7 +122,7 @@ std::string host_name() {
 }
 
 // Who sends events: the computer, unless an option says what the shop calls this server.
-std::string event_source(const Options& options) {
+std::string event_source(const ServerOptions& options) {
   return options.event_source.empty() ? fmt::format("dripfeed://{}", host_name()) : options.event_source;
 }
 
@@ -134,7 +134,7 @@ app::Result<std::string> password_in(const std::string& path) {
   return std::string(file->text().substr(0, file->text().find_first_of("\r\n")));
 }
 
-app::Result<std::unique_ptr<app::Broker>> connect_broker(const Options& options) {
+app::Result<std::unique_ptr<app::Broker>> connect_broker(const ServerOptions& options) {
   auto password = password_in(options.mqtt_password_file);
   if (!password) return app::fail(app::ErrorCode::invalid, "--mqtt-password-file: " + password.error().text);
   const std::string id = options.mqtt_client_id.empty() ? "dripfeed-" + host_name() : options.mqtt_client_id;
@@ -148,7 +148,7 @@ app::Result<std::unique_ptr<app::Broker>> connect_broker(const Options& options)
   return std::move(*broker);
 }
 
-std::vector<double> webhook_retries(const Options& options) {
+std::vector<double> webhook_retries(const ServerOptions& options) {
   return options.webhook_retry_s.empty() ? app::kWebhookRetries_s : options.webhook_retry_s;
 }
 
@@ -157,7 +157,7 @@ struct Books {
   store::Library* library;
 };
 
-int run_server(const Options& options, const ServePlan& plan, const Books& books, const std::stop_token& stop) {
+int run_server(const ServerOptions& options, const ServePlan& plan, const Books& books, const std::stop_token& stop) {
   store::Store& store = books.store;
   const io::SteadyClock clock;
   const json::JsonDocuments documents;
@@ -247,7 +247,7 @@ int run_server(const Options& options, const ServePlan& plan, const Books& books
   std::_Exit(kDone);  // its thread uses what would be destroyed here
 }
 
-int serve(const Options& options) {
+int serve(const ServerOptions& options) {
   const std::stop_token stop =
       stop_by_signal_and_reload([] { say("SIGHUP: nothing is reloaded, because all options are read at the start"); });
   const Logging logging;
@@ -273,7 +273,7 @@ int serve(const Options& options) {
 }
 
 // --check: what would keep the server from its start, as far as options say.
-int check_options(const Options& options) {
+int check_options(const ServerOptions& options) {
   const auto plan = plan_of(options);
   if (!plan) {
     print_error(plan.error());

@@ -25,7 +25,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct SimulateOptions {
   std::string link;
   std::string machine;
   std::string record;
@@ -59,7 +59,7 @@ simulator::BlockClockSettings clock_settings(const machine::Profile& profile) {
 }
 
 // Without --uart the delay is what the profile's budget leaves for it.
-void set_latency(const machine::LineSettings& line, const Options& options, const simulator::Uart& uart,
+void set_latency(const machine::LineSettings& line, const SimulateOptions& options, const simulator::Uart& uart,
                  simulator::ControlSettings& settings) {
   settings.host_latency_chars = std::min(line.latency_chars, line.overrun_budget - line.unsent);
   if (!options.uart_given) return;
@@ -67,7 +67,7 @@ void set_latency(const machine::LineSettings& line, const Options& options, cons
   settings.host_latency_ns = uart.fixed_ns;
 }
 
-app::Result<simulator::Faults> faults_of(const Options& options) {
+app::Result<simulator::Faults> faults_of(const SimulateOptions& options) {
   simulator::Faults faults;
   for (const std::string& text : options.fault_texts) {
     const auto fault = simulator::parse_fault(text);
@@ -77,7 +77,8 @@ app::Result<simulator::Faults> faults_of(const Options& options) {
   return faults;
 }
 
-app::Result<simulator::ControlSettings> control_settings(const machine::Profile& profile, const Options& options) {
+app::Result<simulator::ControlSettings> control_settings(const machine::Profile& profile,
+                                                         const SimulateOptions& options) {
   const auto wrong = [](std::string text) { return app::fail(app::ErrorCode::invalid, std::move(text)); };
   simulator::ControlSettings settings;
   settings.protocol = options.protocol;
@@ -119,7 +120,7 @@ bool all_complete(const std::vector<simulator::PlcReport>& reports) {
 }
 
 // --record F writes F, and F-n for each of several.
-bool write_record(const Options& options, std::size_t index, std::size_t count, const std::string& text) {
+bool write_record(const SimulateOptions& options, std::size_t index, std::size_t count, const std::string& text) {
   if (options.record.empty()) return true;
   return write_output(count == 1 ? options.record : fmt::format("{}-{}", options.record, index + 1), text);
 }
@@ -140,7 +141,7 @@ void print_plcs(const std::string& link, const std::vector<simulator::PlcReport>
 }
 
 // Several are units of one server, from the link's unit on.
-int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
+int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const SimulateOptions& options,
             const std::stop_token& stop) {
   auto faults = faults_of(options);
   if (!faults) {
@@ -206,7 +207,7 @@ simulator::Time_ns grid_for(std::size_t count) {
 }
 
 app::Result<void> add_all(const machine::LinkUrl& link, const simulator::ControlSettings& settings,
-                          const tape_code::DecodeFormat& format, const Options& options,
+                          const tape_code::DecodeFormat& format, const SimulateOptions& options,
                           std::vector<std::unique_ptr<Received>>& received, simulator::Fleet& fleet) {
   const bool keep = !options.record.empty();
   for (std::size_t n = 1; n <= options.count; ++n) {
@@ -228,14 +229,14 @@ app::Result<void> add_all(const machine::LinkUrl& link, const simulator::Control
   return {};
 }
 
-bool write_records(const Options& options, const std::vector<std::unique_ptr<Received>>& received) {
+bool write_records(const SimulateOptions& options, const std::vector<std::unique_ptr<Received>>& received) {
   for (std::size_t i = 0; i < received.size(); ++i) {
     if (!write_record(options, i, received.size(), received[i]->wire)) return false;
   }
   return true;
 }
 
-int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
+int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, const SimulateOptions& options,
                  const std::stop_token& stop) {
   auto settings = control_settings(profile, options);
   if (!settings) {
@@ -284,7 +285,7 @@ int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, 
   return all_ended ? kDone : kFailed;
 }
 
-int simulate(const Options& options) {
+int simulate(const SimulateOptions& options) {
   const std::stop_token stop = stop_by_two_signals().first;
   const Logging logging;
   const auto link = machine::parse_link_url(options.link);
@@ -319,7 +320,7 @@ int simulate(const Options& options) {
 
 void add_simulate(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("simulate", "a simulated control at the other end of a line");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateOptions>();
   command
       ->add_option("--link", options->link,
                    "pty:/path, tcp-listen://:port, modbus-tcp://:port/unit or modbus-rtu:/path")

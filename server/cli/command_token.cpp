@@ -21,7 +21,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct TokenOptions {
   std::string data = "data";
   std::string name;
   std::string role;
@@ -31,9 +31,9 @@ struct Options {
   store::Id id = 0;
 };
 
-using Work = store::Result<void> (*)(store::Store& store, const Options& options, const store::Stamp& by);
+using Work = store::Result<void> (*)(store::Store& store, const TokenOptions& options, const store::Stamp& by);
 
-store::Result<void> add_one(store::Store& store, const Options& options, const store::Stamp& by) {
+store::Result<void> add_one(store::Store& store, const TokenOptions& options, const store::Stamp& by) {
   if (const std::string why = app::why_no_name(options.name); !why.empty())
     return std::unexpected(store::Error{store::ErrorCode::invalid_value, fmt::format("the name of a token {}", why)});
   const std::string token = hash::random_token();
@@ -67,7 +67,7 @@ std::string_view state_of(const store::Token& token, const store::Stamp& now) {
   return token.expires_at_ms != 0 && token.expires_at_ms <= now.at_ms ? "expired" : "valid";
 }
 
-store::Result<void> list_tokens(store::Store& store, const Options& /*options*/, const store::Stamp& by) {
+store::Result<void> list_tokens(store::Store& store, const TokenOptions& /*options*/, const store::Stamp& by) {
   store::PageRequest page{.limit = store::kPageLimitMax, .after = {}};
   do {
     const auto tokens = store.tokens().list(page);
@@ -82,7 +82,7 @@ store::Result<void> list_tokens(store::Store& store, const Options& /*options*/,
   return {};
 }
 
-store::Result<void> revoke_token(store::Store& store, const Options& options, const store::Stamp& by) {
+store::Result<void> revoke_token(store::Store& store, const TokenOptions& options, const store::Stamp& by) {
   const auto revoked = store.tokens().revoke(options.id, by);
   if (!revoked) return std::unexpected(revoked.error());
   fmt::print(stderr, "token {} of {} is revoked\n", revoked->id, revoked->name);
@@ -90,7 +90,7 @@ store::Result<void> revoke_token(store::Store& store, const Options& options, co
 }
 
 // Only a store that is there: a wrong folder must not become a new one.
-int on_store(const Options& options, Work work) {
+int on_store(const TokenOptions& options, Work work) {
   const auto store = sqlite::open(store_path(options.data), {.create = false});
   if (!store) {
     print_error(store::message_of(store.error()));
@@ -109,7 +109,7 @@ int on_store(const Options& options, Work work) {
 void add_token(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("token", "API tokens: add, list, revoke");
   command->require_subcommand(1);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TokenOptions>();
   const auto action = [&](const char* name, const char* summary, Work work) {
     CLI::App* one = command->add_subcommand(name, summary);
     one->add_option("--data", options->data, "folder of the store")->capture_default_str();

@@ -24,7 +24,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct UserOptions {
   std::string data = "data";
   std::string name;
   std::string role = "viewer";
@@ -32,7 +32,7 @@ struct Options {
   bool takes_away = false;
 };
 
-using Work = app::Result<void> (*)(store::Store& store, const Options& options, const store::Stamp& by);
+using Work = app::Result<void> (*)(store::Store& store, const UserOptions& options, const store::Stamp& by);
 
 app::Result<store::Role> role_named(std::string_view name) {
   if (const auto role = store::named<store::Role>(name)) return *role;
@@ -40,7 +40,7 @@ app::Result<store::Role> role_named(std::string_view name) {
                    fmt::format("the role \"{}\" is none of {}", name, fmt::join(store::kNames<store::Role>, ", ")));
 }
 
-app::Result<store::UserRoles> roles_of(const Options& options) {
+app::Result<store::UserRoles> roles_of(const UserOptions& options) {
   store::UserRoles roles;
   const auto role = role_named(options.role);
   if (!role) return std::unexpected(role.error());
@@ -56,7 +56,7 @@ app::Result<store::UserRoles> roles_of(const Options& options) {
   return roles;
 }
 
-app::Result<void> add_one(store::Store& store, const Options& options, const store::Stamp& by) {
+app::Result<void> add_one(store::Store& store, const UserOptions& options, const store::Stamp& by) {
   if (const std::string why = app::why_no_name(options.name); !why.empty())
     return app::fail(app::ErrorCode::invalid, fmt::format("the name of a user {}", why));
   const auto roles = roles_of(options);
@@ -75,7 +75,7 @@ std::string grants_of(const store::User& user) {
   return text;
 }
 
-app::Result<void> list_users(store::Store& store, const Options& /*options*/, const store::Stamp& by) {
+app::Result<void> list_users(store::Store& store, const UserOptions& /*options*/, const store::Stamp& by) {
   store::PageRequest page{.limit = store::kPageLimitMax, .after = {}};
   do {
     const auto users = app::lift(store.users().list(page));
@@ -92,7 +92,7 @@ app::Result<void> list_users(store::Store& store, const Options& /*options*/, co
   return {};
 }
 
-app::Result<void> change_roles(store::Store& store, const Options& options, const store::Stamp& by) {
+app::Result<void> change_roles(store::Store& store, const UserOptions& options, const store::Stamp& by) {
   const auto roles = roles_of(options);
   if (!roles) return std::unexpected(roles.error());
   const auto user = app::lift(store.users().get(options.name));
@@ -102,7 +102,7 @@ app::Result<void> change_roles(store::Store& store, const Options& options, cons
   return changed ? app::Result<void>{} : std::unexpected(changed.error());
 }
 
-app::Result<void> set_disabled(store::Store& store, const Options& options, const store::Stamp& by, bool disabled) {
+app::Result<void> set_disabled(store::Store& store, const UserOptions& options, const store::Stamp& by, bool disabled) {
   const auto user = app::lift(store.users().get(options.name));
   if (!user) return std::unexpected(user.error());
   const auto changed =
@@ -110,14 +110,14 @@ app::Result<void> set_disabled(store::Store& store, const Options& options, cons
   return changed ? app::Result<void>{} : std::unexpected(changed.error());
 }
 
-app::Result<void> disable(store::Store& store, const Options& options, const store::Stamp& by) {
+app::Result<void> disable(store::Store& store, const UserOptions& options, const store::Stamp& by) {
   return set_disabled(store, options, by, true);
 }
-app::Result<void> enable(store::Store& store, const Options& options, const store::Stamp& by) {
+app::Result<void> enable(store::Store& store, const UserOptions& options, const store::Stamp& by) {
   return set_disabled(store, options, by, false);
 }
 
-app::Result<void> unlock(store::Store& store, const Options& options, const store::Stamp& by) {
+app::Result<void> unlock(store::Store& store, const UserOptions& options, const store::Stamp& by) {
   const auto user = app::lift(store.users().unlock(options.name, by));
   return user ? app::Result<void>{} : std::unexpected(user.error());
 }
@@ -154,7 +154,7 @@ app::Result<std::string> read_secret(std::string_view what, std::string_view use
   return secret;
 }
 
-app::Result<void> change_secret(store::Store& store, const Options& options, const store::Stamp& by,
+app::Result<void> change_secret(store::Store& store, const UserOptions& options, const store::Stamp& by,
                                 store::SecretKind kind) {
   std::string secret;
   if (!options.takes_away) {
@@ -166,15 +166,15 @@ app::Result<void> change_secret(store::Store& store, const Options& options, con
   return changed ? app::Result<void>{} : std::unexpected(changed.error());
 }
 
-app::Result<void> set_password(store::Store& store, const Options& options, const store::Stamp& by) {
+app::Result<void> set_password(store::Store& store, const UserOptions& options, const store::Stamp& by) {
   return change_secret(store, options, by, store::SecretKind::password);
 }
-app::Result<void> set_pin(store::Store& store, const Options& options, const store::Stamp& by) {
+app::Result<void> set_pin(store::Store& store, const UserOptions& options, const store::Stamp& by) {
   return change_secret(store, options, by, store::SecretKind::pin);
 }
 
 // Only a store that is there: a wrong folder must not become a new one.
-int on_store(const Options& options, Work work) {
+int on_store(const UserOptions& options, Work work) {
   const auto store = app::lift(sqlite::open(store_path(options.data), {.create = false}));
   if (!store) {
     print_error(store.error());
@@ -193,7 +193,7 @@ int on_store(const Options& options, Work work) {
 void add_user(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("user", "people who sign in: add, roles, password, pin, disable, list");
   command->require_subcommand(1);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<UserOptions>();
   const auto action = [&](const char* name, const char* summary, Work work, bool of_one = true) {
     CLI::App* one = command->add_subcommand(name, summary);
     if (of_one) one->add_option("name", options->name, "of the person")->required();

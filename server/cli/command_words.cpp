@@ -14,14 +14,14 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct WordsOptions {
   std::string dialect;
   std::string kind = "mill";
   std::string system = "A";
   bool markdown = false;
 };
 
-int words(const Options& options) {
+int words(const WordsOptions& options) {
   if (options.markdown) return write_output("", words_in_markdown()) ? kDone : kWrongUse;
   const compile::Dialect* dialect = compile::find_dialect(options.dialect);
   if (dialect == nullptr) {
@@ -40,7 +40,7 @@ int words(const Options& options) {
 void add_words(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("words", "the words of a control's language: interpreted, without effect, reported");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<WordsOptions>();
   command->add_option("--dialect", options->dialect, "fanuc, haas, mazak, mitsubishi-m80 or sinumerik-840d");
   command->add_option("--kind", options->kind, "mill, lathe or mill-turn")
       ->check(CLI::IsMember({"mill", "lathe", "mill-turn"}));

@@ -22,7 +22,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct WorkerOptions {
   std::uint64_t memory_bytes = 0;
   std::uint32_t seconds = 0;
 };
@@ -45,7 +45,7 @@ void prefer_to_be_killed() {
 }
 
 // Nothing of the server but standard input, output and error; ends with it; behind everything else.
-void withdraw(const Options& options) {
+void withdraw(const WorkerOptions& options) {
   constexpr rlim_t kSpareSeconds = 10;
   constexpr rlim_t kMostFiles = 64;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -80,7 +80,7 @@ bool write_reply(std::string_view reply) {
   return true;
 }
 
-int work(const Options& options) {
+int work(const WorkerOptions& options) {
   withdraw(options);
   std::string request;
   if (!read_request(request) || request.empty()) return kWrongUse;  // it was not needed
@@ -92,7 +92,7 @@ int work(const Options& options) {
 void add_worker(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("worker", "one check for the server; not for people");
   command->group("");  // not in the help
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<WorkerOptions>();
   command->add_option("--memory-bytes", options->memory_bytes, "what it may take");
   command->add_option("--seconds", options->seconds, "of computing; 0: as long as it takes");
   command->callback([options, &exit_code] { exit_code = work(*options); });

@@ -14,7 +14,7 @@ namespace dripfeed::cli {
 
 namespace {
 
-struct Options {
+struct WrapOptions {
   TextOptions text;
   std::string file;
   std::string name;
@@ -29,7 +29,7 @@ void print_notes(const compile::FamilyProposal& proposal, const text::Source& so
   }
 }
 
-int wrap(const Options& options) {
+int wrap(const WrapOptions& options) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
@@ -53,7 +53,7 @@ int wrap(const Options& options) {
 
 void add_wrap(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("wrap", "proposes a part family from a program, which stays unchanged");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<WrapOptions>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command->add_option("--name", options->name, "name of the family; otherwise the file's");
   add_text_options(*command, options->text);
