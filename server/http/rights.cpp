@@ -84,6 +84,16 @@ constexpr std::array kActRows = {
     ActRow{Method::post, "/api/v1/checks", Acts::machine_in_body},
     ActRow{Method::post, "/api/v1/render", Acts::machine_in_body},
     ActRow{Method::post, "/api/v1/preview", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/accuracy", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/gouge", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/timing", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/sweep", Acts::machine_in_body},
+    // Of a text alone where the body names no machine: whoever may do it on one machine.
+    ActRow{Method::post, "/api/v1/diagnose", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/path", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/convert", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/rewrite", Acts::anywhere},
+    ActRow{Method::post, "/api/v1/statistics", Acts::machine_in_body},
     ActRow{Method::post, "/api/v1/alarms/{id}", Acts::alarm},
     ActRow{Method::post, "/api/v1/receipts/{id}", Acts::receipt},
 };

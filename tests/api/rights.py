@@ -1,5 +1,5 @@
-"""Every route with and without rights: without a token 401, with a role below its own 403, with its own an answer of 2xx. The rows are compared
-with /api/openapi.json, which the server writes from its own table, so that no route is without a row. Tokens of the roles are made with
+"""Every route with and without rights: without a token 401, with a role below its own 403, with its own an answer of 2xx; with a role in one group
+of machines, what acts on those and nothing else. The rows are compared with /api/openapi.json, which the server writes from its own table, so that no route is without a row. Tokens of the roles are made with
 `dripfeed token add`."""
 
 import copy
@@ -35,7 +35,7 @@ def rows(made):
         ("GET", "/api/v1/machines/{name}/utilisation", "viewer", {"name": "mill"}, None, {}),
         ("GET", "/api/v1/machines/{name}/wire", "viewer", {"name": "lathe"}, None, {"ready": "idle"}),
         ("POST", "/api/v1/machines/{name}/line-test", "operator", {"name": "lathe"}, None, {"ready": "idle"}),
-        ("PUT", "/api/v1/machines/{name}", "admin", {"name": "mill"}, lambda: made["mill_profile"] | {"title": "Another"}, {"headers": MATCH_1}),
+        ("PUT", "/api/v1/machines/{name}", "admin", {"name": "mill"}, lambda: made["mill_profile"] | {"title": "Another"}, {"headers": MATCH_1, "ready": "of_the_hall"}),
         ("PUT", "/api/v1/session/password", "viewer", {}, {"current": "the first of olga", "secret": "the third of olga"}, {"ready": "olga"}),
         ("GET", "/api/v1/groups", "viewer", {}, None, {}),
         ("PUT", "/api/v1/groups/{name}", "admin", {"name": "lathes"}, {"machines": ["mill"]}, {}),
@@ -151,6 +151,22 @@ def rows(made):
     ]
 
 
+# What a role in a group of machines reaches: changes of a machine of the group, and what acts on no machine in particular.
+ON_ONE_MACHINE = {
+    ("PUT", "/api/v1/machines/{name}"), ("POST", "/api/v1/machines/{name}/line-test"), ("POST", "/api/v1/machines/{name}/confirm-reset"),
+    ("POST", "/api/v1/render"), ("POST", "/api/v1/preview"), ("POST", "/api/v1/checks"), ("POST", "/api/v1/checks/{id}/waivers"),
+    ("POST", "/api/v1/accuracy"), ("POST", "/api/v1/gouge"), ("POST", "/api/v1/timing"), ("POST", "/api/v1/sweep"),
+    ("POST", "/api/v1/releases"), ("POST", "/api/v1/releases/{id}/transitions"), ("POST", "/api/v1/releases/{id}/restart-preview"),
+    ("POST", "/api/v1/releases/{id}/restarts"), ("POST", "/api/v1/receipts/{id}/accept"), ("POST", "/api/v1/receipts/{id}/discard"),
+    ("POST", "/api/v1/alarms/{id}/shelve"), ("POST", "/api/v1/alarms/{id}/unshelve"), ("POST", "/api/v1/alarms/{id}/acknowledge"),
+    ("POST", "/api/v1/jobs"), ("POST", "/api/v1/jobs/{id}/move"), ("POST", "/api/v1/jobs/{id}/arm"), ("POST", "/api/v1/jobs/{id}/resume"),
+    ("POST", "/api/v1/jobs/{id}/cancel"),
+}
+# Whoever operates one machine may stop them all, and try a text on no machine.
+ON_ANY = {("POST", "/api/v1/jobs/{id}/stop"), ("POST", "/api/v1/path"), ("POST", "/api/v1/diagnose"), ("POST", "/api/v1/convert"),
+          ("POST", "/api/v1/rewrite"), ("POST", "/api/v1/statistics")}
+
+
 class Stage:
     """Brings the shop to where a row can be taken."""
 
@@ -185,6 +201,10 @@ class Stage:
         self.client.post("/users", {"name": "olga", "role": "viewer"})
         self.client.must("PUT", "/users/olga/password", {"secret": "the first of olga"})
         self.client.tokens["viewer"] = self.client.post("/tokens", {"name": "olga's tablet", "role": "viewer", "user": "olga"})["token"]
+
+    def of_the_hall(self):
+        """The mill that a row has added belongs to the same group as the lathe."""
+        self.client.must("PUT", "/groups/hall", {"machines": ["lathe", "mill"]})
 
     def idle(self):
         self.client.wait_line("lathe", "idle")
@@ -226,7 +246,7 @@ def try_row(client, stage, made, row):
             expect(answer.headers["WWW-Authenticate"] == "Bearer", f"{what}: a 401 without its WWW-Authenticate")
         for below in ROLES[: ROLES.index(role)]:
             expect_problem(client.call(method, path, body, below, headers), 403, f"{what} as {below}", [role, below])
-    answer = client.call(method, path, body, role, headers)
+    answer = client.call(method, path, body, by_group(client, row, path, body, headers) or role, headers)
     expect(200 <= answer.status < 300, f"{what} as {role or 'anybody'}: {answer}")
     if "note" in more:
         made[more["note"]] = answer.document["id"]
@@ -236,6 +256,34 @@ def try_row(client, stage, made, row):
     if method == "GET" and role:
         for above in ROLES[ROLES.index(role):]:
             expect(client.call(method, path, None, above, headers).status == answer.status, f"{what} as {above}")
+
+
+def make_groups(client, folder):
+    """HALL-ROLE has the role on the lathe and the mill, OTHER on a machine beside them, and is a viewer elsewhere."""
+    client.post("/machines", shop.preset("fanuc-0i-mill", url=f"pty:{folder}/other") | {"name": "other"})
+    client.must("PUT", "/groups/hall", {"machines": ["lathe"]})
+    client.must("PUT", "/groups/others", {"machines": ["other"]})
+    for name, group, role in [(f"hall-{role}", "hall", role) for role in ROLES] + [("others", "others", "admin")]:
+        client.post("/users", {"name": name, "role": "viewer", "grants": [{"group": group, "role": role}]})
+        client.tokens[name] = client.post("/tokens", {"name": name, "role": "admin", "user": name})["token"]
+
+
+def by_group(client, row, path, body, headers):
+    """Tries a change with roles in groups of machines; by whose token it may be made, where a group's role is enough."""
+    method, pattern, role = row[:3]
+    what = f"{method} {pattern}"
+    if method == "GET" or role in (None, "viewer"):
+        return None
+    if (method, pattern) in ON_ANY:
+        expect_problem(client.call(method, path, body, "hall-viewer", headers), 403, f"{what} as viewer in a group")
+        return "others"
+    if (method, pattern) not in ON_ONE_MACHINE:
+        expect_problem(client.call(method, path, body, "hall-admin", headers), 403, f"{what} as admin of a group")
+        return None
+    expect_problem(client.call(method, path, body, "others", headers), 403, f"{what} as admin of another group")
+    below = ROLES[ROLES.index(role) - 1]
+    expect_problem(client.call(method, path, body, f"hall-{below}", headers), 403, f"{what} as {below} in the group")
+    return f"hall-{role}"
 
 
 def every_route(folder):
@@ -250,6 +298,7 @@ def every_route(folder):
     client = Client(folder, "--web", str(web)).start()
     client.post("/machines", hand_profile(control))
     mill = shop.preset("fanuc-0i-mill", url=f"pty:{folder}/nobody")
+    make_groups(client, folder)
     made = {"token": client.tokens["viewer"], "mill_profile": mill | {"name": "mill"}}
     stage = Stage(client, control, made)
     for row in rows(made):
