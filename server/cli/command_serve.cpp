@@ -25,6 +25,7 @@
 #include "server/cli/logging.h"
 #include "server/cli/output.h"
 #include "server/cli/serve_options.h"
+#include "server/cli/serve_reload.h"
 #include "server/cli/signals.h"
 #include "server/http/api.h"
 #include "server/http/server.h"
@@ -105,14 +106,20 @@ app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const ServerOpt
   return std::move(*listener);
 }
 
+std::uint64_t check_memory_bytes(const ServerOptions& options) { return std::uint64_t{options.check_memory} << 20U; }
+
 // Each check runs in a process of this same program.
-io::WorkerDeskSettings desk_settings(const ServerOptions& options) {
-  const std::uint64_t memory_bytes = std::uint64_t{options.check_memory} << 20U;
+std::vector<std::string> worker_command(const ServerOptions& options) {
   const std::uint64_t computing_s = std::uint64_t{options.check_seconds} * json::DocumentWorkers::kSweepChecks;
-  return {.command = {"/proc/self/exe", "worker", "--memory-bytes", fmt::format("{}", memory_bytes), "--seconds",
-                      fmt::format("{}", computing_s)},
+  return {"/proc/self/exe", "worker",
+          "--memory-bytes", fmt::format("{}", check_memory_bytes(options)),
+          "--seconds",      fmt::format("{}", computing_s)};
+}
+
+io::WorkerDeskSettings desk_settings(const ServerOptions& options) {
+  return {.command = worker_command(options),
           .at_once = std::max(2U, std::thread::hardware_concurrency() - 1U),
-          .memory_bytes = memory_bytes,
+          .memory_bytes = check_memory_bytes(options),
           .memory_exit_code = kOverMemory};
 }
 
@@ -157,7 +164,29 @@ struct Books {
   store::Library* library;
 };
 
-int run_server(const ServerOptions& options, const ServePlan& plan, const Books& books, const std::stop_token& stop) {
+// What a reload reaches.
+struct Live {
+  http::Server& server;
+  io::ModbusListener* plcs;
+  io::WorkerDesk& desk;
+  json::DocumentWorkers& workers;
+};
+
+// Readers first: the address at which they are served may be another than the options state now.
+app::Result<void> take_over(const Live& live, const ServerOptions& options) {
+  if (live.plcs != nullptr) {
+    if (const auto readers = live.plcs->set_allowed(options.modbus_allow); !readers)
+      return app::fail(app::ErrorCode::invalid, "--modbus-allow: " + readers.error());
+  }
+  if (const auto proxies = live.server.set_proxies(options.proxy); !proxies)
+    return app::fail(app::ErrorCode::invalid, "--proxy: " + proxies.error());
+  live.workers.set_seconds(options.check_seconds);
+  live.desk.set_command(worker_command(options), check_memory_bytes(options));
+  return {};
+}
+
+int run_server(const ServerOptions& options, const ServePlan& plan, const Books& books, Reload& reload,
+               const std::stop_token& stop) {
   store::Store& store = books.store;
   const io::SteadyClock clock;
   const json::JsonDocuments documents;
@@ -165,8 +194,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   links->run([] { spdlog::info("the lines are served {}", io::how_scheduled()); });
   app::Ballast ballast(fs::path(options.data) / "ballast");
   io::WorkerDesk desk(desk_settings(options));
-  json::DocumentWorkers workers(desk, {.seconds = options.check_seconds, .memory_bytes = 0},
-                                app::CalledPrograms(store, books.library));
+  json::DocumentWorkers workers(desk, options.check_seconds, app::CalledPrograms(store, books.library));
   const auto sender = io::make_http_sender(
       {.ca_file = options.webhook_ca, .user_agent = fmt::format("dripfeed/{}", std::string_view(kVersion))});
   if (!sender) {
@@ -234,7 +262,11 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   }
   announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", options.tls_cert.empty() ? "http" : "https",
                        plan.address.host, (*server)->port(), (fs::path(options.data) / "first-token").string()));
-  while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  {
+    const Live live{.server = **server, .plcs = plcs.get(), .desk = desk, .workers = workers};
+    const Reload::Running running(reload, [&](const ServerOptions& now) { return take_over(live, now); });
+    while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
   spdlog::info("stopping: running feeds end at their block");
   (*server)->close();
   // The lines first: a request that is still at work must not keep a feed from ending at its block.
@@ -247,9 +279,9 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   std::_Exit(kDone);  // its thread uses what would be destroyed here
 }
 
-int serve(const ServerOptions& options) {
-  const std::stop_token stop =
-      stop_by_signal_and_reload([] { say("SIGHUP: nothing is reloaded, because all options are read at the start"); });
+int serve(const ServerOptions& options, const Reload::Read& read_again) {
+  const auto reload = std::make_shared<Reload>(options, read_again);  // the signals' thread outlives this call
+  const std::stop_token stop = stop_by_signal_and_reload([reload] { reload->run(); });
   const Logging logging;
   const auto plan = plan_of(options);
   if (!plan) {
@@ -269,7 +301,7 @@ int serve(const ServerOptions& options) {
   // A shop goes on without it.
   auto library = sqlite::open_library(sqlite::library_path(store_path(options.data)));
   if (!library) spdlog::warn("programs cannot be searched: {}", store::message_of(library.error()));
-  return run_server(options, *plan, {.store = **store, .library = library ? library->get() : nullptr}, stop);
+  return run_server(options, *plan, {.store = **store, .library = library ? library->get() : nullptr}, *reload, stop);
 }
 
 // --check: what would keep the server from its start, as far as options say.
@@ -291,7 +323,7 @@ int serve_as_given(const CLI::App& command, const GivenOptions& given) {
     print_error(options.error());
     return kWrongUse;
   }
-  return given.only_check ? check_options(*options) : serve(*options);
+  return given.only_check ? check_options(*options) : serve(*options, [&] { return options_of(command, given); });
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Row {
   const char* name;
   Value ServerOptions::* member;
   const char* about;
+  bool is_live = false;  // a running server takes it over
 };
 
 constexpr Row<std::string> kTexts[] = {
@@ -49,9 +50,9 @@ constexpr Row<std::string> kTexts[] = {
 constexpr Row<std::vector<std::string>> kLists[] = {
     {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
     {"--modbus-allow", &ServerOptions::modbus_allow,
-     "IP address that may read; must be given where --modbus-listen is not loopback"},
+     "IP address that may read; must be given where --modbus-listen is not loopback", true},
     {"--proxy", &ServerOptions::proxy,
-     "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed"},
+     "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed", true},
 };
 constexpr Row<std::vector<double>> kDelays[] = {
     {"--webhook-retry-s", &ServerOptions::webhook_retry_s,
@@ -64,10 +65,10 @@ struct NumberRow {
   std::uint32_t most;
 };
 constexpr NumberRow kNumbers[] = {
-    {{"--check-seconds", &ServerOptions::check_seconds, "budget of time of one check; a sweep has ten times it"},
+    {{"--check-seconds", &ServerOptions::check_seconds, "budget of time of one check; a sweep has ten times it", true},
      1,
      json::kMostCheckSeconds},
-    {{"--check-memory", &ServerOptions::check_memory, "budget of memory of one check, in MB"},
+    {{"--check-memory", &ServerOptions::check_memory, "budget of memory of one check, in MB", true},
      json::kLeastCheckMemory_mb,
      json::kMostCheckMemory_mb},
 };
@@ -77,6 +78,19 @@ constexpr Row<bool> kFlags[] = {{"--insecure", &ServerOptions::insecure, "listen
 template <class Value>
 void lay_over(const CLI::App& command, const Row<Value>& row, const ServerOptions& given, ServerOptions& into) {
   if (command.count(row.name) > 0) into.*row.member = given.*row.member;
+}
+
+template <class Value>
+void note_change(const Row<Value>& row, const ServerOptions& before, const ServerOptions& after, ChangedOptions& into) {
+  if (before.*row.member == after.*row.member) return;
+  std::string name = row.name + 2;  // without its dashes
+  std::ranges::replace(name, '-', '_');
+  (row.is_live ? into.live : into.later).push_back(std::move(name));
+}
+
+template <class Value>
+void take_live(const Row<Value>& row, const ServerOptions& from, ServerOptions& into) {
+  if (row.is_live) into.*row.member = from.*row.member;
 }
 
 // MACHINE=UNIT, each unit and each machine once.
@@ -111,6 +125,21 @@ app::Result<void> check_tls(const ServerOptions& options, const http::ListenAddr
       fmt::format("{} is not loopback and there is no TLS: tokens would be readable on the network. Give --tls-cert "
                   "and --tls-key, put a TLS proxy before it, or pass --insecure",
                   options.listen));
+}
+
+app::Result<void> check_addresses(std::string_view option, const std::vector<std::string>& named) {
+  for (const std::string& one : named)
+    if (!http::is_ip_address(one))
+      return app::fail(app::ErrorCode::invalid, fmt::format("{}: \"{}\" is not an IP address", option, one));
+  return {};
+}
+
+// Modbus has no rights of its own.
+app::Result<void> check_readers(const ServerOptions& options, const http::ListenAddress& modbus) {
+  if (!options.modbus_allow.empty() || http::is_loopback(modbus)) return {};
+  return app::fail(app::ErrorCode::invalid,
+                   fmt::format("--modbus-listen {} is not loopback: state by --modbus-allow which addresses may read",
+                               options.modbus_listen));
 }
 
 app::Result<void> check_mqtt(const ServerOptions& options) {
@@ -163,17 +192,40 @@ app::Result<ServerOptions> options_of(const CLI::App& command, const GivenOption
   return options;
 }
 
+ChangedOptions changed_options(const ServerOptions& before, const ServerOptions& after) {
+  ChangedOptions changed;
+  for (const auto& row : kTexts) note_change(row, before, after, changed);
+  for (const auto& row : kLists) note_change(row, before, after, changed);
+  for (const auto& row : kDelays) note_change(row, before, after, changed);
+  for (const auto& row : kNumbers) note_change(row.row, before, after, changed);
+  for (const auto& row : kFlags) note_change(row, before, after, changed);
+  return changed;
+}
+
+ServerOptions with_live(ServerOptions running, const ServerOptions& stated) {
+  for (const auto& row : kTexts) take_live(row, stated, running);
+  for (const auto& row : kLists) take_live(row, stated, running);
+  for (const auto& row : kDelays) take_live(row, stated, running);
+  for (const auto& row : kNumbers) take_live(row.row, stated, running);
+  for (const auto& row : kFlags) take_live(row, stated, running);
+  return running;
+}
+
 app::Result<ServePlan> plan_of(const ServerOptions& options) {
   const auto address = http::parse_listen_address(options.listen);
   if (!address) return app::fail(app::ErrorCode::invalid, address.error());
   if (const auto tls = check_tls(options, *address); !tls) return std::unexpected(tls.error());
   if (const auto mqtt = check_mqtt(options); !mqtt) return std::unexpected(mqtt.error());
+  if (const auto proxies = check_addresses("--proxy", options.proxy); !proxies) return std::unexpected(proxies.error());
+  if (const auto readers = check_addresses("--modbus-allow", options.modbus_allow); !readers)
+    return std::unexpected(readers.error());
   auto units = units_of(options.modbus_unit);
   if (!units) return std::unexpected(units.error());
   ServePlan plan{.address = *address, .modbus_units = std::move(*units)};
   if (options.modbus_listen.empty()) return plan;
   const auto modbus = http::parse_listen_address(options.modbus_listen);
   if (!modbus) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + modbus.error());
+  if (const auto readers = check_readers(options, *modbus); !readers) return std::unexpected(readers.error());
   plan.modbus_address = *modbus;
   return plan;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "server/app/base/error.h"
 #include "server/http/server.h"
@@ -37,5 +38,15 @@ struct ServePlan {
 };
 // Errors: invalid, as one sentence. Nothing is begun; the certificate and its key are read.
 app::Result<ServePlan> plan_of(const json::ServerOptions& options);
+
+// The options that differ, as the file names them.
+struct ChangedOptions {
+  std::vector<std::string> live;   // a running server may take them over
+  std::vector<std::string> later;  // they take effect at the next start
+};
+ChangedOptions changed_options(const json::ServerOptions& before, const json::ServerOptions& after);
+
+// `running` with the live options of `stated`.
+json::ServerOptions with_live(json::ServerOptions running, const json::ServerOptions& stated);
 
 }  // namespace dripfeed::cli

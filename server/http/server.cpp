@@ -77,6 +77,8 @@ class ListeningServer final : public Server {
 
   [[nodiscard]] std::uint16_t port() const override { return port_; }
 
+  std::expected<void, std::string> set_proxies(const std::vector<std::string>& proxies) override;
+
   void close() override {
     asio::post(context_, [this] {
       boost::system::error_code ignored;  // the acceptor is going away
@@ -204,6 +206,13 @@ std::expected<std::vector<asio::ip::address>, std::string> addresses_of(const st
   return addresses;
 }
 
+std::expected<void, std::string> ListeningServer::set_proxies(const std::vector<std::string>& proxies) {
+  auto addresses = addresses_of(proxies);
+  if (!addresses) return std::unexpected(std::move(addresses.error()));
+  asio::post(context_, [this, known = std::move(*addresses)]() mutable { shared_.proxies = std::move(known); });
+  return {};
+}
+
 }  // namespace
 
 std::expected<ListenAddress, std::string> parse_listen_address(std::string_view text) {
@@ -223,6 +232,12 @@ std::expected<ListenAddress, std::string> parse_listen_address(std::string_view 
   asio::ip::make_address(address.host, bad);
   if (bad) return std::unexpected(fmt::format("\"{}\" is not an IP address", address.host));
   return address;
+}
+
+bool is_ip_address(const std::string& text) {
+  boost::system::error_code bad;
+  asio::ip::make_address(text, bad);
+  return !bad;
 }
 
 bool is_loopback(const ListenAddress& address) { return asio::ip::make_address(address.host).is_loopback(); }

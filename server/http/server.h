@@ -34,6 +34,7 @@ struct ListenAddress {
 // "127.0.0.1:8840", "[::1]:8840", ":8840" (loopback); or one sentence that says what is wrong.
 std::expected<ListenAddress, std::string> parse_listen_address(std::string_view text);
 bool is_loopback(const ListenAddress& address);
+bool is_ip_address(const std::string& text);
 
 // Where a request is answered, and how long its body may be; known from its head.
 struct Plan {
@@ -68,6 +69,8 @@ class Server {
   static std::expected<std::unique_ptr<Server>, std::string> start(const ServerSettings& settings, Answerer answerer);
   virtual ~Server() = default;  // stop() must have said true, or was never called: then it waits for all work
   [[nodiscard]] virtual std::uint16_t port() const = 0;
+  // From any thread: from the next request on. Nothing changes where one is no address; the sentence states which.
+  virtual std::expected<void, std::string> set_proxies(const std::vector<std::string>& proxies) = 0;
   // Closes the listener and every connection: no request comes in any more.
   virtual void close() = 0;
   // close(), then gives the requests at work so much time. False when one still runs: see Lanes::stop.

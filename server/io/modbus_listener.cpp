@@ -36,11 +36,12 @@ modbus::Time now() { return std::chrono::steady_clock::now().time_since_epoch();
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(tcp::socket socket, modbus::RegisterView& view)
-      : socket_(std::move(socket)), timer_(socket_.get_executor()), protocol_(view, now()) {
+  Connection(tcp::socket socket, asio::ip::address peer, modbus::RegisterView& view)
+      : socket_(std::move(socket)), peer_(std::move(peer)), timer_(socket_.get_executor()), protocol_(view, now()) {
     error_code ignored;  // an answer goes a little later then
     socket_.set_option(tcp::no_delay(true), ignored);
   }
+  [[nodiscard]] const asio::ip::address& peer() const { return peer_; }
   void begin() {
     read();
     watch();
@@ -89,11 +90,28 @@ class Connection : public std::enable_shared_from_this<Connection> {
   }
 
   tcp::socket socket_;
+  asio::ip::address peer_;
   asio::steady_timer timer_;
   modbus::MbapConnection protocol_;
   std::array<std::byte, modbus::kMaxAdu> buffer_{};
   std::span<const std::byte> held_;
 };
+
+// Who may connect at this address. Modbus has no rights of its own, so beyond loopback they must be named.
+std::expected<std::vector<asio::ip::address>, std::string> allowed_at(const asio::ip::address& address,
+                                                                      const std::vector<std::string>& named) {
+  std::vector<asio::ip::address> allowed;
+  for (const std::string& text : named) {
+    error_code bad;
+    allowed.push_back(asio::ip::make_address(text, bad));
+    if (bad) return std::unexpected(fmt::format("\"{}\" is not an IP address", text));
+  }
+  if (allowed.empty() && !address.is_loopback()) {
+    return std::unexpected(fmt::format("{} is not loopback, and Modbus has no rights: state which addresses may read",
+                                       address.to_string()));
+  }
+  return allowed;
+}
 
 class AsioListener final : public ModbusListener {
  public:
@@ -118,12 +136,25 @@ class AsioListener final : public ModbusListener {
     acceptor_.bind(endpoint);
     acceptor_.listen();
     port_ = acceptor_.local_endpoint().port();
+    address_ = endpoint.address();
     accept_next();
     thread_ = std::jthread([this] { run(); });
   }
 
   [[nodiscard]] std::uint16_t port() const override { return port_; }
   [[nodiscard]] std::uint64_t refused() const override { return refused_.load(); }
+  std::expected<void, std::string> set_allowed(const std::vector<std::string>& allowed) override {
+    auto addresses = allowed_at(address_, allowed);
+    if (!addresses) return std::unexpected(std::move(addresses.error()));
+    asio::post(context_, [this, known = std::move(*addresses)]() mutable {
+      allowed_ = std::move(known);
+      for (const auto& weak : connections_) {
+        const auto connection = weak.lock();
+        if (connection && !may_connect(connection->peer())) connection->close();
+      }
+    });
+    return {};
+  }
 
  private:
   // The fence of the thread: what one connection throws is reported, and the others are served on.
@@ -157,7 +188,7 @@ class AsioListener final : public ModbusListener {
       refused_.fetch_add(1);
       return;
     }
-    const auto connection = std::make_shared<Connection>(std::move(socket), view_);
+    const auto connection = std::make_shared<Connection>(std::move(socket), peer.address(), view_);
     connections_.push_back(connection);
     connection->begin();
   }
@@ -182,6 +213,7 @@ class AsioListener final : public ModbusListener {
   std::list<std::weak_ptr<Connection>> connections_;
   std::atomic<std::uint64_t> refused_{0};
   std::uint16_t port_ = 0;
+  asio::ip::address address_;
   std::jthread thread_;
 };
 
@@ -192,16 +224,9 @@ std::expected<std::unique_ptr<ModbusListener>, std::string> listen_modbus(const 
   error_code bad;
   const asio::ip::address address = asio::ip::make_address(settings.host, bad);
   if (bad) return std::unexpected(fmt::format("\"{}\" is not an IP address", settings.host));
-  std::vector<asio::ip::address> allowed;
-  for (const std::string& text : settings.allowed) {
-    allowed.push_back(asio::ip::make_address(text, bad));
-    if (bad) return std::unexpected(fmt::format("\"{}\" is not an IP address", text));
-  }
-  if (allowed.empty() && !address.is_loopback()) {
-    return std::unexpected(
-        fmt::format("{} is not loopback, and Modbus has no rights: state which addresses may read", settings.host));
-  }
-  auto listener = std::make_unique<AsioListener>(view, std::move(allowed));
+  auto allowed = allowed_at(address, settings.allowed);
+  if (!allowed) return std::unexpected(std::move(allowed.error()));
+  auto listener = std::make_unique<AsioListener>(view, std::move(*allowed));
   try {
     listener->listen({address, settings.port});
   } catch (const boost::system::system_error& error) {

@@ -30,6 +30,9 @@ class ModbusListener {
   ModbusListener& operator=(const ModbusListener&) = delete;
   virtual ~ModbusListener() = default;
   [[nodiscard]] virtual std::uint16_t port() const = 0;
+  // From any thread: who may connect from now on, and connections of others end. Or the sentence of listen_modbus(),
+  // and nothing changes.
+  virtual std::expected<void, std::string> set_allowed(const std::vector<std::string>& allowed) = 0;
   // Connections that were not allowed or were too many, since the start.
   [[nodiscard]] virtual std::uint64_t refused() const = 0;
 };

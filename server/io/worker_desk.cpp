@@ -128,14 +128,36 @@ std::expected<WorkerProcess, std::string> WorkerDesk::take_process() {
     }
     ready_.reset();
   }
-  return WorkerProcess::start(settings_.command);
+  return WorkerProcess::start(command());
+}
+
+void WorkerDesk::set_command(std::vector<std::string> command, std::uint64_t memory_bytes) {
+  {
+    const std::lock_guard lock(mutex_);
+    settings_.command = std::move(command);
+    settings_.memory_bytes = memory_bytes;
+    ready_.reset();
+  }
+  make_ready();
+}
+
+std::vector<std::string> WorkerDesk::command() {
+  const std::lock_guard lock(mutex_);
+  return settings_.command;
 }
 
 void WorkerDesk::make_ready() {
-  auto started = WorkerProcess::start(settings_.command);
+  const std::vector<std::string> command = this->command();
+  auto started = WorkerProcess::start(command);
   if (!started) return;  // the next piece of work tries again, and reports why there is no process
   const std::lock_guard lock(mutex_);
-  if (!ready_) ready_.emplace(std::move(*started));
+  if (!ready_ && command == settings_.command) ready_.emplace(std::move(*started));
+}
+
+app::WorkError WorkerDesk::over_memory() {
+  const std::lock_guard lock(mutex_);
+  return {app::WorkFault::memory,
+          fmt::format("the program needs more than {} MB to be checked", settings_.memory_bytes >> 20U)};
 }
 
 class WorkerDesk::Place {
@@ -170,9 +192,7 @@ std::expected<std::string, WorkError> WorkerDesk::carry_out(std::string_view req
         WorkError{WorkFault::time, fmt::format("the check was stopped at the budget of {} s", seconds)});
   if (done.was_given_up) return std::unexpected(given_up(*entry, waiter));
   if (done.end.is_good()) return std::move(done.reply);
-  if (done.end.signal == 0 && done.end.exit_code == settings_.memory_exit_code)
-    return std::unexpected(WorkError{WorkFault::memory, fmt::format("the program needs more than {} MB to be checked",
-                                                                    settings_.memory_bytes >> 20U)});
+  if (done.end.signal == 0 && done.end.exit_code == settings_.memory_exit_code) return std::unexpected(over_memory());
   const std::string how = done.end.signal != 0 ? fmt::format("signal {}", done.end.signal)
                                                : fmt::format("exit code {}", done.end.exit_code);
   spdlog::error("a check ended abnormally ({}): its program is to be looked at", how);

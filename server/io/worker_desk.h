@@ -33,6 +33,9 @@ class WorkerDesk final : public app::Workplace {
   std::vector<app::Work> works() override;
   bool cancel(std::uint64_t work, std::string_view by) override;
 
+  // From any thread: how processes are started from now on; the one that is kept ready ends.
+  void set_command(std::vector<std::string> command, std::uint64_t memory_bytes);
+
   // Threads that may be in carry_out() before one is sent away, and that one.
   [[nodiscard]] unsigned threads() const { return settings_.at_once + settings_.waiting + 1; }
 
@@ -50,10 +53,12 @@ class WorkerDesk final : public app::Workplace {
   [[nodiscard]] bool is_next(Entries::const_iterator entry) const;
   [[nodiscard]] bool is_cancelled(Entries::const_iterator entry);
   app::WorkError given_up(Entries::const_iterator entry, const app::Waiter& waiter);
+  std::vector<std::string> command();
   std::expected<WorkerProcess, std::string> take_process();
   void make_ready();
+  app::WorkError over_memory();
 
-  const WorkerDeskSettings settings_;
+  WorkerDeskSettings settings_;  // command and memory under the mutex, the others stay
   std::mutex mutex_;
   std::condition_variable_any left_;
   Entries entries_;  // what runs and what waits, in the order in which it came

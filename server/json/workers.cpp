@@ -68,12 +68,12 @@ app::Result<WorkPackage> DocumentWorkers::ask_with_called(const app::Caller& cal
                                                           std::vector<app::CalledText>& called, const MakeRequest& make,
                                                           const app::Waiter& waiter) {
   constexpr int kMostRounds = 20;
-  auto reply = send(workplace_, make(called), budget_.seconds, waiter);
+  auto reply = send(workplace_, make(called), seconds_.load(), waiter);
   for (int round = 1; reply && round < kMostRounds; ++round) {
     const auto has_more = find_missing(caller, called, *reply);
     if (!has_more) return std::unexpected(has_more.error());
     if (!*has_more) break;
-    reply = send(workplace_, make(called), budget_.seconds, waiter);
+    reply = send(workplace_, make(called), seconds_.load(), waiter);
   }
   return without_error(std::move(reply));
 }
@@ -82,7 +82,7 @@ app::Result<app::CheckDone> DocumentWorkers::check(const app::CaseOrder& order, 
   std::vector<app::CalledText> called;
   const auto make = [&](const std::vector<app::CalledText>& known) {
     WorkPackage request;
-    request.head = {{"kind", "check"}, {"seconds", budget_.seconds}, {"case", write_case(order, request)}};
+    request.head = {{"kind", "check"}, {"seconds", seconds_.load()}, {"case", write_case(order, request)}};
     request.head["called"] = write_called(known, request);
     return request;
   };
@@ -95,8 +95,8 @@ app::Result<app::CheckDone> DocumentWorkers::check(const app::CaseOrder& order, 
 
 app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work, const app::Waiter& waiter) {
   WorkPackage request;
-  request.head = {{"kind", "render"}, {"seconds", budget_.seconds}, {"family", write_family(work, request)}};
-  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  request.head = {{"kind", "render"}, {"seconds", seconds_.load()}, {"family", write_family(work, request)}};
+  auto reply = ask(workplace_, request, seconds_.load(), waiter);
   if (!reply) return std::unexpected(reply.error());
   const Document& head = reply->head;
   app::RenderDone done{.result = {}, .places = std::move(reply->texts.at(1))};
@@ -118,18 +118,18 @@ app::Result<std::vector<app::ProgramDigest>> DocumentWorkers::digest(const std::
   if (!workplace_.works().empty()) return app::fail(app::ErrorCode::unavailable, "other work comes first");
   if (orders.empty()) return std::vector<app::ProgramDigest>{};
   WorkPackage request;
-  request.head = {{"kind", "index"}, {"seconds", budget_.seconds}, {"orders", write_digest_orders(orders, request)}};
-  const auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  request.head = {{"kind", "index"}, {"seconds", seconds_.load()}, {"orders", write_digest_orders(orders, request)}};
+  const auto reply = ask(workplace_, request, seconds_.load(), waiter);
   if (!reply) return std::unexpected(reply.error());
   return read_digests(reply->head.at("digests"), *reply);
 }
 
 app::Result<Figures> DocumentWorkers::figures(const FiguresWork& work, const app::Waiter& waiter) {
-  const std::uint32_t seconds = work.sweep ? budget_.seconds * kSweepChecks : budget_.seconds;
+  const std::uint32_t seconds = work.sweep ? seconds_.load() * kSweepChecks : seconds_.load();
   const auto base = [&] {
     WorkPackage request;
     request.head = {{"kind", work.kind},
-                    {"seconds", budget_.seconds},
+                    {"seconds", seconds_.load()},
                     {"plot", request.add(work.plot)},
                     {"body", request.add(work.body)}};
     return request;
@@ -156,7 +156,7 @@ app::Result<Figures> DocumentWorkers::figures(const FiguresWork& work, const app
 app::Result<std::string> DocumentWorkers::compare(const app::CompareOrder& order, const app::Waiter& waiter) {
   WorkPackage request;
   request.head = {{"kind", "compare"},
-                  {"seconds", budget_.seconds},
+                  {"seconds", seconds_.load()},
                   {"first_name", request.add(order.first.name)},
                   {"first_dialect", request.add(order.first.dialect)},
                   {"first_text", request.add(order.first.text)},
@@ -164,7 +164,7 @@ app::Result<std::string> DocumentWorkers::compare(const app::CompareOrder& order
                   {"second_dialect", request.add(order.second.dialect)},
                   {"second_text", request.add(order.second.text)},
                   {"profile", request.add(order.profile)}};
-  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  auto reply = ask(workplace_, request, seconds_.load(), waiter);
   if (!reply) return std::unexpected(reply.error());
   return std::move(reply->texts.at(0));
 }
@@ -174,7 +174,7 @@ app::Result<std::string> DocumentWorkers::convert(const app::TranslationOrder& o
   const auto make = [&](const std::vector<app::CalledText>& known) {
     WorkPackage request;
     request.head = {{"kind", "convert"},
-                    {"seconds", budget_.seconds},
+                    {"seconds", seconds_.load()},
                     {"name", request.add(order.name)},
                     {"text", request.add(order.text)},
                     {"from_dialect", request.add(order.from.dialect)},
@@ -205,12 +205,12 @@ app::Result<std::string> DocumentWorkers::statistics(const app::DiagnoseOrder& o
 app::Result<std::string> DocumentWorkers::rewrite(const app::RewriteOrder& order, const app::Waiter& waiter) {
   WorkPackage request;
   request.head = write_text_order("rewrite", order.of, request);
-  request.head["seconds"] = budget_.seconds;
+  request.head["seconds"] = seconds_.load();
   request.head["how"] = static_cast<int>(order.how);
   request.head["numbering"] = static_cast<int>(order.numbering);
   request.head["first"] = order.first;
   request.head["step"] = order.step;
-  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  auto reply = ask(workplace_, request, seconds_.load(), waiter);
   if (!reply) return std::unexpected(reply.error());
   return std::move(reply->texts.at(0));
 }
@@ -219,8 +219,8 @@ app::Result<std::string> DocumentWorkers::of_text(std::string_view kind, const a
                                                   const app::Waiter& waiter) {
   WorkPackage request;
   request.head = write_text_order(kind, order, request);
-  request.head["seconds"] = budget_.seconds;
-  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  request.head["seconds"] = seconds_.load();
+  auto reply = ask(workplace_, request, seconds_.load(), waiter);
   if (!reply) return std::unexpected(reply.error());
   return std::move(reply->texts.at(0));
 }
@@ -231,7 +231,7 @@ app::Result<DocumentWorkers::Restart> DocumentWorkers::restart(const app::Restar
   const auto make = [&](const std::vector<app::CalledText>& known) {
     WorkPackage request;
     request.head = {{"kind", "restart"},
-                    {"seconds", budget_.seconds},
+                    {"seconds", seconds_.load()},
                     {"case", write_case(order.of, request)},
                     {"line", order.line},
                     {"clearance_mm", order.clearance_mm}};

@@ -1,6 +1,7 @@
 // Work that is given away as a package and carried out from one. Both ends are this program.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -36,9 +37,8 @@ struct Figures {
 class DocumentWorkers final : public app::Workers {
  public:
   // Without `called` the programs that a program calls are not looked for.
-  DocumentWorkers(app::Workplace& workplace, const app::CheckBudget& budget,
-                  std::optional<app::CalledPrograms> called = {})
-      : workplace_(workplace), budget_(budget), called_(std::move(called)) {}
+  DocumentWorkers(app::Workplace& workplace, std::uint32_t seconds, std::optional<app::CalledPrograms> called = {})
+      : workplace_(workplace), seconds_(seconds), called_(std::move(called)) {}
 
   app::Result<app::CheckDone> check(const app::CaseOrder& order, const app::Waiter& waiter) override;
   app::Result<app::RenderDone> render(const app::RenderWork& work, const app::Waiter& waiter) override;
@@ -71,6 +71,8 @@ class DocumentWorkers final : public app::Workers {
   app::Result<Restart> restart(const app::RestartOrder& order, const app::Waiter& waiter);
 
   app::Workplace& workplace() { return workplace_; }
+  // From any thread: of checks that begin from now on.
+  void set_seconds(std::uint32_t seconds) { seconds_ = seconds; }
 
   static constexpr std::uint32_t kSweepChecks = 10;
 
@@ -84,7 +86,7 @@ class DocumentWorkers final : public app::Workers {
   app::Result<std::string> of_text(std::string_view kind, const app::DiagnoseOrder& order, const app::Waiter& waiter);
 
   app::Workplace& workplace_;
-  app::CheckBudget budget_;
+  std::atomic<std::uint32_t> seconds_;  // budget of one check
   std::optional<app::CalledPrograms> called_;
 };
 

@@ -65,7 +65,7 @@ def a_server_feeds_on_through_odd_signals(folder):
     expect(rig.server.wait_job(job, "done", "failed", "interrupted")["state"] == "done", "the feed did not get through")
     expect(control.finish(30)["alarm"] is None, "the control raised an alarm")
     log = (folder / "data/server.log").read_text()
-    for word in ["SIGHUP: nothing is reloaded", "SIGTSTP is ignored", "SIGUSR2 is ignored"]:
+    for word in ["SIGHUP: no option has changed", "SIGTSTP is ignored", "SIGUSR2 is ignored"]:
         expect(word in log, f"{word!r} is not in {log!r}")
     rig.server.stop()
 
