@@ -12,7 +12,7 @@
 #include "server/cli/data_folder.h"
 #include "server/cli/output.h"
 #include "server/json/people.h"
-#include "store/sqlite/audit_chain.h"
+#include "store/sql/audit_chain.h"
 #include "store/sqlite/open.h"
 
 namespace dripfeed::cli {
@@ -67,7 +67,7 @@ int verify_rows(const AuditOptions& options) {
     print_error(fmt::format("{} cannot be read", options.file));
     return kWrongUse;
   }
-  sqlite::AuditChain chain;
+  sql::AuditChain chain;
   std::string text;
   for (std::uint64_t line = 1; std::getline(file, text); ++line) {
     const auto row = json::read_audit_row(text);

@@ -6,15 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "store/sql/session.h"
 #include "store/sqlite/backup.h"
 #include "store/sqlite/library.h"
 #include "store/sqlite/migrations.h"
 #include "store/sqlite/owner_lock.h"
-#include "store/sqlite/session.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Query;
+using sql::Session;
 using store::Error;
 using store::ErrorCode;
 using store::Result;

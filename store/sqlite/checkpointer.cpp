@@ -6,10 +6,13 @@
 #include <system_error>
 #include <utility>
 
-#include "store/sqlite/session.h"
+#include "store/sql/session.h"
 
 namespace dripfeed::sqlite {
 namespace {
+
+using sql::Query;
+using sql::Session;
 
 constexpr std::chrono::milliseconds kLookEvery{200};
 

@@ -1,10 +1,12 @@
-// Opening a connection and keeping its statements.
+// Opening a connection.
 #include "store/sqlite/connection.h"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include "store/sqlite/checkpointer.h"
 #include "store/sqlite/fault.h"
+#include "store/sqlite/statement.h"
 
 namespace dripfeed::sqlite {
 namespace {
@@ -19,6 +21,13 @@ constexpr const char* kSettings =
     "PRAGMA secure_delete = OFF;"
     "PRAGMA temp_store = MEMORY;"
     "PRAGMA cell_size_check = ON;";
+
+// IMMEDIATE: the write lock now, not in the middle. data_version counts the commits of all connections but the one that
+// asks.
+constexpr sql::Words kWords{.begin_to_write = "BEGIN IMMEDIATE",
+                            .begin_to_read = "BEGIN",
+                            .version = "PRAGMA data_version",
+                            .newest_event = "SELECT seq FROM sqlite_sequence WHERE name = 'event'"};
 
 int flags_of(Access access) {
   switch (access) {
@@ -49,37 +58,44 @@ store::Result<std::unique_ptr<Connection>> Connection::open(const std::string& p
 }
 
 Connection::~Connection() {
-  for (auto& [sql, statements] : idle_) {
-    for (sqlite3_stmt* statement : statements) sqlite3_finalize(statement);
-  }
+  drop_statements();
   sqlite3_close_v2(handle_);
 }
+
+const sql::Words& Connection::words() const { return kWords; }
 
 store::Result<void> Connection::execute(const char* sql) {
   if (sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr) == SQLITE_OK) return {};
   return std::unexpected(fault_of(handle_, {}));
 }
 
-sqlite3_stmt* Connection::take(std::string_view sql) {
-  if (const auto found = idle_.find(sql); found != idle_.end() && !found->second.empty()) {
-    sqlite3_stmt* statement = found->second.back();
-    found->second.pop_back();
-    return statement;
-  }
+std::unique_ptr<sql::Statement> Connection::prepare(std::string_view sql) {
   sqlite3_stmt* statement = nullptr;
   sqlite3_prepare_v3(handle_, sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
-  return statement;
-}
-
-void Connection::give_back(std::string_view sql, sqlite3_stmt* statement) {
-  if (statement == nullptr) return;
-  sqlite3_reset(statement);
-  sqlite3_clear_bindings(statement);
-  auto found = idle_.find(sql);
-  if (found == idle_.end()) found = idle_.try_emplace(std::string(sql)).first;
-  found->second.push_back(statement);
+  if (statement == nullptr) return nullptr;
+  return std::make_unique<Statement>(statement);
 }
 
 bool Connection::in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
+
+std::uint64_t Connection::changed_rows() const { return static_cast<std::uint64_t>(sqlite3_changes64(handle_)); }
+
+store::Id Connection::last_id() const { return static_cast<store::Id>(sqlite3_last_insert_rowid(handle_)); }
+
+store::Error Connection::fault(std::string_view about) const { return fault_of(handle_, about); }
+
+store::Result<std::unique_ptr<sql::Connection>> File::connect_to_read() {
+  return Connection::open(path_, settings_, Access::read);
+}
+
+// A commit brings the log into the file only where no thread does it, or when that falls behind.
+store::Result<std::unique_ptr<sql::Connection>> File::connect_to_write() {
+  auto opened = Connection::open(path_, settings_, Access::write);
+  if (opened && settings_.checkpoints_aside) {
+    const std::string rarely = fmt::format("PRAGMA wal_autocheckpoint = {}", Checkpointer::kFallbackPages);
+    if (auto set = (*opened)->execute(rarely.c_str()); !set) return std::unexpected(set.error());
+  }
+  return opened;
+}
 
 }  // namespace dripfeed::sqlite

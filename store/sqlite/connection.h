@@ -1,50 +1,54 @@
-// One connection to the database file, used by one thread at a time, with its prepared statements.
+// One connection to the database file, and what opens them.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
-#include <unordered_map>
-#include <vector>
 
-#include "store/error.h"
+#include "store/sql/connection.h"
 #include "store/sqlite/open.h"
+#include "store/sqlite/owner_lock.h"
 
 struct sqlite3;
-struct sqlite3_stmt;
 
 namespace dripfeed::sqlite {
 
 enum class Access : std::uint8_t { read, write, create };
 
-class Connection {
+class Connection final : public sql::Connection {
  public:
   // Sets what SQLite keeps per connection: foreign keys, synchronous FULL, the busy timeout.
   static store::Result<std::unique_ptr<Connection>> open(const std::string& path, const OpenSettings& settings,
                                                          Access access);
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
-  ~Connection();
+  ~Connection() override;
 
   [[nodiscard]] sqlite3* handle() const { return handle_; }
-  // Several statements without parameters or results.
-  store::Result<void> execute(const char* sql);
-  // A statement that nobody else runs, from the cache or new; null when SQLite refuses it. give_back() returns it
-  // reset.
-  sqlite3_stmt* take(std::string_view sql);
-  void give_back(std::string_view sql, sqlite3_stmt* statement);
-  [[nodiscard]] bool in_transaction() const;
+  [[nodiscard]] const sql::Words& words() const override;
+  store::Result<void> execute(const char* sql) override;
+  [[nodiscard]] bool in_transaction() const override;
+  [[nodiscard]] std::uint64_t changed_rows() const override;
+  [[nodiscard]] store::Id last_id() const override;
+  [[nodiscard]] store::Error fault(std::string_view about) const override;
+
+ protected:
+  std::unique_ptr<sql::Statement> prepare(std::string_view sql) override;
 
  private:
   explicit Connection(sqlite3* handle) : handle_(handle) {}
-
-  struct Hash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
-  };
   sqlite3* handle_;
-  // Mostly one statement an SQL text; more when a statement runs inside itself.
-  std::unordered_map<std::string, std::vector<sqlite3_stmt*>, Hash, std::equal_to<>> idle_;
+};
+
+// The file exists and its schema is up to date.
+class File final : public sql::Engine {
+ public:
+  explicit File(std::string path, OpenSettings settings = {}, std::optional<OwnerLock> lock = {})
+      : lock_(std::move(lock)), path_(std::move(path)), settings_(std::move(settings)) {}
+  store::Result<std::unique_ptr<sql::Connection>> connect_to_read() override;
+  store::Result<std::unique_ptr<sql::Connection>> connect_to_write() override;
+
+ private:
+  std::optional<OwnerLock> lock_;  // until all connections are closed
+  std::string path_;
+  OpenSettings settings_;
 };
 
 }  // namespace dripfeed::sqlite

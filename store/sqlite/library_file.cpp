@@ -5,12 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "store/sqlite/connection.h"
 #include "store/sqlite/library.h"
 #include "store/sqlite/library_table.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Query;
+using sql::Session;
 using store::ErrorCode;
 using store::Result;
 
@@ -71,7 +74,7 @@ Result<std::unique_ptr<store::Library>> open_library(const std::string& path, co
     ready = open_or_make(path, settings);
   }
   if (!ready) return std::unexpected(ready.error());
-  auto database = Database::open(path, settings);
+  auto database = sql::Database::open(std::make_unique<File>(path, settings));
   if (!database) return std::unexpected(database.error());
   return std::make_unique<LibraryTable>(std::move(*database));
 }

@@ -10,13 +10,15 @@
 
 #include <fmt/format.h>
 
+#include "store/sql/paging.h"
 #include "store/sqlite/library_table.h"
 #include "store/sqlite/library_words.h"
-#include "store/sqlite/paging.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Query;
+using sql::Session;
 using store::ErrorCode;
 using store::Id;
 using store::LibraryHit;
@@ -162,7 +164,7 @@ class Search {
 Result<store::Page<LibraryHit>> LibraryTable::search(std::string_view words, const store::PageRequest& page,
                                                      bool with_archived) {
   return database_->read("library", [&](Session& session) -> Result<store::Page<LibraryHit>> {
-    const auto rows = rows_of(page);
+    const auto rows = sql::rows_of(page);
     if (!rows) return std::unexpected(rows.error());
     const auto cursor = read_cursor(page.after);
     if (!cursor) return session.refuse(ErrorCode::invalid_value, fmt::format("no cursor of a search: {}", page.after));

@@ -6,6 +6,8 @@
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Query;
+using sql::Session;
 using store::Id;
 using store::LibraryEntry;
 using store::Result;

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "store/library.h"
-#include "store/sqlite/database.h"
+#include "store/sql/database.h"
 
 namespace dripfeed::sqlite {
 
@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kLibraryVersion = 1;
 
 class LibraryTable final : public store::Library {
  public:
-  explicit LibraryTable(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+  explicit LibraryTable(std::unique_ptr<sql::Database> database) : database_(std::move(database)) {}
   store::Result<store::LibraryState> state() override;
   store::Result<void> put(const std::vector<store::LibraryEntry>& entries, std::uint64_t reached) override;
   store::Result<void> clear() override;
@@ -25,7 +25,7 @@ class LibraryTable final : public store::Library {
   store::Result<std::vector<store::Id>> named(std::string_view name) override;
 
  private:
-  std::unique_ptr<Database> database_;
+  std::unique_ptr<sql::Database> database_;
 };
 
 }  // namespace dripfeed::sqlite

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "store/hash/sha256.h"
+#include "store/sql/session.h"
 #include "store/sqlite/schema_v1.h"
 #include "store/sqlite/schema_v10.h"
 #include "store/sqlite/schema_v11.h"
@@ -21,11 +22,12 @@
 #include "store/sqlite/schema_v7.h"
 #include "store/sqlite/schema_v8.h"
 #include "store/sqlite/schema_v9.h"
-#include "store/sqlite/session.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Query;
+using sql::Session;
 using store::Error;
 using store::ErrorCode;
 using store::Result;

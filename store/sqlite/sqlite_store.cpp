@@ -1,17 +1,22 @@
 // Opening a store, and what concerns the whole of it.
-#include "store/sqlite/sqlite_store.h"
+#include <optional>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "store/sql/table_store.h"
 #include "store/sqlite/backup.h"
+#include "store/sqlite/checkpointer.h"
 #include "store/sqlite/migrations.h"
+#include "store/sqlite/owner_lock.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Query;
+using sql::Session;
 using store::Error;
 using store::ErrorCode;
 using store::Result;
@@ -49,27 +54,32 @@ Result<void> bring_up_to_date(const std::string& path, const OpenSettings& setti
   return migrate(**connection, migrations());
 }
 
-Result<std::unique_ptr<Checkpointer>> start_checkpoints(const std::string& path, const OpenSettings& settings,
-                                                        Database& database) {
+Result<std::unique_ptr<Checkpointer>> start_checkpoints(const std::string& path, const OpenSettings& settings) {
   auto own = Connection::open(path, settings, Access::write);
   if (!own) return std::unexpected(own.error());
-  if (auto rare = database.checkpoint_in_commits_from(Checkpointer::kFallbackPages); !rare)
-    return std::unexpected(rare.error());
   return std::make_unique<Checkpointer>(path, std::move(*own));
 }
 
-}  // namespace
+class SqliteStore final : public sql::TableStore {
+ public:
+  SqliteStore(std::string path, OpenSettings settings, std::unique_ptr<sql::Database> database,
+              std::unique_ptr<Checkpointer> checkpointer)
+      : TableStore(std::move(database)),
+        path_(std::move(path)),
+        settings_(std::move(settings)),
+        checkpointer_(std::move(checkpointer)) {}
 
-Result<void> SqliteStore::atomically(const std::function<Result<void>()>& work) {
-  return database_->write("transaction", [&](Session& /*session*/) { return work(); });
-}
+  Result<void> backup(const std::string& path) override;
+  Result<void> check() override;
 
-Result<void> SqliteStore::atomically_shared(const std::function<Result<void>()>& work) {
-  return database_->write_shared("transaction", [&](Session& /*session*/) { return work(); });
-}
+ private:
+  std::string path_;
+  OpenSettings settings_;
+  std::unique_ptr<Checkpointer> checkpointer_;  // nothing: commits do it
+};
 
 Result<void> SqliteStore::backup(const std::string& path) {
-  auto source = database_->connect_to_read();
+  auto source = Connection::open(path_, settings_, Access::read);
   if (!source) return std::unexpected(source.error());
   auto copied = copy_to_new_file(**source, path);
   if (copied) keep_private(path);
@@ -77,7 +87,7 @@ Result<void> SqliteStore::backup(const std::string& path) {
 }
 
 Result<void> SqliteStore::check() {
-  auto connection = database_->connect_to_read();
+  auto connection = Connection::open(path_, settings_, Access::read);
   if (!connection) return std::unexpected(connection.error());
   Session session(**connection, "check");
   {
@@ -95,6 +105,8 @@ Result<void> SqliteStore::check() {
   return {};
 }
 
+}  // namespace
+
 Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSettings& settings) {
   std::optional<OwnerLock> lock;
   if (settings.own) {
@@ -105,15 +117,15 @@ Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSe
   if (settings.create) create_private(path);
   if (auto ready = bring_up_to_date(path, settings); !ready) return std::unexpected(ready.error());
   keep_private(path);
-  auto database = Database::open(path, settings);
+  auto database = sql::Database::open(std::make_unique<File>(path, settings, std::move(lock)));
   if (!database) return std::unexpected(database.error());
   std::unique_ptr<Checkpointer> checkpointer;
   if (settings.checkpoints_aside) {
-    auto started = start_checkpoints(path, settings, **database);
+    auto started = start_checkpoints(path, settings);
     if (!started) return std::unexpected(started.error());
     checkpointer = std::move(*started);
   }
-  auto opened = std::make_unique<SqliteStore>(std::move(lock), std::move(*database), std::move(checkpointer));
+  auto opened = std::make_unique<SqliteStore>(path, settings, std::move(*database), std::move(checkpointer));
   if (settings.own) {
     if (auto dropped = opened->contents().drop_unused(); !dropped) return std::unexpected(dropped.error());
   }

@@ -1,11 +1,14 @@
 // Tables that came with a later schema are asked for only where the file has them.
 #include "store/sqlite/state.h"
 
+#include "store/sql/session.h"
 #include "store/sqlite/migrations.h"
-#include "store/sqlite/session.h"
 
 namespace dripfeed::sqlite {
 namespace {
+
+using sql::Query;
+using sql::Session;
 
 constexpr std::uint32_t kAnswersFrom = 5;
 

@@ -5,15 +5,19 @@
 
 #include <fmt/format.h>
 
-#include "store/sqlite/audit_table.h"
-#include "store/sqlite/content_table.h"
-#include "store/sqlite/database.h"
-#include "store/sqlite/ledger_table.h"
+#include "store/sql/audit_table.h"
+#include "store/sql/content_table.h"
+#include "store/sql/database.h"
+#include "store/sql/ledger_table.h"
+#include "store/sqlite/connection.h"
 #include "store/sqlite/migrations.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Database;
+using sql::Query;
+using sql::Session;
 using store::Error;
 using store::ErrorCode;
 using store::Id;
@@ -100,7 +104,7 @@ class Verifier {
   }
 
   Result<void> look_at_audit() {
-    AuditTable audit(database_);
+    sql::AuditTable audit(database_);
     const auto check = audit.verify();
     if (!check) return note(check.error(), "audit");
     found_.audit_rows = check->rows;
@@ -127,7 +131,7 @@ class Verifier {
     std::vector<Id> jobs;
     auto listed = each("SELECT id FROM job ORDER BY id", "job", [&](Query& query) { jobs.push_back(query.number()); });
     if (!listed) return listed;
-    LedgerTable ledger(database_);
+    sql::LedgerTable ledger(database_);
     for (const Id job : jobs) {
       const std::string subject = fmt::format("job/{}", job);
       const auto rows = ledger.verify(job);
@@ -159,7 +163,7 @@ class Verifier {
           contents.back().bytes = query.number();
         });
     if (!listed) return listed;
-    ContentTable table(database_);
+    sql::ContentTable table(database_);
     for (const store::Content& content : contents) {
       found_.content_bytes += content.bytes;
       const auto whole = table.verify(content.sha256);
@@ -189,13 +193,12 @@ Result<void> know_schema(Connection& connection) {
 }  // namespace
 
 Result<Verification> verify(const std::string& path) {
-  const OpenSettings settings{.create = false, .read_only = true};
   {
-    auto connection = Connection::open(path, settings, Access::read);
+    auto connection = Connection::open(path, {}, Access::read);
     if (!connection) return std::unexpected(connection.error());
     if (auto known = know_schema(**connection); !known) return std::unexpected(known.error());
   }
-  auto database = Database::open(path, settings);
+  auto database = Database::open(std::make_unique<File>(path), Database::May::read);
   if (!database) return std::unexpected(database.error());
   return Verifier(**database).run();
 }

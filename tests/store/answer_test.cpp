@@ -2,7 +2,7 @@
 // keeps jobs off its machine.
 #include <thread>
 
-#include "store/sqlite/write_lane.h"
+#include "store/sql/write_lane.h"
 #include "tests/store/fixture.h"
 
 namespace dripfeed::store_test {
@@ -48,20 +48,20 @@ TEST_F(AnswerTest, OneThatNobodyEndedIsTornAtTheNextStartUntilAPersonConfirms) {
 
 // Whoever goes first gets the next turn, however many others have waited longer.
 TEST(WriteLane, TheLedgerGoesBeforeAllWhoWait) {
-  sqlite::WriteLane lane;
+  sql::WriteLane lane;
   std::vector<int> order;
-  lane.enter(sqlite::Turn::in_order);
+  lane.enter(sql::Turn::in_order);
   std::vector<std::thread> others;
   for (int i = 1; i <= 3; ++i) {
     others.emplace_back([&, i] {
-      lane.enter(sqlite::Turn::in_order);
+      lane.enter(sql::Turn::in_order);
       order.push_back(i);
       lane.leave();
     });
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   std::thread ledger([&] {
-    lane.enter(sqlite::Turn::first);
+    lane.enter(sql::Turn::first);
     order.push_back(0);
     lane.leave();
   });
@@ -82,14 +82,14 @@ TEST(WriteLane, TheLedgerGoesBeforeAllWhoWait) {
 }
 
 TEST(WriteLane, TellsWhoWaits) {
-  sqlite::WriteLane lane;
-  lane.enter(sqlite::Turn::in_order);
+  sql::WriteLane lane;
+  lane.enter(sql::Turn::in_order);
   std::thread other([&] {
-    lane.enter(sqlite::Turn::in_order);
+    lane.enter(sql::Turn::in_order);
     lane.leave();
   });
   std::thread ledger([&] {
-    lane.enter(sqlite::Turn::first);
+    lane.enter(sql::Turn::first);
     lane.leave();
   });
   const auto both_wait = [&] { return lane.use().ledger.waiting == 1 && lane.use().others.waiting == 1; };

@@ -8,11 +8,13 @@
 #include <sqlite3.h>
 
 #include "store/hash/sha256.h"
-#include "store/sqlite/session.h"
+#include "store/sql/session.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Query;
+using sql::Session;
 using store::ErrorCode;
 
 class Migrations : public ::testing::Test {

@@ -1,15 +1,24 @@
 // Parameters in and columns out, the fault that sticks, statements inside themselves, and the table of result codes.
-#include "store/sqlite/session.h"
+#include "store/sql/session.h"
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include "store/sql/paging.h"
+#include "store/sqlite/connection.h"
 #include "store/sqlite/fault.h"
-#include "store/sqlite/paging.h"
 
 namespace dripfeed::sqlite {
 namespace {
 
+using sql::Bytes;
+using sql::newest_first;
+using sql::NumberOrNull;
+using sql::oldest_first;
+using sql::OrNull;
+using sql::Query;
+using sql::rows_of;
+using sql::Session;
 using store::ErrorCode;
 
 class SessionTest : public ::testing::Test {

@@ -1,0 +1,95 @@
+// The columns of a job.
+#include "store/sql/job_rows.h"
+
+#include <fmt/format.h>
+
+namespace dripfeed::sql {
+namespace {
+
+using store::Id;
+using store::Job;
+
+constexpr std::string_view kInsert =
+    "INSERT INTO job (text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
+    "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, confirm_reason, "
+    "confirmed_at_ms, queue_rank, work_order) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', ?, '', ?, 0, 0, 0, 0, '', '', 0, "
+    "?, "
+    "?)";
+constexpr std::string_view kInsertHead =
+    "INSERT INTO ledger_head (job, last, seq, at_ms, handed, clocked, confirmed, reserve) VALUES (?, NULL, 0, 0, 0, 0, "
+    "0, 0)";
+constexpr std::string_view kUpdate =
+    "UPDATE job SET state = ?, reason = ?, armed_by = ?, armed_at_ms = ?, started_at_ms = ?, ended_at_ms = ?, torn = "
+    "?, "
+    "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ?, expires_at_ms = ?, reason_id = ? WHERE id = ?";
+
+}  // namespace
+
+std::string job_subject(Id job) { return fmt::format("job/{}", job); }
+
+std::string jobs_where(std::string_view rest) {
+  return fmt::format(
+      "SELECT id, text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
+      "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, "
+      "confirm_reason, "
+      "confirmed_at_ms, expires_at_ms, read_back, reason_id, queue_rank, work_order, "
+      "coalesce(held_ms, -1), (SELECT restart_of FROM text_release r WHERE r.id = job.text_release), (SELECT "
+      "restart_line FROM text_release r WHERE r.id = job.text_release) FROM job WHERE {}",
+      rest);
+}
+
+Job read_job(Query& query) {
+  Job job;
+  job.id = query.number();
+  job.release = query.number();
+  job.program = query.number();
+  job.revision = query.number();
+  job.text_sha256 = query.text();
+  job.machine = query.text();
+  job.delivery = query.value<store::Delivery>();
+  job.link = query.text();
+  job.bytes_total = query.number();
+  job.state = query.value<store::JobState>();
+  job.reason = query.text();
+  job.created_by = query.text();
+  job.armed_by = query.text();
+  job.created_at_ms = query.signed_number();
+  job.armed_at_ms = query.signed_number();
+  job.started_at_ms = query.signed_number();
+  job.ended_at_ms = query.signed_number();
+  job.torn = query.flag();
+  job.confirmed_by = query.text();
+  job.confirm_reason = query.text();
+  job.confirmed_at_ms = query.signed_number();
+  job.expires_at_ms = query.signed_number();
+  job.read_back = query.text();
+  job.reason_id = query.text();
+  job.rank = query.number();
+  job.order = query.number();
+  if (const std::int64_t held_ms = query.signed_number(); held_ms >= 0) job.held_ms = held_ms;
+  job.restart.release = query.number();
+  job.restart.line = query.number();
+  return job;
+}
+
+Id insert_job(Session& session, const Job& job) {
+  session.run(kInsert, job.release, job.program, job.revision, job.text_sha256, job.machine, job.delivery, job.link,
+              job.bytes_total, job.state, job.created_by, job.created_at_ms, job.rank, NumberOrNull{job.order});
+  const Id id = session.last_id();
+  session.run(kInsertHead, id);
+  return id;
+}
+
+void update_job(Session& session, const Job& job) {
+  session.run(kUpdate, job.state, job.reason, job.armed_by, job.armed_at_ms, job.started_at_ms, job.ended_at_ms,
+              job.torn, job.confirmed_by, job.confirm_reason, job.confirmed_at_ms, job.expires_at_ms, job.reason_id,
+              job.id);
+  if (job.held_ms) session.run("UPDATE job SET held_ms = ? WHERE id = ?", *job.held_ms, job.id);
+}
+
+std::uint64_t reserve_of(Session& session, Id job) {
+  Query query(session, "SELECT reserve FROM ledger_head WHERE job = ?", job);
+  return query.next() ? query.number() : 0;
+}
+
+}  // namespace dripfeed::sql

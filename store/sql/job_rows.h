@@ -1,0 +1,20 @@
+// Jobs as rows: reading and writing their columns. Which change is allowed is decided in job_table.
+#pragma once
+
+#include "store/jobs.h"
+#include "store/sql/session.h"
+
+namespace dripfeed::sql {
+
+std::string job_subject(store::Id job);
+// A SELECT of the columns that read_job() reads.
+std::string jobs_where(std::string_view rest);
+store::Job read_job(Query& query);
+// With the empty head of its ledger; the new id.
+store::Id insert_job(Session& session, const store::Job& job);
+// All that may change of a job.
+void update_job(Session& session, const store::Job& job);
+// Of the ledger's last row, 0 without one.
+std::uint64_t reserve_of(Session& session, store::Id job);
+
+}  // namespace dripfeed::sql
