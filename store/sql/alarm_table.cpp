@@ -254,7 +254,7 @@ Result<store::Page<Alarm>> AlarmTable::list(const store::PageRequest& page, cons
     if (!place) return std::unexpected(place.error());
     const std::string sql = alarms_where(
         fmt::format("{} AND {} AND (last_at_ms, id) < (?, ?) ORDER BY last_at_ms DESC, id DESC LIMIT ?",
-                    filter.machine.empty() ? "? = ''" : "machine = ?", filter.open_only ? "closed = 0" : "1"));
+                    filter.machine.empty() ? "? = ''" : "machine = ?", filter.open_only ? "closed = 0" : "TRUE"));
     Query query(session, sql, filter.machine, place->at_ms, place->id, *rows);
     return collect(query, page, read_alarm,
                    [](const Alarm& alarm) { return fmt::format("{}-{}", alarm.last_at_ms, alarm.id); });

@@ -27,8 +27,8 @@ std::string select_where(std::string_view rest) {
   return fmt::format(
       "SELECT o.id, o.number, o.operation, o.part, o.quantity, o.machine, o.due_at_ms, o.priority, o.metadata, o.state,"
       " o.reason, o.revision, o.created_by, o.created_at_ms, o.changed_at_ms,"
-      " coalesce((SELECT sum(good) FROM parts_report r WHERE r.work_order = o.id), 0),"
-      " coalesce((SELECT sum(scrap) FROM parts_report r WHERE r.work_order = o.id), 0),"
+      " coalesce((SELECT CAST(sum(good) AS BIGINT) FROM parts_report r WHERE r.work_order = o.id), 0),"
+      " coalesce((SELECT CAST(sum(scrap) AS BIGINT) FROM parts_report r WHERE r.work_order = o.id), 0),"
       " (SELECT count(*) FROM job j WHERE j.work_order = o.id AND j.state = 'done'),"
       " (SELECT count(*) FROM job j WHERE j.work_order = o.id AND j.state = 'queued')"
       " FROM work_order o WHERE {}",

@@ -81,7 +81,7 @@ Program read_program(Query& query) {
 std::string newest_where(std::string_view rest) {
   return fmt::format(
       "SELECT p.name, p.dialect, p.folder, p.archived_at_ms, p.archived_by, p.archive_reason, p.change_number, "
-      "(SELECT group_concat(t.tag, char(10)) FROM program_tag t WHERE t.program = p.id), {} FROM program p JOIN "
+      "(SELECT group_concat(t.tag, '\n') FROM program_tag t WHERE t.program = p.id), {} FROM program p JOIN "
       "program_revision r ON r.program = p.id AND r.revision = "
       "p.revision "
       "JOIN content c ON c.sha256 = r.sha256 WHERE {}",
@@ -93,12 +93,13 @@ std::string revisions_where(std::string_view rest) {
                      kRevisionColumns, rest);
 }
 
-// A pattern of LIKE for what begins so. LIKE tells no case of ASCII letters apart, as people who name folders do.
+// A pattern of LIKE for what begins so when its ASCII letters are small ones: people who name folders do not tell their
+// case apart.
 std::string beginning_with(std::string_view text) {
   std::string pattern;
   for (const char c : text) {
     if (c == '%' || c == '_' || c == '\\') pattern += '\\';
-    pattern += c;
+    pattern += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return pattern + '%';
 }
@@ -172,7 +173,7 @@ namespace {
 void write_tags(Session& session, Id program, const std::vector<std::string>& tags) {
   session.run("DELETE FROM program_tag WHERE program = ?", program);
   for (const std::string& tag : tags)
-    session.run("INSERT OR IGNORE INTO program_tag (program, tag) VALUES (?, ?)", program, tag);
+    session.run("INSERT INTO program_tag (program, tag) VALUES (?, ?) ON CONFLICT DO NOTHING", program, tag);
 }
 
 // What keeps a program from being archived; "" where nothing does.
@@ -293,7 +294,7 @@ Result<store::Page<Program>> ProgramTable::list(const store::PageRequest& page, 
                     filter.name.empty() ? "? = ''" : "p.name = ?",
                     filter.part.empty() ? "? = ''" : "p.id IN (SELECT program FROM program_revision WHERE part = ?)",
                     filter.tag.empty() ? "? = ''" : "p.id IN (SELECT program FROM program_tag WHERE tag = ?)",
-                    filter.folder.empty() ? "? = ''" : "(p.folder || '/') LIKE ? ESCAPE '\\'",
+                    filter.folder.empty() ? "? = ''" : "lower(p.folder || '/') LIKE ? ESCAPE '\\'",
                     kShelves[static_cast<std::size_t>(filter.shelf)]));
     const std::string below = filter.folder.empty() ? std::string() : beginning_with(filter.folder + "/");
     Query query(session, sql, filter.name, filter.part, filter.tag, below, from->after, from->rows);

@@ -141,8 +141,10 @@ Result<std::string> UserTable::secret(std::string_view name, SecretKind kind) {
 
 Result<void> UserTable::note_refusal(std::string_view name, std::int64_t locked_until_ms, const Stamp& by) {
   return database_.write(subject_of(name), [&](Session& session) -> Result<void> {
-    session.run("UPDATE account SET failures = failures + 1, locked_until_ms = max(locked_until_ms, ?) WHERE name = ?",
-                locked_until_ms, name);
+    session.run(
+        "UPDATE account SET failures = failures + 1, locked_until_ms = CASE WHEN locked_until_ms < ? THEN ? ELSE "
+        "locked_until_ms END WHERE name = ?",
+        locked_until_ms, locked_until_ms, name);
     add_audit_row(
         session,
         {.action = locked_until_ms == 0 ? "user.refused" : "user.locked", .subject = subject_of(name), .detail = {}},

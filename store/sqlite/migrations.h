@@ -1,18 +1,14 @@
-// The schema's history: an ordered table of versions. What was applied is recorded in the file with the hash of its
-// SQL, so a file of another history is refused instead of guessed at.
+// The schema's history in SQLite.
 #pragma once
 
 #include <span>
 
+#include "store/sql/migrations.h"
 #include "store/sqlite/connection.h"
 
 namespace dripfeed::sqlite {
 
-struct Migration {
-  std::uint32_t version = 0;  // 1, 2, 3, …
-  std::string_view name;
-  const char* sql = nullptr;
-};
+using sql::Migration;
 
 // Those of this program. One that was published is never edited; the next one is appended.
 std::span<const Migration> migrations();

@@ -167,10 +167,10 @@ TEST_F(AlarmTest, WhatMakesNoSenseIsRefused) {
             ErrorCode::broken_reference);
   EXPECT_EQ(refusal(alarms().raise({.machine = "mill-1", .kind = "", .text = "x"}, 1)), ErrorCode::invalid_value);
   EXPECT_EQ(refusal(alarms().raise({.machine = "mill-1", .kind = "call", .text = ""}, 1)), ErrorCode::invalid_value);
-  raise("call", "x", false, 5);
+  const Id alarm = raise("call", "x", false, 5).id;
   EXPECT_EQ(sql("DELETE FROM alarm"), "append-only");
   EXPECT_EQ(sql("UPDATE alarm SET kind = 'y'"), "append-only");
-  must(alarms().acknowledge(1, by("olga", 6)));
+  must(alarms().acknowledge(alarm, by("olga", 6)));
   EXPECT_EQ(sql("UPDATE alarm SET acknowledged_at_ms = 0, acknowledged_by = ''"), "append-only");
   EXPECT_EQ(sql("UPDATE alarm SET count = 9"), "append-only");
 }
