@@ -19,11 +19,21 @@ store::Result<std::unique_ptr<Database>> Database::open(std::unique_ptr<Engine> 
   auto writer = database->engine_->connect_to_write();
   if (!writer) return std::unexpected(writer.error());
   database->writer_ = std::move(*writer);
+  database->may_write_ = true;
   return database;
 }
 
 store::Result<std::uint64_t> Database::version() {
   const std::lock_guard lock(version_mutex_);
+  auto version = ask_version();
+  if (!version && version_reader_ && !version_reader_->is_usable()) {
+    version_reader_.reset();
+    version = ask_version();
+  }
+  return version;
+}
+
+store::Result<std::uint64_t> Database::ask_version() {
   if (!version_reader_) {
     auto opened = engine_->connect_to_read();
     if (!opened) return std::unexpected(opened.error());
@@ -39,12 +49,24 @@ store::Result<std::uint64_t> Database::version() {
   return version;
 }
 
+// Nothing of a transaction is lost where it cannot begin: a connection that broke meanwhile is replaced.
+store::Result<void> Database::begin_to_write() {
+  if (writer_->is_usable()) {
+    auto begun = writer_->transact(writer_->words().begin_to_write);
+    if (begun || writer_->is_usable()) return begun;
+  }
+  auto opened = engine_->connect_to_write();
+  if (!opened) return std::unexpected(opened.error());
+  writer_ = std::move(*opened);
+  return writer_->transact(writer_->words().begin_to_write);
+}
+
 store::Result<void> Database::Writing::begin() {
-  if (!database_.writer_) return std::unexpected(only_read());
+  if (!database_.may_write_) return std::unexpected(only_read());
   if (!database_.writing_here()) {
     if (turn_ != Turn::taken) database_.lane_.enter(turn_);
     holds_lane_ = true;
-    if (auto begun = database_.writer_->transact(database_.writer_->words().begin_to_write); !begun) return begun;
+    if (auto begun = database_.begin_to_write(); !begun) return begun;
     database_.writing_thread_.store(std::this_thread::get_id());
   } else {
     if (!database_.writer_->in_transaction()) return std::unexpected(lost());
@@ -83,7 +105,7 @@ void Database::Writing::undo() {
 }
 
 void Database::make_shared(SharedChange& change) {
-  if (!writer_) {
+  if (!may_write_) {
     change.committed = std::unexpected(only_read());
     return;
   }
@@ -115,17 +137,23 @@ store::Result<void> Database::Reading::begin() {
       database_.pool_.pop_back();
     }
   }
-  if (!own_) {
-    auto opened = database_.engine_->connect_to_read();
-    if (!opened) return std::unexpected(opened.error());
-    own_ = std::move(*opened);
+  if (own_) {
+    auto begun = begin_on(*own_);
+    if (begun || own_->is_usable()) return begun;
   }
-  connection_ = own_.get();
-  return connection_->transact(connection_->words().begin_to_read);
+  auto opened = database_.engine_->connect_to_read();
+  if (!opened) return std::unexpected(opened.error());
+  own_ = std::move(*opened);
+  return begin_on(*own_);
+}
+
+store::Result<void> Database::Reading::begin_on(Connection& connection) {
+  connection_ = &connection;
+  return connection.transact(connection.words().begin_to_read);
 }
 
 Database::Reading::~Reading() {
-  if (!own_) return;
+  if (!own_ || !own_->is_usable()) return;
   if (own_->in_transaction()) static_cast<void>(own_->transact("COMMIT"));
   const std::lock_guard lock(database_.pool_mutex_);
   database_.pool_.push_back(std::move(own_));

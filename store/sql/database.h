@@ -130,15 +130,20 @@ class Database {
     [[nodiscard]] Connection& connection() const { return *connection_; }
 
    private:
+    store::Result<void> begin_on(Connection& connection);
+
     Database& database_;
     std::unique_ptr<Connection> own_;  // from the pool
     Connection* connection_ = nullptr;
   };
 
+  store::Result<std::uint64_t> ask_version();
+  store::Result<void> begin_to_write();
   [[nodiscard]] bool writing_here() const { return writing_thread_.load() == std::this_thread::get_id(); }
 
   std::unique_ptr<Engine> engine_;
-  std::unique_ptr<Connection> writer_;  // nothing: it may only be read
+  bool may_write_ = false;
+  std::unique_ptr<Connection> writer_;  // another one after it broke; while the lane is taken
   WriteLane lane_;
   std::atomic<std::thread::id> writing_thread_;
   int depth_ = 0;  // of transactions inside each other; while the lane is taken

@@ -55,6 +55,9 @@ class TableStore : public store::Store {
   store::Result<std::uint64_t> version() override { return database_->version(); }
   [[nodiscard]] store::StoreUse use() const override { return database_->use(); }
 
+ protected:
+  [[nodiscard]] Database& database() const { return *database_; }
+
  private:
   std::unique_ptr<Database> database_;
   MachineTable machines_{*database_};

@@ -61,7 +61,7 @@ class Layers(bad_tree.BadTree):
 
     def test_third_party_headers(self):
         for path, header, group in (('dialects/ir/bad.cpp', 'nlohmann/json.hpp', 'json'), ('server/app/bad.cpp', 'boost/asio.hpp', 'asio'),
-                                    ('server/json/bad.cpp', 'boost/beast/core.hpp', 'beast'), ('server/app/bad.cpp', 'sqlite3.h', 'sqlite'),
+                                    ('server/json/bad.cpp', 'boost/beast/core.hpp', 'beast'), ('server/app/bad.cpp', 'sqlite3.h', 'sqlite'), ('store/sql/bad.cpp', 'libpq-fe.h', 'postgresql'),
                                     ('protocol/modbus/bad.cpp', 'modbus/modbus.h', 'modbus'), ('protocol/feed/bad.cpp', 'fmt/core.h', 'fmt'),
                                     ('server/app/bad.cpp', 'openssl/sha.h', 'openssl'), ('server/json/bad.cpp', 'CLI/CLI.hpp', 'cli11'),
                                     ('store/sqlite/bad.cpp', 'spdlog/spdlog.h', 'spdlog'), ('dialects/text/bad.cpp', 'unistd.h', 'posix')):

@@ -18,8 +18,8 @@ class ContentTest : public StoreTest {
   ContentTest() : StoreTest(TempFolder::Where::disk) {}
   // "" when the table has that many rows.
   [[nodiscard]] std::string has_rows(const std::string& table, int rows) const {
-    return sql(
-        fmt::format("CREATE TEMP TABLE t (x CHECK (x = {})); INSERT INTO t SELECT count(*) FROM {}", rows, table));
+    return sql(fmt::format("CREATE TEMP TABLE t (x INTEGER CHECK (x = {})); INSERT INTO t SELECT count(*) FROM {}",
+                           rows, table));
   }
 };
 
@@ -103,8 +103,9 @@ TEST_F(ContentTest, UnknownTooLongAndUnfinished) {
 TEST_F(ContentTest, AnOwnerDropsWhatACrashLeftAndWhatNobodyUses) {
   const Program program = add_program(*store_, "used");
   must(store_->contents().put("not used"));
-  EXPECT_EQ(sql("INSERT INTO content (id, sha256, bytes) VALUES (77, NULL, 0);"
-                "INSERT INTO content_chunk VALUES (77, 0, x'00'), (77, 1, x'00')"),
+  EXPECT_EQ(sql(fmt::format("INSERT INTO content (id, sha256, bytes) VALUES (77, NULL, 0);"
+                            "INSERT INTO content_chunk VALUES (77, 0, {0}), (77, 1, {0})",
+                            zero_byte())),
             "");
   reopen();
   EXPECT_EQ(has_rows("content", 3), "") << "a guest drops nothing: it may be the server's upload";
@@ -115,11 +116,12 @@ TEST_F(ContentTest, AnOwnerDropsWhatACrashLeftAndWhatNobodyUses) {
 }
 
 TEST_F(ContentTest, DamagedBytesAreFound) {
-  const std::string sha256 = must(store_->contents().put(bytes_of(100'000))).sha256;
-  EXPECT_EQ(sql("DROP TRIGGER content_chunk_update; UPDATE content_chunk SET data = zeroblob(65536) WHERE n = 0"), "");
+  const std::string sha256 = must(store_->contents().put(bytes_of(131'072))).sha256;
+  drop_trigger("content_chunk_update", "content_chunk");
+  EXPECT_EQ(sql("UPDATE content_chunk SET data = (SELECT data FROM content_chunk WHERE n = 1) WHERE n = 0"), "");
   EXPECT_EQ(refusal(store_->contents().verify(sha256)), ErrorCode::corrupt);
-  EXPECT_EQ(sql("UPDATE content_chunk SET data = x'00' WHERE n = 0"), "");
-  std::string buffer(100'000, '\0');
+  EXPECT_EQ(sql(fmt::format("UPDATE content_chunk SET data = {} WHERE n = 0", zero_byte())), "");
+  std::string buffer(131'072, '\0');
   EXPECT_EQ(refusal(store_->contents().read(sha256, 0, buffer)), ErrorCode::corrupt);
 }
 

@@ -67,15 +67,26 @@ store::Job add_job(store::Store& store, const std::string& machine);
 // Moves a queued job by allowed steps.
 void bring(store::Store& store, store::Id job, store::JobState state);
 
+// What the tests run on: the environment's DRIPFEED_STORE_ENGINE names it; SQLite without it.
+enum class EngineKind : std::uint8_t { sqlite, postgresql };
+EngineKind engine();
+
 class StoreTest : public ::testing::Test {
  protected:
-  explicit StoreTest(TempFolder::Where where = TempFolder::Where::memory) : folder_(where) { reopen(); }
+  explicit StoreTest(TempFolder::Where where = TempFolder::Where::memory);
+  ~StoreTest() override;
   void reopen(const sqlite::OpenSettings& settings = {});
-  [[nodiscard]] std::string path() const { return folder_.file("dripfeed.db"); }
+  // The same store once more, as another process has it.
+  [[nodiscard]] store::Result<std::unique_ptr<store::Store>> open_beside(
+      const sqlite::OpenSettings& settings = {}) const;
+  [[nodiscard]] std::string path() const { return folder_.file("dripfeed.db"); }  // on SQLite
   // Runs SQL beside the store; the engine's words, "" when it went well.
   [[nodiscard]] std::string sql(const std::string& text) const;
+  [[nodiscard]] static std::string_view zero_byte() { return engine() == EngineKind::postgresql ? "'\\x00'" : "x'00'"; }
+  void drop_trigger(const std::string& name, const std::string& table) const;
 
   TempFolder folder_;
+  std::string database_;  // on PostgreSQL
   std::unique_ptr<store::Store> store_;
 };
 

@@ -127,11 +127,13 @@ TEST_F(LedgerTest, AMissingOrAlteredRowIsFound) {
   const Job job = add_job(*store_, "mill-1");
   for (std::uint64_t i = 0; i < 600; ++i) append(job.id, {i, i, 0, i + 1});
   EXPECT_EQ(must(store_->ledger().verify(job.id)), 600U);
-  EXPECT_EQ(sql("DROP TRIGGER ledger_update; UPDATE ledger SET handed = 3, clocked = 3 WHERE seq = 300"), "");
+  drop_trigger("ledger_update", "ledger");
+  EXPECT_EQ(sql("UPDATE ledger SET handed = 3, clocked = 3 WHERE seq = 300"), "");
   EXPECT_EQ(refusal(store_->ledger().verify(job.id)), ErrorCode::corrupt);
   EXPECT_EQ(sql("UPDATE ledger SET handed = 299, clocked = 299 WHERE seq = 300"), "");
   EXPECT_EQ(must(store_->ledger().verify(job.id)), 600U);
-  EXPECT_EQ(sql("DROP TRIGGER ledger_delete; DELETE FROM ledger WHERE seq = 300"), "");
+  drop_trigger("ledger_delete", "ledger");
+  EXPECT_EQ(sql("DELETE FROM ledger WHERE seq = 300"), "");
   EXPECT_EQ(refusal(store_->ledger().verify(job.id)), ErrorCode::corrupt);
 }
 

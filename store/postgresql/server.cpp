@@ -1,0 +1,99 @@
+// The lock of the owner is an advisory lock of the session. The epoch tells a lock that was kept from one that was lost
+// and taken again: who took it between may have changed what this server holds true of its lines.
+#include "store/postgresql/server.h"
+
+#include <fmt/format.h>
+
+#include "store/postgresql/migrations.h"
+#include "store/sql/session.h"
+
+namespace dripfeed::postgresql {
+namespace {
+
+using sql::Query;
+using sql::Session;
+using store::Error;
+using store::ErrorCode;
+using store::Result;
+
+constexpr std::string_view kLock = "SELECT pg_try_advisory_lock(1146243408, 2)";
+constexpr std::string_view kBegin = "UPDATE owner SET epoch = epoch + 1 WHERE id = 1 RETURNING epoch";
+constexpr std::string_view kEpoch = "SELECT epoch FROM owner WHERE id = 1";
+
+Result<std::uint64_t> one_number(Connection& connection, std::string_view sql) {
+  Session session(connection, "owner");
+  std::uint64_t number = 0;
+  {
+    Query query(session, sql);
+    if (query.next()) number = query.number();
+  }
+  if (!session.ok()) return std::unexpected(session.error());
+  return number;
+}
+
+// Where the server does not wait for its disk, nothing can be called kept.
+Result<void> refuse_careless(Connection& connection) {
+  const auto careless =
+      one_number(connection, "SELECT count(*) FROM pg_settings WHERE name = 'fsync' AND setting = 'off'");
+  if (!careless) return std::unexpected(careless.error());
+  if (*careless == 0) return {};
+  return std::unexpected(Error{ErrorCode::cannot_open, "the server runs with fsync = off: a power cut can lose all"});
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Server>> Server::open(const std::string& url, const OpenSettings& settings) {
+  std::unique_ptr<Server> server(new Server(url, settings));
+  auto first = server->connect_as_owner();
+  if (!first) return std::unexpected(first.error());
+  if (auto ready = bring_up_to_date(**first, settings.create); !ready) return std::unexpected(ready.error());
+  if (auto learned = (*first)->learn_numbered_tables(); !learned) return std::unexpected(learned.error());
+  if (settings.own) {
+    if (auto careful = refuse_careless(**first); !careful) return std::unexpected(careful.error());
+    if (auto begun = server->begin_epoch(**first); !begun) return std::unexpected(begun.error());
+  }
+  server->first_ = std::move(*first);
+  return server;
+}
+
+std::unique_ptr<Server> Server::only_read(const std::string& url) {
+  return std::unique_ptr<Server>(new Server(url, {}));
+}
+
+Result<std::unique_ptr<Connection>> Server::connect_as_owner() {
+  auto connection = Connection::open(url_, settings_);
+  if (!connection || !settings_.own) return connection;
+  const auto locked = one_number(**connection, kLock);
+  if (!locked) return std::unexpected(locked.error());
+  if (*locked == 0) return std::unexpected(Error{ErrorCode::in_use, "another server has the database"});
+  return connection;
+}
+
+Result<void> Server::begin_epoch(Connection& connection) {
+  const auto epoch = one_number(connection, kBegin);
+  if (!epoch) return std::unexpected(epoch.error());
+  epoch_ = *epoch;
+  return {};
+}
+
+Result<void> Server::know_epoch(Connection& connection) const {
+  const auto epoch = one_number(connection, kEpoch);
+  if (!epoch) return std::unexpected(epoch.error());
+  if (*epoch == epoch_) return {};
+  return std::unexpected(Error{ErrorCode::in_use, "another server had the database meanwhile; restart this one"});
+}
+
+Result<std::unique_ptr<sql::Connection>> Server::connect_to_read() { return Connection::open(url_, settings_); }
+
+Result<std::unique_ptr<sql::Connection>> Server::connect_to_write() {
+  if (first_) return std::move(first_);
+  auto connection = connect_as_owner();
+  if (!connection) return std::unexpected(connection.error());
+  if (settings_.own) {
+    if (auto same = know_epoch(**connection); !same) return std::unexpected(same.error());
+  }
+  if (auto learned = (*connection)->learn_numbered_tables(); !learned) return std::unexpected(learned.error());
+  return connection;
+}
+
+}  // namespace dripfeed::postgresql

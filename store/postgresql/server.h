@@ -1,0 +1,32 @@
+// Opens connections to one database. With `own` the connection that writes holds the lock of the one server of a store:
+// it goes with the connection, and is taken again with the next one, unless somebody else had it meanwhile.
+#pragma once
+
+#include <string>
+
+#include "store/postgresql/connection.h"
+
+namespace dripfeed::postgresql {
+
+class Server final : public sql::Engine {
+ public:
+  // Takes the lock, where it is asked for, and brings the schema up to date.
+  static store::Result<std::unique_ptr<Server>> open(const std::string& url, const OpenSettings& settings);
+  // Takes no lock, and never writes.
+  static std::unique_ptr<Server> only_read(const std::string& url);
+  store::Result<std::unique_ptr<sql::Connection>> connect_to_read() override;
+  store::Result<std::unique_ptr<sql::Connection>> connect_to_write() override;
+
+ private:
+  Server(std::string url, OpenSettings settings) : url_(std::move(url)), settings_(settings) {}
+  store::Result<std::unique_ptr<Connection>> connect_as_owner();
+  store::Result<void> begin_epoch(Connection& connection);
+  store::Result<void> know_epoch(Connection& connection) const;
+
+  std::string url_;
+  OpenSettings settings_;
+  std::uint64_t epoch_ = 0;            // of the owner: larger with each server that owned the store
+  std::unique_ptr<Connection> first_;  // that open() used: the first one to write with
+};
+
+}  // namespace dripfeed::postgresql
