@@ -6,7 +6,7 @@ import path from 'node:path';
 import { Marked } from 'marked';
 
 // The order in which the pages are listed; others follow by name.
-const kFirst = ['getting-started', 'concepts', 'safety', 'families', 'dialects', 'checks', 'diagnostics', 'optimizing', 'connecting', 'profiles', 'page', 'operating', 'api'];
+const kFirst = ['getting-started', 'concepts', 'safety', 'families', 'dialects', 'checks', 'diagnostics', 'optimizing', 'connecting', 'profiles', 'page', 'editor', 'operating', 'api'];
 
 const kLicences = '<!-- bundled packages -->';
 
@@ -29,7 +29,8 @@ export function hrefOf(href) {
   return `/docs/${name === 'README' ? '' : name}${anchor ? `#${anchor}` : ''}`.replace(/\/$/, '');
 }
 
-function renderer() {
+// `drawings`: by name, of SVG files that are written into the page.
+function renderer(drawings) {
   const seen = new Map();
   return {
     heading({ tokens, depth, text }) {
@@ -45,6 +46,8 @@ function renderer() {
       return to === null ? text : `<a href="${escape(to)}">${text}</a>`;
     },
     image({ href, text }) {
+      const drawing = drawings.get(path.posix.basename(href));
+      if (drawing) return `<div class="wide" tabindex="0">${drawing}</div>`;
       return `<img src="/docs/${escape(path.posix.basename(href))}" alt="${escape(text)}">`;
     },
     html({ text }) {
@@ -61,7 +64,7 @@ function renderer() {
   };
 }
 
-export const htmlOf = (markdown) => new Marked({ gfm: true, renderer: renderer() }).parse(markdown);
+export const htmlOf = (markdown, drawings = new Map()) => new Marked({ gfm: true, renderer: renderer(drawings) }).parse(markdown);
 
 export const titleOf = (markdown) => (/^# +(.+)$/m.exec(markdown)?.[1] ?? 'dripfeed').replaceAll('`', '');
 
@@ -105,6 +108,8 @@ export async function writeDocs({ repository, into, style, icon, script, licence
   const names = (await readdir(path.join(repository, 'docs'))).filter((name) => name.endsWith('.md')).map((name) => name.slice(0, -3));
   const place = (name) => (kFirst.includes(name) ? kFirst.indexOf(name) : kFirst.length);
   names.sort((a, b) => place(a) - place(b) || a.localeCompare(b));
+  const drawings = new Map();
+  for (const name of (await readdir(path.join(repository, 'docs', 'pictures'))).filter((one) => one.endsWith('.svg'))) drawings.set(name, await read('docs', 'pictures', name));
   const pages = [{ name: 'index', markdown: await read('README.md') }];
   for (const name of names) pages.push({ name, markdown: await read('docs', `${name}.md`) });
   const shipped = pages.find(({ markdown }) => markdown.includes(kLicences));
@@ -119,7 +124,7 @@ export async function writeDocs({ repository, into, style, icon, script, licence
         return `<li><a href="${href}"${current}>${escape(titleOf(page.markdown))}</a></li>`;
       })
       .join('\n');
-    const page = pageOf({ title: titleOf(markdown), body: body ?? htmlOf(markdown), list, style, icon, script: body && script });
+    const page = pageOf({ title: titleOf(markdown), body: body ?? htmlOf(markdown, drawings), list, style, icon, script: body && script });
     await writeFile(path.join(into, `${name}.html`), page);
   }
   await copyFile(path.join(repository, 'web', 'pictures', 'machines.png'), path.join(into, 'machines.png'));

@@ -27,6 +27,12 @@ test('text stays text', () => {
   assert.equal(titleOf('# A `b` c\n'), 'A b c');
 });
 
+test('a drawing is written into the page, another picture is a file', () => {
+  const drawings = new Map([['states.svg', '<svg><title>States</title></svg>']]);
+  assert.match(htmlOf('![States](pictures/states.svg)\n', drawings), /<svg><title>States/);
+  assert.match(htmlOf('![Floor](web/pictures/machines.png)\n', drawings), /<img src="\/docs\/machines\.png"/);
+});
+
 test('the packages of a bundle are found, each once', () => {
   assert.equal(packageOf('node_modules/@codemirror/view/dist/index.js'), '@codemirror/view');
   assert.equal(packageOf('src/main.tsx'), null);
