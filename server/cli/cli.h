@@ -56,6 +56,7 @@ void add_completion(CLI::App& app, int& exit_code);
 void add_man(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_words(CLI::App& app, int& exit_code);
+void add_lsp(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);
 
 }  // namespace dripfeed::cli

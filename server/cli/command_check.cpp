@@ -7,10 +7,10 @@
 
 #include "server/app/base/check_budget.h"
 #include "server/app/checks/examine.h"
+#include "server/app/library/fix_text.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
-#include "server/cli/fix_text.h"
 #include "server/cli/inputs.h"
 #include "server/cli/measured.h"
 #include "server/cli/output.h"
@@ -136,7 +136,7 @@ app::Result<Checked> check_file(const CheckOptions& options, const std::string& 
 // Carries out the edits of the report in its file. False, with a message, when that cannot be.
 bool fix_file(const app::CheckReport& report) {
   const text::Source& source = report.source;
-  const FixedText fixed = fix_text(source, report.checks.diagnostics);
+  const app::FixedText fixed = app::fix_text(source, report.checks.diagnostics);
   if (fixed.carried_out.empty()) return true;
   if (const std::string why = replace_file(source.name(), fixed.text); !why.empty()) {
     print_error(why);
@@ -145,7 +145,7 @@ bool fix_file(const app::CheckReport& report) {
   for (const text::Diagnostic* one : fixed.carried_out) {
     const text::Position at = source.position(one->fix->replaced.begin);
     fmt::print(stderr, "{}:{}:{}: fixed[{}]: {}\n", source.name(), at.line, at.column, text::row_of(one->id).name,
-               describe_edit(*one->fix, source));
+               app::describe_edit(*one->fix, source));
   }
   if (fixed.left > 0) fmt::print(stderr, "{}: {} fixes overlap others: run it again\n", source.name(), fixed.left);
   return true;

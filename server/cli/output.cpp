@@ -4,12 +4,15 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 
-#include "server/cli/fix_text.h"
+#include "server/app/library/fix_text.h"
 #include "server/cli/logging.h"
 
 namespace dripfeed::cli {
@@ -49,7 +52,7 @@ void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const t
     if (!fold.shows(diagnostic)) continue;
     fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
     const text::Source& in = diagnostic.elsewhere == nullptr ? source : *diagnostic.elsewhere;
-    if (diagnostic.fix) fmt::print(stderr, "  fix: {}\n", describe_edit(*diagnostic.fix, in));
+    if (diagnostic.fix) fmt::print(stderr, "  fix: {}\n", app::describe_edit(*diagnostic.fix, in));
     if (origin && diagnostic.elsewhere == nullptr) {
       const std::string from = origin(source.position(diagnostic.span.begin).line);
       if (!from.empty()) fmt::print(stderr, "  from: {}\n", from);
@@ -83,6 +86,26 @@ bool write_output(const std::string& path, std::string_view text) {
   if (file && write_all(file.get(), text)) return true;
   print_error(fmt::format("{}: {}", path, std::strerror(errno)));
   return false;
+}
+
+std::string replace_file(const std::string& path, const std::string& text) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const std::string fresh = path + ".fixed";
+  if (fs::exists(fresh, failed)) return fmt::format("{} is there already", fresh);
+  {
+    std::ofstream file(fresh, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.flush();
+    if (!file) return fmt::format("{} cannot be written", fresh);
+  }
+  const fs::file_status old = fs::status(path, failed);
+  if (!failed) fs::permissions(fresh, old.permissions(), failed);
+  if (!failed) fs::rename(fresh, path, failed);
+  if (!failed) return {};
+  const std::string why = failed.message();
+  fs::remove(fresh, failed);
+  return fmt::format("{}: {}", path, why);
 }
 
 }  // namespace dripfeed::cli

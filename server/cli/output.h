@@ -36,4 +36,7 @@ void print_not_validated(std::string_view file);
 // Writes the whole text to `path` ("" or "-": standard output). False, with a message, when it cannot.
 bool write_output(const std::string& path, std::string_view text);
 
+// Puts the text into the place of the file in one step, with its permissions. "" or why it cannot.
+std::string replace_file(const std::string& path, const std::string& text);
+
 }  // namespace dripfeed::cli

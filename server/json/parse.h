@@ -1,5 +1,6 @@
 // A text as a JSON document, and back. Stricter than the parser: a member that is given twice and nesting that no
-// document has are refused, too, and every fault has its place. Only files of this folder include this.
+// document has are refused, too, and every fault has its place. Only files of this folder and of server/lsp include
+// this.
 #pragma once
 
 #include <cstdint>

@@ -1,14 +1,11 @@
 // Edits are carried out from the first to the last; one that begins inside another is left for the next time.
-#include "server/cli/fix_text.h"
+#include "server/app/library/fix_text.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <system_error>
 
 #include <fmt/format.h>
 
-namespace dripfeed::cli {
+namespace dripfeed::app {
 
 FixedText fix_text(const text::Source& source, const std::vector<text::Diagnostic>& diagnostics) {
   std::vector<const text::Diagnostic*> with_edit;
@@ -38,24 +35,4 @@ std::string describe_edit(const text::Edit& edit, const text::Source& source) {
   return fmt::format("write `{}` in the place of `{}`", edit.text, old);
 }
 
-std::string replace_file(const std::string& path, const std::string& text) {
-  namespace fs = std::filesystem;
-  std::error_code failed;
-  const std::string fresh = path + ".fixed";
-  if (fs::exists(fresh, failed)) return fmt::format("{} is there already", fresh);
-  {
-    std::ofstream file(fresh, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.flush();
-    if (!file) return fmt::format("{} cannot be written", fresh);
-  }
-  const fs::file_status old = fs::status(path, failed);
-  if (!failed) fs::permissions(fresh, old.permissions(), failed);
-  if (!failed) fs::rename(fresh, path, failed);
-  if (!failed) return {};
-  const std::string why = failed.message();
-  fs::remove(fresh, failed);
-  return fmt::format("{}: {}", path, why);
-}
-
-}  // namespace dripfeed::cli
+}  // namespace dripfeed::app

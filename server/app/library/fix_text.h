@@ -7,7 +7,7 @@
 
 #include "dialects/text/diagnostic.h"
 
-namespace dripfeed::cli {
+namespace dripfeed::app {
 
 struct FixedText {
   std::string text;
@@ -20,7 +20,4 @@ FixedText fix_text(const text::Source& source, const std::vector<text::Diagnosti
 // "write `M` in the place of `М`", "add ` mm`", "remove `,`"
 std::string describe_edit(const text::Edit& edit, const text::Source& source);
 
-// Puts the text into the place of the file in one step, with its permissions. "" or why it cannot.
-std::string replace_file(const std::string& path, const std::string& text);
-
-}  // namespace dripfeed::cli
+}  // namespace dripfeed::app
