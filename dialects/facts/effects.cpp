@@ -11,6 +11,7 @@
 #include "dialects/facts/block_values.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/shape_blocks.h"
+#include "dialects/facts/transformation.h"
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
@@ -41,7 +42,8 @@ bool loses_positions(const ir::Code& code) {
   return has_own_words(code) || code.group == ModalGroup::work_offset || code.group == ModalGroup::unit ||
          code.group == ModalGroup::diameter || code.group == ModalGroup::length_offset ||
          code.function == Function::tool_change || code.function == Function::data_input ||
-         code.function == Function::work_offset || code.function == Function::extended_offset;
+         code.function == Function::transformation || code.function == Function::work_offset ||
+         code.function == Function::extended_offset;
 }
 
 // The block ends where its axis words say.
@@ -65,8 +67,10 @@ bool bends_the_end(Address a) {
          (a >= Address::poly_x2 && a <= Address::poly_z5);
 }
 
-bool changes_what_moves_mean(const ir::Code& code) {
-  return code.function == Function::polar_words_on || code.function == Function::transformation;
+// What a caller outside of the text or a called program there left on is not looked for.
+bool may_be_on(const Known<Setting>& fact, Function off) {
+  return fact.more || (fact.origin != kNobody && fact.value.function != off) ||
+         (fact.other_origin != kNobody && fact.other.function != off);
 }
 
 }  // namespace
@@ -83,7 +87,6 @@ Effects::Effects(const ir::Program& program, const ir::Control& control)
       control_(control),
       tool_at_once_(control.kind == ir::MachineKind::lathe ||
                     control.semantics.tool_word == ir::ToolWord::number_and_offset),
-      follows_positions_(std::ranges::none_of(program.codes, changes_what_moves_mean)),
       shape_(blocks_of_shapes(program)) {}
 
 // --- one block
@@ -130,6 +133,11 @@ struct Effects::Walk {
           forget_unless_zero(length);
         break;
       case Mode::frame: return take_frame(code);
+      case Mode::transformation:
+        return ends_transformation(of.program_, block, code)
+                   ? set(Mode::transformation, Function::none)
+                   : set(Mode::transformation, code.function, static_cast<std::int32_t>(statement));
+      case Mode::pole: return set(Mode::pole, code.function, static_cast<std::int32_t>(statement));
       case Mode::feed:
         if (!feed_before.is({.function = code.function})) forget_unless_zero(Number::feed);
         // One group there: a feed code ends constant surface speed.
@@ -269,7 +277,9 @@ struct Effects::Walk {
   }
 
   void take_positions() {
-    if (!of.follows_positions_) return facts.forget_positions(statement);
+    const bool other_letters = may_be_on(facts[Mode::transformation], Function::none) ||
+                               may_be_on(facts[Mode::letters], Function::polar_words_off);
+    if (other_letters) return facts.forget_positions(statement);
     if (std::ranges::any_of(values.codes, [](const ir::Code& code) { return has_own_words(code); })) return;
     const auto names_axis = [this](const ir::Word& word) { return target_of(word).has_value(); };
     if (std::ranges::any_of(values.words, [](const ir::Word& word) { return bends_the_end(word.address); }))

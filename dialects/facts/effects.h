@@ -35,7 +35,6 @@ class Effects {
   const ir::Program& program_;
   const ir::Control& control_;
   bool tool_at_once_;        // T brings a tool in, without M6
-  bool follows_positions_;   // no polar words, no transformation in the text
   std::vector<bool> shape_;  // by statement: run for a cycle alone
 };
 

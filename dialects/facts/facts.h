@@ -11,3 +11,4 @@
 #include "dialects/facts/modal_facts.h"
 #include "dialects/facts/resolved.h"
 #include "dialects/facts/shape_blocks.h"
+#include "dialects/facts/transformation.h"

@@ -60,6 +60,12 @@ constexpr FunctionRow kFunctions[] = {
     {Function::rotate, Mode::frame, "a rotation"},
     {Function::scale, Mode::frame, "a scaling"},
     {Function::mirror, Mode::frame, "a mirror image"},
+    {Function::transformation, Mode::transformation, "a transformation"},
+    {Function::pole_from_last, Mode::pole, "a pole"},
+    {Function::pole_from_zero, Mode::pole, "a pole"},
+    {Function::pole_from_pole, Mode::pole, "a pole"},
+    {Function::polar_words_on, Mode::letters, "polar words"},
+    {Function::polar_words_off, Mode::letters, "no polar words"},
 };
 
 const FunctionRow* row_of(Function function) {
@@ -124,9 +130,12 @@ Setting power_on(Mode mode, const ir::Control& control) {
     case Mode::spindle: return {Function::spindle_stop};
     case Mode::coolant: return {Function::coolant_off};
     case Mode::length: return {Function::length_offset_off};
+    case Mode::letters: return {Function::polar_words_off};
     case Mode::work_offset:
     case Mode::frame:
     case Mode::modal_call:
+    case Mode::transformation:
+    case Mode::pole:
     case Mode::count_: break;
   }
   return {};

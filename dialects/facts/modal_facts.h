@@ -28,9 +28,13 @@ enum class Mode : std::uint8_t {
   path,  // exact stop or continuous
   spindle,
   coolant,
-  length,      // length_offset_off: no tool length is in effect; see tool_length()
-  frame,       // none, or one about a point (G68, G51, G51.1) in effect
-  modal_call,  // none, or a call that each move makes; Setting::argument is then its statement's number
+  length,  // length_offset_off: no tool length is in effect; see tool_length()
+  frame,   // none, or one about a point (G68, G51, G51.1) in effect
+  // Setting::argument of these is the number of the statement that set them.
+  modal_call,      // none, or a call that each move makes
+  transformation,  // none, or what makes the face or the circumference of a part a plane
+  pole,            // of polar positions; none: where the control has it before the first one
+  letters,         // polar_words_on: the letters of the plane are a radius and an angle (G16)
   count_,
 };
 inline constexpr std::size_t kModes = static_cast<std::size_t>(Mode::count_);

@@ -22,6 +22,9 @@ constexpr std::array kSaved = {Mode::feed,        Mode::surface_speed, Mode::uni
                                Mode::plane,       Mode::diameter,      Mode::motion, Mode::compensation,
                                Mode::work_offset, Mode::return_level,  Mode::path};
 
+// Function::none means here that nothing of the kind is in effect.
+constexpr std::array kMayBeOff = {Mode::frame, Mode::modal_call, Mode::transformation};
+
 void overwrite(Facts& facts, const FactSet& which, const Facts& with) {
   for (std::size_t i = 0; i < kModes; ++i)
     if (which[i]) facts.modes[i] = with.modes[i];
@@ -191,7 +194,7 @@ Facts Resolved::start_of(const Part& part) const {
     const Setting begin = power_on(static_cast<Mode>(m), control_);
     if (inherits)
       facts.modes[m].inherited = true;
-    else if (begin.function == Function::none && static_cast<Mode>(m) != Mode::frame)
+    else if (begin.function == Function::none && std::ranges::find(kMayBeOff, static_cast<Mode>(m)) == kMayBeOff.end())
       facts.modes[m].forget(kPowerOn);
     else
       facts.modes[m].set(begin, kPowerOn);
@@ -203,9 +206,11 @@ Facts Resolved::start_of(const Part& part) const {
   if (!inherits)
     for (const Number number : {Number::feed, Number::speed, Number::shift_x, Number::shift_y, Number::shift_z})
       facts[number].set(0.0, kPowerOn);
-  // A modal call that a caller outside of the text left on is not looked for.
-  facts[Mode::modal_call] = {};
-  facts[Mode::modal_call].set({}, kPowerOn);
+  // These, left on by a caller outside of the text, are not looked for.
+  for (const Mode mode : {Mode::modal_call, Mode::transformation, Mode::letters}) {
+    facts[mode] = {};
+    facts[mode].set(power_on(mode, control_), kPowerOn);
+  }
   for (const ir::CodeRow& row : control_.caller_modes) {
     ir::Code code;
     code.function = row.function;

@@ -58,62 +58,12 @@ std::vector<T> list(std::span<const T> range) {
   return {range.begin(), range.end()};
 }
 
-// The one block that set the pole in effect before each statement, on all ways that lead there.
-class PolesInEffect {
- public:
-  explicit PolesInEffect(const ir::Program& program)
-      : program_(program), graph_(program), before_(program.statements.size() + 1, kNotReached) {
-    for (const std::uint32_t entry : graph_.entries()) reach(entry, kUnknown);
-    while (!work_.empty()) {
-      const std::uint32_t i = work_.back();
-      work_.pop_back();
-      if (i >= program.statements.size()) continue;
-      const std::uint32_t pole = after(i);
-      const std::vector<std::uint32_t> next = graph_.after(i);
-      for (const std::uint32_t n : next) reach(n, pole);
-    }
-  }
-
-  // kNoIndex when it is not known.
-  [[nodiscard]] std::uint32_t before(std::uint32_t statement) const {
-    return before_[statement] == kNotReached ? kUnknown : before_[statement];
-  }
-
- private:
-  static constexpr std::uint32_t kUnknown = ir::kNoIndex;
-  static constexpr std::uint32_t kNotReached = ir::kNoIndex - 1;
-
-  void reach(std::uint32_t statement, std::uint32_t pole) {
-    std::uint32_t& known = before_[statement];
-    const std::uint32_t met = known == kNotReached || known == pole ? pole : kUnknown;
-    if (met == known) return;
-    known = met;
-    work_.push_back(statement);
-  }
-
-  [[nodiscard]] std::uint32_t after(std::uint32_t i) const {
-    const ir::Statement& s = program_.statements[i];
-    const bool elsewhere =
-        s.kind == StatementKind::native || (facts::is_call(s.kind) && !facts::is_standard_cycle(program_, s));
-    if (elsewhere) return kUnknown;
-    const bool sets =
-        s.kind == StatementKind::block && std::ranges::any_of(program_.codes_of(program_.blocks[s.payload]), sets_pole);
-    return sets ? i : before_[i];
-  }
-
-  const ir::Program& program_;
-  facts::FlowGraph graph_;
-  std::vector<std::uint32_t> before_;
-  std::vector<std::uint32_t> work_;
-};
-
 class PolarPositions {
  public:
   PolarPositions(ir::Program& program, const ir::Control& from, const ir::Control& to)
       : program_(program),
         to_(to),
         modes_(source_, from),
-        poles_(source_),
         is_target_(facts::jump_targets(program)),
         out_(program),
         has_arcs_(std::ranges::any_of(program.codes, [](const ir::Code& c) { return is_arc(c.function); })),
@@ -210,7 +160,9 @@ class PolarPositions {
 
   Pole zero() { return {program_.add_constant(0.0), program_.add_constant(0.0)}; }
   [[nodiscard]] Pole pole_here() const {
-    const auto set = set_.find(poles_.before(index_));
+    // The block that set it, where it is the same on all paths.
+    const std::optional<facts::Setting> pole = modes_.certain(facts::Mode::pole, index_);
+    const auto set = pole ? set_.find(static_cast<std::uint32_t>(pole->argument)) : set_.end();
     return set == set_.end() ? Pole{} : set->second;
   }
 
@@ -361,7 +313,6 @@ class PolarPositions {
   const ir::Program source_{program_};  // what the modes are followed in
   const ir::Control& to_;
   facts::Resolved modes_;
-  PolesInEffect poles_;
   std::vector<bool> is_target_;
   Rewrite out_;
   bool has_arcs_;

@@ -60,6 +60,7 @@ class LatheFlow {
   LatheFlow(const ir::Program& program, const ir::Control& control);
   // Before the statement; nullptr where no way leads.
   [[nodiscard]] const LatheState* before(std::uint32_t statement) const;
+  [[nodiscard]] const facts::Resolved& facts() const { return modes_; }
   // Nothing where ways differ or a caller decides.
   [[nodiscard]] std::optional<ir::Function> mode(facts::Mode mode, std::uint32_t statement) const;
   // A word's value in units of the program: nothing where it is computed, or counts increments of an unknown unit.

@@ -4,14 +4,13 @@
 #include "dialects/compile/translate/settle_faces.h"
 
 #include <algorithm>
-#include <deque>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "dialects/compile/translate/lathe_flow.h"
-#include "dialects/facts/flow_graph.h"
+#include "dialects/facts/transformation.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
@@ -42,9 +41,12 @@ bool has_rotary_forms(const ir::Control& control) {
 class Faces {
  public:
   Faces(ir::Program& program, const ir::Control& from, const ir::Control& to)
-      : program_(program), from_(from), to_(to), to_rotary_(has_rotary_forms(to)), flow_(program, from), out_(program) {
-    find_regions();
-  }
+      : program_(program),
+        from_(from),
+        to_(to),
+        to_rotary_(has_rotary_forms(to)),
+        flow_(program, from),
+        out_(program) {}
 
   std::vector<text::Diagnostic> run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
@@ -52,10 +54,11 @@ class Faces {
       out_.at(index_);
       statement_ = program_.statements[index_];
       const bool is_block = statement_.kind == StatementKind::block;
+      here_ = region_at(index_);
       const ir::Block block = is_block ? program_.blocks[statement_.payload] : ir::Block();
       if (const ir::Code* code = is_block ? code_of(block) : nullptr)
-        is_end(*code, block) ? end() : begin(*code, block);
-      else if (!before_[index_].has_value() || before_[index_]->is(kNowhere))
+        facts::ends_transformation(program_, block, *code) ? end() : begin(*code, block);
+      else if (!here_.is_reached || here_.is(kNowhere))
         out_.keep();
       else
         inside(block);
@@ -73,42 +76,21 @@ class Faces {
     return nullptr;
   }
 
-  // TRAFOOF, G13.1, G07.1 C0.
-  [[nodiscard]] bool is_end(const ir::Code& code, const ir::Block& block) const {
-    if (code.argument == ir::kTransformationEnds) return true;
-    if (code.argument != ir::kCylinderByRotary) return false;
-    return std::ranges::all_of(program_.words_of(block), [&](const ir::Word& w) {
-      const ir::Expression& e = program_.at(w.value);
-      return w.address > Address::c || (e.op == Operator::constant && e.value == 0.0);
-    });
-  }
+  // The block that began what is in effect before the statement; kNowhere: none is. Nothing where paths differ, or none
+  // leads there.
+  struct Region {
+    bool is_reached = false;
+    std::optional<std::uint32_t> begin;
 
-  // The block that began what is in effect, before each statement; kNowhere: none is.
-  void find_regions() {
-    before_.resize(program_.statements.size() + 1);
-    facts::FlowGraph graph(program_);
-    std::deque<std::uint32_t> work;
-    for (const std::uint32_t entry : graph.entries()) {
-      before_[entry] = Known<std::uint32_t>{kNowhere};
-      work.push_back(entry);
-    }
-    while (!work.empty()) {
-      const std::uint32_t i = work.front();
-      work.pop_front();
-      if (i >= program_.statements.size()) continue;
-      Known<std::uint32_t> after = *before_[i];
-      const ir::Statement& s = program_.statements[i];
-      if (s.kind == StatementKind::block) {
-        const ir::Block& block = program_.blocks[s.payload];
-        if (const ir::Code* code = code_of(block)) after.value = is_end(*code, block) ? kNowhere : i;
-        if (may_be_skipped(program_, s)) after.meet(*before_[i]);
-      }
-      for (const std::uint32_t next : graph.after(i)) {
-        const bool is_new = !before_[next].has_value();
-        if (is_new) before_[next] = after;
-        if (is_new || before_[next]->meet(after)) work.push_back(next);
-      }
-    }
+    [[nodiscard]] bool is(std::uint32_t statement) const { return begin == statement; }
+  };
+  [[nodiscard]] Region region_at(std::uint32_t statement) const {
+    const facts::Facts* facts = flow_.facts().before(statement);
+    if (facts == nullptr) return {};
+    const facts::Known<facts::Setting>& fact = (*facts)[facts::Mode::transformation];
+    if (!fact.agrees()) return {.is_reached = true, .begin = {}};
+    const bool off = fact.value.function == Function::none;
+    return {.is_reached = true, .begin = off ? kNowhere : static_cast<std::uint32_t>(fact.value.argument)};
   }
 
   // --- their own blocks
@@ -117,8 +99,7 @@ class Faces {
     const ir::Code code = written;
     if (program_.codes_of(block).size() != 1 || block.rest_level != 0)
       return cannot(passes::together("a code in the same block as polar or cylindrical interpolation"));
-    if (!before_[index_] || !before_[index_]->is(kNowhere))
-      return cannot(passes::together("polar or cylindrical interpolation inside of another"));
+    if (!here_.is(kNowhere)) return cannot(passes::together("polar or cylindrical interpolation inside of another"));
     if (is_face(code.argument)) {
       const LatheState* state = flow_.before(index_);
       if (state == nullptr || !state->c.is(0.0))
@@ -146,15 +127,14 @@ class Faces {
   }
 
   void end() {
-    if (!before_[index_]) return;
-    if (!before_[index_]->value)
-      return cannot(passes::not_known("the end of what began on one control-flow path only"));
-    if (before_[index_]->is(kNowhere)) return out_.keep();  // ends nothing
+    if (!here_.is_reached) return;
+    if (!here_.begin) return cannot(passes::not_known("the end of what began on one control-flow path only"));
+    if (here_.is(kNowhere)) return out_.keep();  // ends nothing
     const bool cylinder = is_cylinder_here();
     const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
     const std::optional<Function> now = !to_rotary_ ? (cylinder ? Function::plane_yz : Function::plane_xy)
                                         : cylinder  ? here
-                                                    : flow_.mode(facts::Mode::plane, *before_[index_]->value);
+                                                    : flow_.mode(facts::Mode::plane, *here_.begin);
     if (to_rotary_ && cylinder)
       emit(ir::kCylinderByRotary, {}, {word(Address::c, constant(0.0))});
     else
@@ -165,8 +145,8 @@ class Faces {
   }
 
   [[nodiscard]] bool is_cylinder_here() const {
-    if (!before_[index_] || !before_[index_]->value || before_[index_]->is(kNowhere)) return false;
-    const ir::Statement& s = program_.statements[*before_[index_]->value];
+    if (!here_.begin || here_.is(kNowhere)) return false;
+    const ir::Statement& s = program_.statements[*here_.begin];
     const ir::Code* code = code_of(program_.blocks[s.payload]);
     return code != nullptr && !is_face(code->argument);
   }
@@ -193,7 +173,7 @@ class Faces {
         statement_.kind == StatementKind::native)
       return cannot(passes::together("a call inside of polar or cylindrical interpolation"));
     if (statement_.kind != StatementKind::block) return out_.keep();
-    if (!before_[index_]->value)
+    if (!here_.begin)
       return cannot(passes::not_known("a block that stands in polar interpolation on one control-flow path only"));
     if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
     const bool cylinder = is_cylinder_here();
@@ -243,7 +223,7 @@ class Faces {
     if (increment) w.mode = ir::WordMode::incremental;
     if (!cylinder) return w;
     // Degrees and millimetres on the circumference.
-    const double radius = radius_at(*before_[index_]->value);
+    const double radius = radius_at(*here_.begin);
     const double factor = to_rotary_ ? kDegrees / radius : radius / kDegrees;
     const ir::Expression e = program_.at(w.value);
     if (e.op == Operator::constant) {
@@ -268,7 +248,7 @@ class Faces {
   bool to_rotary_;  // the target names the coordinate across by the axis that turns
   LatheFlow flow_;
   passes::Rewrite out_;
-  std::vector<std::optional<Known<std::uint32_t>>> before_;
+  Region here_;
   std::uint32_t index_ = 0;
   ir::Statement statement_;
   std::vector<text::Diagnostic> diagnostics_;

@@ -126,6 +126,41 @@ TEST(Resolved, AProgramThatIsNotInTheTextMayChangeEverything) {
   EXPECT_TRUE((*resolved.before(3))[Mode::distance].is({.function = Function::absolute}));
 }
 
+TEST(Resolved, PositionsAreFollowedBeforeAndAfterATransformation) {
+  constexpr std::int16_t kFace = 1;
+  Builder b;
+  b.block({{Function::linear, 0, ModalGroup::motion}}, {{Address::x, 1.0}});
+  b.block({{Function::transformation, kFace, ModalGroup::other}});
+  b.block({}, {{Address::x, 2.0}});
+  b.block({{Function::transformation, 0, ModalGroup::other}});
+  b.block({}, {{Address::x, 3.0}});
+  b.end();
+  const ir::Program& program = b.build();
+  const ir::Control control = mill();
+  const Resolved resolved(program, control);
+  EXPECT_TRUE((*resolved.before(1))[Number::x].is(1.0));
+  EXPECT_TRUE((*resolved.before(2))[Mode::transformation].is({.function = Function::transformation, .argument = 1}));
+  EXPECT_FALSE((*resolved.before(3))[Number::x].is_certain()) << "X across the face is not X";
+  EXPECT_TRUE((*resolved.before(4))[Mode::transformation].is({}));
+  EXPECT_TRUE((*resolved.before(5))[Number::x].is(3.0));
+}
+
+TEST(Resolved, APoleIsTheOneOfAllPaths) {
+  Builder b;
+  b.block({{Function::pole_from_zero, 0, ModalGroup::non_modal}}, {{Address::x, 1.0}});
+  b.block({{Function::pole_from_zero, 0, ModalGroup::non_modal}}, {{Address::x, 2.0}});
+  b.program().statements.back().skip_level = 1;
+  b.block({{Function::pole_from_zero, 0, ModalGroup::non_modal}}, {{Address::x, 3.0}});
+  b.end();
+  const ir::Program& program = b.build();
+  const ir::Control control = mill();
+  const Resolved resolved(program, control);
+  EXPECT_FALSE(resolved.certain(Mode::pole, 0).has_value());
+  EXPECT_EQ(resolved.certain(Mode::pole, 1)->argument, 0);
+  EXPECT_FALSE(resolved.certain(Mode::pole, 2).has_value());
+  EXPECT_EQ(resolved.certain(Mode::pole, 3)->argument, 2);
+}
+
 TEST(Resolved, SaveGivesTheModesBackAndNotThePosition) {
   Builder b;
   const std::uint32_t main = next(b);
