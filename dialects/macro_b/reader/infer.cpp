@@ -1,5 +1,6 @@
 // Which machine a text was written for, when nobody says. Rules, the first line that meets one decides:
-//   lathe: T with four digits and no M06; U or W beside X or Z words; G50 S; G32; G70-G76 with P and Q or with U and R;
+//   lathe: T with four digits and no M06, or with its own number as its offset (T0707 M06); U or W beside X or Z words;
+//          G50 S; G32; G70-G76 with P and Q or with U and R;
 //          H with a point, the increment of C, in a block that says no tool length
 //   mill:  a Y word; G43, G44 or G49; G17; M06; G81, G82 or G73 with R
 //   then:  X and Z in one block and no Y anywhere: lathe; otherwise mill, with no line.
@@ -32,6 +33,7 @@ struct Block {
   std::vector<std::int32_t> g10;  // ten times the G numbers
   std::vector<std::int32_t> m10;
   std::size_t tool_digits = 0;
+  bool tool_is_pair = false;  // T0707
   bool h_has_point = false;
 
   [[nodiscard]] bool has(char letter) const { return letters[static_cast<std::size_t>(letter - 'A')]; }
@@ -83,6 +85,7 @@ class BlockScan {
  private:
   static void number(Block& block, char letter, std::string_view written) {
     if (letter == 'T') block.tool_digits = written.size();
+    if (letter == 'T') block.tool_is_pair = written.size() == 4 && written.substr(0, 2) == written.substr(2);
     if (letter == 'H') block.h_has_point = written.contains('.');
     if (letter != 'G' && letter != 'M') return;
     const auto value = text::parse_number(written);
@@ -115,7 +118,7 @@ class BlockScan {
 
 bool is_lathe(const Block& b) {
   const bool turning_cycle = std::ranges::any_of(b.g10, [](std::int32_t g) { return g >= 700 && g <= 760; });
-  if (b.tool_digits == 4 && !b.m(6)) return true;
+  if (b.tool_digits == 4 && (!b.m(6) || b.tool_is_pair)) return true;
   const bool length = b.g(43) || b.g(44) || b.g(49) || b.has('D');
   if (b.h_has_point && !length && !b.is_call() && !b.has('Y')) return true;
   if (b.g(32) || (b.g(50) && b.has('S'))) return true;
