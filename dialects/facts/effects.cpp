@@ -10,9 +10,12 @@
 #include "dialects/facts/axis_words.h"
 #include "dialects/facts/block_values.h"
 #include "dialects/facts/calls.h"
+#include "dialects/facts/kept_words.h"
+#include "dialects/facts/position_effects.h"
 #include "dialects/facts/shape_blocks.h"
+#include "dialects/facts/tool_effects.h"
 #include "dialects/facts/transformation.h"
-#include "dialects/ir/axis_letters.h"
+#include "dialects/ir/called_cycle.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 
@@ -37,8 +40,8 @@ bool may_be_system_variable(const ir::Variable& v, const ir::Control& control) {
 // Positions have other numbers after these, or only the machine knows them.
 bool loses_positions(const ir::Code& code) {
   if (code.function == Function::dwell || code.function == Function::exact_stop_once ||
-      code.function == Function::stroke_check)
-    return false;
+      code.function == Function::stroke_check || code.function == Function::repetitive_cycle)
+    return false;  // the last one ends where it began
   return has_own_words(code) || code.group == ModalGroup::work_offset || code.group == ModalGroup::unit ||
          code.group == ModalGroup::diameter || code.group == ModalGroup::length_offset ||
          code.function == Function::tool_change || code.function == Function::data_input ||
@@ -46,32 +49,28 @@ bool loses_positions(const ir::Code& code) {
          code.function == Function::extended_offset;
 }
 
-// The block ends where its axis words say.
-bool ends_at_its_words(const Setting& motion) {
-  switch (motion.function) {
-    case Function::rapid:
-    case Function::linear:
-    case Function::arc_cw:
-    case Function::arc_ccw:
-    case Function::thread:
-    case Function::thread_changing: return true;
-    default: return false;
-  }
+// In a block that may run; a text that was cut out of another has more codes than that.
+bool has_code(const ir::Program& program, Function function) {
+  return std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
+    if (s.kind != StatementKind::block) return false;
+    const auto codes = program.codes_of(program.blocks[s.payload]);
+    return std::ranges::find(codes, function, &ir::Code::function) != codes.end();
+  });
 }
 
-// Words that place the end elsewhere than at the axis words.
-bool bends_the_end(Address a) {
-  return a == Address::polar_angle || a == Address::polar_radius || a == Address::named_axis ||
-         a == Address::direct_angle || a == Address::chamfer || a == Address::chamfer_length ||
-         a == Address::rounding || a == Address::modal_rounding || a == Address::measuring || a == Address::other ||
-         (a >= Address::poly_x2 && a <= Address::poly_z5);
+bool brings_tool_by_t(const ir::Control& control) {
+  return control.kind == ir::MachineKind::lathe || control.semantics.tool_word == ir::ToolWord::number_and_offset;
 }
 
-// What a caller outside of the text or a called program there left on is not looked for.
-bool may_be_on(const Known<Setting>& fact, Function off) {
-  return fact.more || (fact.origin != kNobody && fact.value.function != off) ||
-         (fact.other_origin != kNobody && fact.other.function != off);
+// At power-on nothing does.
+bool may_change_lead(Known<Setting> motion) {
+  if (motion.changer == kPowerOn && motion.origin == kNobody && !motion.inherited) return false;
+  if (motion.changer == kPowerOn) motion.changer = kNobody;
+  return motion.may_be({.function = Function::thread_changing});
 }
+
+// G70.
+bool is_finishing(const ir::Code& code) { return code.function == Function::repetitive_cycle && code.argument == 0; }
 
 }  // namespace
 
@@ -79,15 +78,18 @@ FactSet differing(const Facts& a, const Facts& b) {
   FactSet set;
   for (std::size_t i = 0; i < kModes; ++i) set[i] = !(a.modes[i] == b.modes[i]);
   for (std::size_t i = 0; i < kNumbers; ++i) set[kModes + i] = !(a.numbers[i] == b.numbers[i]);
+  for (std::size_t i = 0; i < kKept; ++i) set[kModes + kNumbers + i] = !(a.kept[i] == b.kept[i]);
   return set;
 }
 
-Effects::Effects(const ir::Program& program, const ir::Control& control)
+Effects::Effects(const ir::Program& program, const ir::Control& control, ToolChange change)
     : program_(program),
       control_(control),
-      tool_at_once_(control.kind == ir::MachineKind::lathe ||
-                    control.semantics.tool_word == ir::ToolWord::number_and_offset),
-      shape_(blocks_of_shapes(program)) {}
+      tool_at_once_(change == ToolChange::as_the_control ? brings_tool_by_t(control)
+                                                         : !has_code(program, Function::tool_change)),
+      changes_leads_(has_code(program, Function::thread_changing)),
+      shape_(blocks_of_shapes(program)),
+      skipped_(blocks_left_out(program)) {}
 
 // --- one block
 
@@ -98,6 +100,7 @@ struct Effects::Walk {
   bool with_rest;  // with what stands after "/n" inside the block
   Facts& facts;
   BlockValues values = BlockValues(of.program_, block, with_rest);
+  PositionEffects positions = PositionEffects{of.control_, statement, values, facts};
 
   void run() {
     if (values.has_computed_code('G')) return facts.forget_all(statement);
@@ -107,10 +110,9 @@ struct Effects::Walk {
     for (const ir::Code& code : values.codes) take_code(code, names_speed, feed_before);
     if (values.has_computed_code('M'))
       for (const Mode mode : {Mode::spindle, Mode::coolant, Mode::length}) facts[mode].forget(statement);
-    take_tool();
-    take_length();
+    ToolEffects{of.control_, statement, of.tool_at_once_, values, facts}.run();
     take_feed_and_speed();
-    take_positions();
+    positions.run();
   }
 
   void set(Mode mode, Function function, std::int32_t argument = 0) {
@@ -123,14 +125,17 @@ struct Effects::Walk {
   void take_code(const ir::Code& code, bool names_speed, const Known<Setting>& feed_before) {
     const std::optional<Mode> mode = mode_of(code);
     if (loses_positions(code)) facts.forget_positions(statement);
-    if (ir::follows_shape(code)) forget_what_shapes_set();
+    if (code.function == Function::turning_cycle) begin_turning_cycle();
+    if (is_finishing(code)) forget_what_shapes_set();
+    if (code.function == Function::repetitive_cycle && !ir::follows_shape(code)) take_cycle_data(code);
     if (shifts(code)) take_shift(code);
     if (!mode) return;
     switch (*mode) {
       case Mode::motion: set(Mode::cycle, Function::cycle_off); break;
       case Mode::unit:
-        for (const Number length : {Number::feed, Number::shift_x, Number::shift_y, Number::shift_z})
-          forget_unless_zero(length);
+        for (const Number shift : {Number::shift_x, Number::shift_y, Number::shift_z})
+          if (!facts[shift].is(0.0)) facts[shift].forget(statement);
+        for (const Kept length : {Kept::feed, Kept::turn_x, Kept::turn_z, Kept::turn_taper}) forget_unless_zero(length);
         break;
       case Mode::frame: return take_frame(code);
       case Mode::transformation:
@@ -139,7 +144,7 @@ struct Effects::Walk {
                    : set(Mode::transformation, code.function, static_cast<std::int32_t>(statement));
       case Mode::pole: return set(Mode::pole, code.function, static_cast<std::int32_t>(statement));
       case Mode::feed:
-        if (!feed_before.is({.function = code.function})) forget_unless_zero(Number::feed);
+        if (!feed_before.is({.function = code.function})) forget_unless_zero(Kept::feed);
         // One group there: a feed code ends constant surface speed.
         if (!names_speed && of.control_.semantics.feed_code_ends_surface_speed)
           set(Mode::surface_speed, Function::surface_speed_off);
@@ -169,7 +174,7 @@ struct Effects::Walk {
                                               (static_cast<int>(axis) - static_cast<int>(Address::x)));
       if (!of_words) facts[number].forget(statement);
       if (const ir::Word* word = of_words ? values.word(axis) : nullptr; word != nullptr)
-        set_or_forget(number, coordinate(*word, *axis_of(axis)));
+        set_or_forget(number, positions.coordinate(*word, *axis_of(axis)));
     }
     if (!of_words) facts[Mode::frame].forget(statement);
   }
@@ -198,68 +203,29 @@ struct Effects::Walk {
     if (certain->function != Function::turning_cycle) set(Mode::cycle, Function::cycle_off);
   }
 
-  void forget_unless_zero(Number number) {
-    if (!facts[number].is(0.0)) facts[number].forget(statement);
+  void forget_unless_zero(Kept word) {
+    const Written* written = facts[word].certain();
+    const bool stays = written != nullptr && (!written->is_stated || (written->is_number && written->number == 0.0));
+    if (!stays) facts[word].forget(statement);
   }
 
-  // G70 to G73 run the blocks of their shape.
+  // G74 to G76 without an end point.
+  void take_cycle_data(const ir::Code& code) {
+    constexpr std::int16_t kThread = 6;
+    if (std::ranges::any_of(values.words, [this](const ir::Word& word) { return positions.turns(word); })) return;
+    set(code.argument == kThread ? Mode::thread_data : Mode::peck_data, code.function,
+        static_cast<std::int32_t>(statement));
+  }
+  void begin_turning_cycle() {
+    for (const Kept end : {Kept::turn_x, Kept::turn_z}) facts[end].set({}, statement);
+    facts[Kept::turn_taper].set({.is_number = true}, statement);
+  }
+
+  // G70 runs the blocks of its shape; after roughing what held before its cycle does.
   void forget_what_shapes_set() {
     for (const Mode mode : {Mode::motion, Mode::cycle, Mode::compensation, Mode::spindle, Mode::path})
       facts[mode].forget(statement);
-    for (const Number number : {Number::feed, Number::speed}) facts[number].forget(statement);
-  }
-
-  void take_tool() {
-    const bool changes = values.has_code(Function::tool_change);
-    const ir::Word* tool = values.word(Address::t);
-    if (tool != nullptr) {
-      std::optional<double> number = values.is_text(*tool) ? std::optional(kToolByName) : values.constant(*tool);
-      if (number && of.control_.semantics.tool_word == ir::ToolWord::number_and_offset)
-        number = tool_of_pair(*number).tool;
-      set_or_forget(Number::next_tool, number);
-    }
-    if (!changes && (tool == nullptr || !of.tool_at_once_)) return;
-    facts[Number::tool] = facts[Number::next_tool];
-    facts.forget_positions(statement);
-  }
-
-  // By G43, G44 and G49 with H, by the offset of T0101, or by D where that is a cutting edge of the tool.
-  void take_length() {
-    for (const ir::Code& code : values.codes)
-      if (mode_of(code) == Mode::length) set(Mode::length, code.function);
-    const ir::Semantics& semantics = of.control_.semantics;
-    if (semantics.d_selects_edge) return take_edge();
-    const ir::Word* tool = values.word(Address::t);
-    if (semantics.tool_word == ir::ToolWord::number_and_offset && tool != nullptr) {
-      const std::optional<double> pair = values.constant(*tool);
-      set_length_number(pair ? std::optional(tool_of_pair(*pair).offset) : std::nullopt);
-    }
-    if (const ir::Word* number = h_is_length() ? values.word(Address::h) : nullptr; number != nullptr)
-      set_or_forget(Number::length_number, values.constant(*number));
-  }
-
-  // On lathes of G-code system A H is an increment of C.
-  [[nodiscard]] bool h_is_length() const { return !ir::incremented_axis(of.control_, 'H').has_value(); }
-
-  // Of a control whose T or D brings the length along.
-  void set_length_number(std::optional<double> number) {
-    set_or_forget(Number::length_number, number);
-    set(Mode::length, Function::length_offset_plus);
-  }
-
-  // A tool that comes in brings its first edge along (MD20270).
-  void take_edge() {
-    const bool comes_in =
-        values.has_code(Function::tool_change) || (of.tool_at_once_ && values.word(Address::t) != nullptr);
-    if (comes_in) {
-      constexpr double kFirstEdge = 1.0;
-      const double* tool = facts[Number::tool].certain();
-      set_length_number(tool == nullptr ? std::nullopt : std::optional(*tool == 0.0 ? 0.0 : kFirstEdge));
-    }
-    const ir::Word* edge = values.word(Address::d);
-    if (edge == nullptr) return;
-    facts.forget_positions(statement);
-    set_length_number(values.constant(*edge));
+    for (const Kept word : {Kept::feed, Kept::speed}) facts[word].forget(statement);
   }
 
   void take_feed_and_speed() {
@@ -267,79 +233,14 @@ struct Effects::Walk {
     if (values.has_code(Function::dwell) && !of.control_.semantics.dwell_p_is_ms) return;
     if (const ir::Word* speed = values.word(Address::s);
         speed != nullptr && !values.has_code(Function::set_coordinates))
-      set_or_forget(Number::speed, values.constant(*speed));
+      facts[Kept::speed].set(written(*speed, values), statement);
     const ir::Word* feed = values.word(Address::f);
     if (feed == nullptr) return;
     // With G34 and G35 of SINUMERIK it is the change of the lead.
     const bool may_be_change =
-        !of.control_.semantics.arc_radius_is_r && facts[Mode::motion].may_be({.function = Function::thread_changing});
-    set_or_forget(Number::feed, may_be_change ? std::nullopt : values.constant(*feed));
-  }
-
-  void take_positions() {
-    const bool other_letters = may_be_on(facts[Mode::transformation], Function::none) ||
-                               may_be_on(facts[Mode::letters], Function::polar_words_off);
-    if (other_letters) return facts.forget_positions(statement);
-    if (std::ranges::any_of(values.codes, [](const ir::Code& code) { return has_own_words(code); })) return;
-    const auto names_axis = [this](const ir::Word& word) { return target_of(word).has_value(); };
-    if (std::ranges::any_of(values.words, [](const ir::Word& word) { return bends_the_end(word.address); }))
-      return facts.forget_positions(statement);
-    if (std::ranges::none_of(values.words, names_axis)) return;
-    const Known<Setting>& motion = facts[Mode::motion];
-    const bool plain = facts[Mode::cycle].is({.function = Function::cycle_off}) && !motion.is_open() &&
-                       ends_at_its_words(motion.value) &&
-                       (motion.other_origin == kNobody || ends_at_its_words(motion.other));
-    if (!plain) return facts.forget_positions(statement);
-    for (const ir::Word& word : values.words) take_axis(word);
-  }
-
-  struct AxisTarget {
-    Number axis;
-    bool by_letter;  // the letter itself says that it is an increment
-  };
-  [[nodiscard]] std::optional<AxisTarget> target_of(const ir::Word& word) const {
-    const std::optional<char> letter =
-        word.address <= Address::z ? ir::incremented_axis(of.control_, ir::letter_of(word.address)) : std::nullopt;
-    if (letter) return AxisTarget{*axis_of(static_cast<Address>(*letter - 'A')), true};
-    const std::optional<Number> axis = axis_of(word.address);
-    return axis ? std::optional(AxisTarget{*axis, false}) : std::nullopt;
-  }
-
-  void take_axis(const ir::Word& word) {
-    const std::optional<AxisTarget> target = target_of(word);
-    if (!target) return;
-    Known<double>& position = facts[target->axis];
-    const std::optional<double> value = coordinate(word, target->axis);
-    const std::optional<bool> increment = is_increment(word, *target);
-    if (!value || !increment) return position.forget(statement);
-    if (!*increment) return position.set(*value, statement);
-    // Under DIAM90 an increment is a radius where X is a diameter.
-    const Setting* diameter = facts[Mode::diameter].certain();
-    const bool halves =
-        target->axis == Number::x && (diameter == nullptr || diameter->function == Function::diameter_absolute_only);
-    const double* from = position.certain();
-    if (from == nullptr || halves) return position.forget(statement);
-    position.set(*from + *value, statement);
-  }
-
-  [[nodiscard]] std::optional<bool> is_increment(const ir::Word& word, const AxisTarget& target) const {
-    if (target.by_letter) return true;
-    if (word.mode != ir::WordMode::as_modal) return word.mode == ir::WordMode::incremental;
-    if (of.control_.semantics.incremental_letters_uvw) return false;
-    const Setting* distance = facts[Mode::distance].certain();
-    return distance == nullptr ? std::nullopt : std::optional(distance->function == Function::incremental);
-  }
-
-  // In the program's unit; nothing where it is computed, or counts increments of an unknown unit.
-  [[nodiscard]] std::optional<double> coordinate(const ir::Word& word, Number axis) const {
-    const std::optional<double> value = values.constant(word);
-    const ir::Semantics& semantics = of.control_.semantics;
-    if (!value || *value == 0.0 || values.has_point(word) || semantics.decimal_mode == ir::DecimalMode::calculator)
-      return value;
-    if (axis >= Number::a && axis <= Number::c) return std::nullopt;
-    const Setting* unit = facts[Mode::unit].certain();
-    return unit == nullptr ? std::nullopt
-                           : std::optional(of_increments(*value, semantics, unit->function == Function::unit_inch));
+        !of.control_.semantics.arc_radius_is_r && of.changes_leads_ && may_change_lead(facts[Mode::motion]);
+    if (may_be_change) return facts[Kept::feed].forget(statement);
+    facts[Kept::feed].set(written(*feed, values), statement);
   }
 };
 
@@ -356,7 +257,14 @@ void Effects::block(std::uint32_t statement, Facts& facts) const {
 
 void Effects::apply(std::uint32_t statement, Facts& facts) const {
   const ir::Statement& s = program_.statements[statement];
+  if (skipped_[statement]) return;
   const std::optional<Facts> left_out = s.skip_level != 0 || shape_[statement] ? std::optional(facts) : std::nullopt;
+  carry_out(statement, facts);
+  if (left_out) facts.join(*left_out);
+}
+
+void Effects::carry_out(std::uint32_t statement, Facts& facts) const {
+  const ir::Statement& s = program_.statements[statement];
   switch (s.kind) {
     case StatementKind::block: block(statement, facts); break;
     case StatementKind::native:
@@ -383,10 +291,14 @@ void Effects::apply(std::uint32_t statement, Facts& facts) const {
     case StatementKind::assign:
       if (may_be_system_variable(program_.at(program_.assigns[s.payload].target), control_))
         facts.forget_positions(statement);
+      forget_computed(program_, program_.assigns[s.payload].target, facts);
+      break;
+    case StatementKind::for_begin:
+      if (program_.structures[s.payload].counter != ir::VariableId::none)
+        forget_computed(program_, program_.structures[s.payload].counter, facts);
       break;
     default: break;
   }
-  if (left_out) facts.join(*left_out);
 }
 
 FactSet Effects::touched(std::uint32_t statement) const {
@@ -395,12 +307,20 @@ FactSet Effects::touched(std::uint32_t statement) const {
   std::uint32_t origin = 0;
   for (Known<Setting>& mode : unknown.modes) mode = {.origin = origin++, .inherited = true};
   for (Known<double>& number : unknown.numbers) number = {.origin = origin++, .inherited = true};
+  for (Known<Written>& word : unknown.kept) word = {.origin = origin++, .inherited = true};
   Facts after = unknown;
   apply(statement, after);
   return differing(unknown, after);
 }
 
+// A row or a circle of holes moves to each of them.
 bool Effects::may_move(const ir::Statement& s) const {
+  if (s.kind == StatementKind::call) {
+    constexpr ir::CalledSort kPatterns[] = {ir::CalledSort::holes_in_row, ir::CalledSort::holes_on_circle,
+                                            ir::CalledSort::holes_anywhere};
+    return std::ranges::any_of(kPatterns,
+                               [&](ir::CalledSort sort) { return ir::is_called(program_.calls[s.payload], sort); });
+  }
   if (s.kind != StatementKind::block) return false;
   const ir::Block& block = program_.blocks[s.payload];
   return block.word_count != 0 || block.code_count != 0;

@@ -12,21 +12,28 @@
 
 namespace dripfeed::facts {
 
-// A bit for each mode, then one for each number.
-using FactSet = std::bitset<kModes + kNumbers>;
+// A bit for each mode, then one for each number, then one for each word.
+using FactSet = std::bitset<kModes + kNumbers + kKept>;
 FactSet differing(const Facts& a, const Facts& b);
+
+// What brings a tool in: what the control does by itself; or M6 where the text has one and T otherwise, for whoever
+// must name the tool of a text that leaves M6 to a parameter of the machine (MD22550) or to what it calls.
+enum class ToolChange : std::uint8_t { as_the_control, as_the_text };
 
 class Effects {
  public:
   // Both must outlive it.
-  Effects(const ir::Program& program, const ir::Control& control);
+  Effects(const ir::Program& program, const ir::Control& control, ToolChange change = ToolChange::as_the_control);
 
   // The facts after the statement. A call counts as one of a program that is not in the text, or of a cycle.
   void apply(std::uint32_t statement, Facts& facts) const;
+  // … where block skip does not leave it out.
+  void carry_out(std::uint32_t statement, Facts& facts) const;
   // Everything that the statement may set or change, whatever holds before it.
   [[nodiscard]] FactSet touched(std::uint32_t statement) const;
   // Whether the block may move, by its words, in a way that a modal call follows.
   [[nodiscard]] bool may_move(const ir::Statement& statement) const;
+  [[nodiscard]] bool tool_comes_by_t() const { return tool_at_once_; }
 
  private:
   struct Walk;  // one block
@@ -34,8 +41,10 @@ class Effects {
 
   const ir::Program& program_;
   const ir::Control& control_;
-  bool tool_at_once_;        // T brings a tool in, without M6
-  std::vector<bool> shape_;  // by statement: run for a cycle alone
+  bool tool_at_once_;          // T brings a tool in, without M6
+  bool changes_leads_;         // has a thread whose lead changes
+  std::vector<bool> shape_;    // by statement: run for a cycle alone
+  std::vector<bool> skipped_;  // … and left out after it
 };
 
 }  // namespace dripfeed::facts

@@ -11,4 +11,5 @@
 #include "dialects/facts/modal_facts.h"
 #include "dialects/facts/resolved.h"
 #include "dialects/facts/shape_blocks.h"
+#include "dialects/facts/tool_in.h"
 #include "dialects/facts/transformation.h"

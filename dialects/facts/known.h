@@ -37,6 +37,11 @@ struct Known {
   [[nodiscard]] bool is(const T& wanted) const { return is_certain() && value == wanted; }
   // It may be something else than `value` and `other`.
   [[nodiscard]] bool is_open() const { return inherited || more || changer != kNobody || origin == kNobody; }
+  // Whether all paths of the text have brought a value of that kind; what `changer` did is not looked at.
+  template <class Is>
+  [[nodiscard]] bool is_always(Is&& is) const {
+    return origin != kNobody && !inherited && !more && is(value) && (other_origin == kNobody || is(other));
+  }
   // Whether it may be that value as far as anybody knows.
   [[nodiscard]] bool may_be(const T& wanted) const {
     if (is_open()) return true;

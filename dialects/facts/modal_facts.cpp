@@ -136,6 +136,8 @@ Setting power_on(Mode mode, const ir::Control& control) {
     case Mode::modal_call:
     case Mode::transformation:
     case Mode::pole:
+    case Mode::thread_data:
+    case Mode::peck_data:
     case Mode::count_: break;
   }
   return {};
@@ -172,6 +174,7 @@ ToolLength tool_length(const Facts& facts) {
 void Facts::forget_all(std::uint32_t changer) {
   for (Known<Setting>& mode : modes) mode.forget(changer);
   for (Known<double>& number : numbers) number.forget(changer);
+  for (Known<Written>& word : kept) word.forget(changer);
 }
 
 void Facts::forget_positions(std::uint32_t changer) {
@@ -179,8 +182,8 @@ void Facts::forget_positions(std::uint32_t changer) {
 }
 
 bool Facts::join(const Facts& with) {
-  const bool less = join_all(modes, with.modes);
-  return join_all(numbers, with.numbers) || less;
+  const std::array less = {join_all(modes, with.modes), join_all(numbers, with.numbers), join_all(kept, with.kept)};
+  return std::ranges::find(less, true) != less.end();
 }
 
 }  // namespace dripfeed::facts

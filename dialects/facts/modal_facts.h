@@ -31,6 +31,8 @@ enum class Mode : std::uint8_t {
   length,  // length_offset_off: no tool length is in effect; see tool_length()
   frame,   // none, or one about a point (G68, G51, G51.1) in effect
   // Setting::argument of these is the number of the statement that set them.
+  thread_data,     // none, or the block of G76 that only states data
+  peck_data,       // … of G74 or G75
   modal_call,      // none, or a call that each move makes
   transformation,  // none, or what makes the face or the circumference of a part a plane
   pole,            // of polar positions; none: where the control has it before the first one
@@ -47,41 +49,45 @@ struct Setting {
 };
 
 // Numbers. Positions are those of the program's coordinates, in its unit, an X of a lathe as it is written (a diameter
-// or a radius). `shift_x` to `shift_z` are what G52 has set, as written. `feed` and `speed` are F and S as written, 0
-// before the first one; `next_tool` is T, `tool` the one in the spindle, kToolByName where it has a name;
-// `length_number` is H, D or the offset of T0101.
-enum class Number : std::uint8_t {
-  feed,
-  speed,
-  next_tool,
-  tool,
-  length_number,
-  shift_x,
-  shift_y,
-  shift_z,
-  x,
-  y,
-  z,
-  a,
-  b,
-  c,
-  u,
-  v,
-  w,
-  count_
-};
-inline constexpr double kToolByName = -1.0;
+// or a radius). `shift_x` to `shift_z` are what G52 has set, as written. `length_number` is H, D or the offset of
+// T0101.
+enum class Number : std::uint8_t { length_number, shift_x, shift_y, shift_z, x, y, z, a, b, c, u, v, w, count_ };
 inline constexpr std::size_t kNumbers = static_cast<std::size_t>(Number::count_);
 inline constexpr Number kFirstAxis = Number::x;
+
+// A word as it was written, or what takes its place before the first one.
+struct Written {
+  double number = 0.0;                              // where it is one
+  ir::ExpressionId value = ir::ExpressionId::none;  // none: not a word of the text
+  bool is_number = false;
+  bool has_point = false;
+  bool is_stated = false;
+
+  friend bool operator==(const Written& a, const Written& b) {
+    if (a.is_number != b.is_number || a.is_stated != b.is_stated) return false;
+    return a.is_number ? a.number == b.number && a.has_point == b.has_point : a.value == b.value;
+  }
+};
+
+// Words that stay in effect. `next_tool` is T, `tool` the one in the spindle (of T0101 the tool's number). `edge` is D
+// where it selects an edge of the tool, not stated since the tool came in otherwise; G43 and G44 state one, too.
+// `next_edge` is the D in the block of T. `feed` and `speed` are F and S, 0 before the first one. A turning cycle keeps
+// the ends of its block, as numbers of the program's coordinates, and its taper.
+enum class Kept : std::uint8_t { next_tool, tool, next_edge, edge, feed, speed, turn_x, turn_z, turn_taper, count_ };
+inline constexpr std::size_t kKept = static_cast<std::size_t>(Kept::count_);
 
 struct Facts {
   std::array<Known<Setting>, kModes> modes;
   std::array<Known<double>, kNumbers> numbers;
+  std::array<Known<Written>, kKept> kept;
 
   Known<Setting>& operator[](Mode mode) { return modes[index_of(mode)]; }
   const Known<Setting>& operator[](Mode mode) const { return modes[index_of(mode)]; }
   Known<double>& operator[](Number number) { return numbers[static_cast<std::size_t>(number)]; }
   const Known<double>& operator[](Number number) const { return numbers[static_cast<std::size_t>(number)]; }
+
+  Known<Written>& operator[](Kept word) { return kept[static_cast<std::size_t>(word)]; }
+  const Known<Written>& operator[](Kept word) const { return kept[static_cast<std::size_t>(word)]; }
 
   void forget_all(std::uint32_t changer);
   void forget_positions(std::uint32_t changer);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dialects/facts/calls.h"
+#include "dialects/facts/kept_words.h"
 #include "dialects/ir/sections.h"
 
 namespace dripfeed::facts {
@@ -23,13 +24,16 @@ constexpr std::array kSaved = {Mode::feed,        Mode::surface_speed, Mode::uni
                                Mode::work_offset, Mode::return_level,  Mode::path};
 
 // Function::none means here that nothing of the kind is in effect.
-constexpr std::array kMayBeOff = {Mode::frame, Mode::modal_call, Mode::transformation};
+constexpr std::array kMayBeOff = {Mode::frame, Mode::modal_call, Mode::transformation, Mode::thread_data,
+                                  Mode::peck_data};
 
 void overwrite(Facts& facts, const FactSet& which, const Facts& with) {
   for (std::size_t i = 0; i < kModes; ++i)
     if (which[i]) facts.modes[i] = with.modes[i];
   for (std::size_t i = 0; i < kNumbers; ++i)
     if (which[kModes + i]) facts.numbers[i] = with.numbers[i];
+  for (std::size_t i = 0; i < kKept; ++i)
+    if (which[kModes + kNumbers + i]) facts.kept[i] = with.kept[i];
 }
 
 void forget(Facts& facts, const FactSet& which, std::uint32_t changer) {
@@ -37,15 +41,17 @@ void forget(Facts& facts, const FactSet& which, std::uint32_t changer) {
     if (which[i]) facts.modes[i].forget(changer);
   for (std::size_t i = 0; i < kNumbers; ++i)
     if (which[kModes + i]) facts.numbers[i].forget(changer);
+  for (std::size_t i = 0; i < kKept; ++i)
+    if (which[kModes + kNumbers + i]) facts.kept[i].forget(changer);
 }
 
 }  // namespace
 
-Resolved::Resolved(const ir::Program& program, const ir::Control& control)
+Resolved::Resolved(const ir::Program& program, const ir::Control& control, ToolChange change)
     : program_(program),
       control_(control),
       graph_(program),
-      effects_(program, control),
+      effects_(program, control, change),
       part_of_call_(program.statements.size(), ir::kNoIndex),
       is_leader_(program.statements.size() + 1, false) {
   find_parts();
@@ -84,7 +90,7 @@ std::optional<Facts> Resolved::at(std::uint32_t statement) const {
   const Facts* facts = before(statement);
   if (facts == nullptr) return std::nullopt;
   std::optional<Facts> out = *facts;
-  effects_.apply(statement, *out);
+  effects_.carry_out(statement, *out);
   return out;
 }
 
@@ -199,13 +205,18 @@ Facts Resolved::start_of(const Part& part) const {
     else
       facts.modes[m].set(begin, kPowerOn);
   }
-  for (Known<double>& number : facts.numbers) {
-    number.inherited = inherits;
-    if (!inherits) number.forget(kPowerOn);
+  const auto begin = [inherits](auto& all) {
+    for (auto& fact : all) {
+      fact.inherited = inherits;
+      if (!inherits) fact.forget(kPowerOn);
+    }
+  };
+  begin(facts.numbers);
+  begin(facts.kept);
+  if (!inherits) {
+    for (const Number shift : {Number::shift_x, Number::shift_y, Number::shift_z}) facts[shift].set(0.0, kPowerOn);
+    for (const Kept word : {Kept::feed, Kept::speed}) facts[word].set({.is_number = true}, kPowerOn);
   }
-  if (!inherits)
-    for (const Number number : {Number::feed, Number::speed, Number::shift_x, Number::shift_y, Number::shift_z})
-      facts[number].set(0.0, kPowerOn);
   // These, left on by a caller outside of the text, are not looked for.
   for (const Mode mode : {Mode::modal_call, Mode::transformation, Mode::letters}) {
     facts[mode] = {};
@@ -283,15 +294,25 @@ bool Resolved::step(std::uint32_t statement, Facts& facts) {
 bool Resolved::step_over_call(std::uint32_t statement, Part& part, Facts& facts) {
   const ir::Statement& s = program_.statements[statement];
   const bool is_repeated = program_.calls[s.payload].repeats != ir::ExpressionId::none;
-  reach(part.range.first, facts);
+  Facts entered = facts;
+  forget_computed(entered);
+  reach(part.range.first, entered);
   const bool may_be_left_out = s.skip_level != 0 || is_repeated;
   if (!part.exit.has_value() && part.touched.any()) return may_be_left_out;
   Facts after = facts;
   FactSet changed = part.touched;
   if (part.saves_modes)
     for (const Mode mode : kSaved) changed[index_of(mode)] = false;
-  if (part.exit.has_value()) overwrite(after, changed, *part.exit);
-  if (is_repeated) reach(part.range.first, after);
+  if (part.exit.has_value()) {
+    Facts left = *part.exit;
+    forget_computed(left);
+    overwrite(after, changed, left);
+  }
+  if (is_repeated) {
+    entered = after;
+    forget_computed(entered);
+    reach(part.range.first, entered);
+  }
   enter_callers_at_labels(statement, part, after);
   if (may_be_left_out) after.join(facts);
   facts = after;

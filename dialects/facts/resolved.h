@@ -17,7 +17,7 @@ namespace dripfeed::facts {
 class Resolved {
  public:
   // Both must outlive it. Cost: linear in the statements for text that runs as it is written.
-  Resolved(const ir::Program& program, const ir::Control& control);
+  Resolved(const ir::Program& program, const ir::Control& control, ToolChange change = ToolChange::as_the_control);
 
   // Before the statement, or at the end of the text for the number of statements; nullptr where no path leads. Valid
   // until the next call; asked in the order of the text it costs one statement. Not for two threads at once.
@@ -26,6 +26,8 @@ class Resolved {
   [[nodiscard]] std::optional<Setting> certain(Mode mode, std::uint32_t statement) const;
   // As the statement's own motion finds it: the block's codes and words have taken effect.
   [[nodiscard]] std::optional<Facts> at(std::uint32_t statement) const;
+  // Whether T brings a tool in, without M6.
+  [[nodiscard]] bool tool_comes_by_t() const { return effects_.tool_comes_by_t(); }
   // "feed per revolution from line 7 of O0001" for each path that the fact knows.
   [[nodiscard]] std::vector<std::string> paths(const Known<Setting>& fact) const;
   // The program of the text that holds the statement, by name; "" when it has none.

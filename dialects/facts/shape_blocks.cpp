@@ -32,14 +32,22 @@ std::uint32_t statement_of(const ir::Program& program, double number, std::uint3
   return found;
 }
 
-}  // namespace
+struct Shape {
+  std::uint32_t cycle = 0;
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;  // behind its last statement
+  bool is_roughed = false;
+};
 
-std::vector<bool> blocks_of_shapes(const ir::Program& program) {
-  std::vector<bool> out(program.statements.size());
-  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+std::vector<Shape> shapes(const ir::Program& program) {
+  std::vector<Shape> out;
+  const auto count = static_cast<std::uint32_t>(program.statements.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
     if (program.statements[i].kind != ir::StatementKind::block) continue;
     const ir::Block& block = program.blocks[program.statements[i].payload];
-    if (std::ranges::none_of(program.codes_of(block), ir::follows_shape)) continue;
+    const auto codes = program.codes_of(block);
+    const auto cycle = std::ranges::find_if(codes, ir::follows_shape);
+    if (cycle == codes.end()) continue;
     const auto first = number(program, block, ir::Address::p);
     const auto last = number(program, block, ir::Address::q);
     if (!first || !last) continue;
@@ -47,7 +55,38 @@ std::vector<bool> blocks_of_shapes(const ir::Program& program) {
     std::uint32_t end = begin == ir::kNoIndex ? begin : statement_of(program, *last, begin);
     if (end == ir::kNoIndex || end < begin) continue;
     const std::uint32_t last_line = program.statements[end].line;
-    for (end = begin; end < out.size() && program.statements[end].line <= last_line; ++end) out[end] = true;
+    while (end < count && program.statements[end].line <= last_line) ++end;
+    out.push_back({.cycle = i, .first = begin, .end = end, .is_roughed = cycle->argument != 0});
+  }
+  return out;
+}
+
+bool stands_right_after(const ir::Program& program, const Shape& shape) {
+  if (shape.first <= shape.cycle || program.statements[shape.cycle].skip_level != 0) return false;
+  for (std::uint32_t i = shape.cycle + 1; i < shape.first; ++i)
+    if (program.statements[i].kind != ir::StatementKind::empty) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<bool> blocks_of_shapes(const ir::Program& program) {
+  std::vector<bool> out(program.statements.size());
+  for (const Shape& shape : shapes(program))
+    for (std::uint32_t i = shape.first; i < shape.end; ++i) out[i] = true;
+  return out;
+}
+
+std::vector<bool> blocks_left_out(const ir::Program& program) {
+  std::vector<bool> out(program.statements.size());
+  std::vector<bool> is_target;
+  for (const Shape& shape : shapes(program)) {
+    if (!shape.is_roughed || !stands_right_after(program, shape)) continue;
+    if (is_target.empty()) is_target = jump_targets(program);
+    bool is_entered = false;
+    for (std::uint32_t i = shape.first; i < shape.end; ++i) is_entered |= is_target[i];
+    if (is_entered) continue;
+    for (std::uint32_t i = shape.first; i < shape.end; ++i) out[i] = true;
   }
   return out;
 }

@@ -10,5 +10,8 @@ namespace dripfeed::facts {
 
 // By statement.
 std::vector<bool> blocks_of_shapes(const ir::Program& program);
+// Those that stand right after the roughing cycle that cuts them, and that nothing jumps into: behind its cycle the
+// program goes on after them.
+std::vector<bool> blocks_left_out(const ir::Program& program);
 
 }  // namespace dripfeed::facts

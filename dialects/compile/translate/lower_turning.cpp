@@ -16,11 +16,12 @@
 #include <string>
 #include <utility>
 
-#include "dialects/compile/translate/lathe_flow.h"
+#include "dialects/compile/translate/lathe_facts.h"
 #include "dialects/compile/translate/thread_call.h"
 #include "dialects/compile/translate/thread_leads.h"
 #include "dialects/facts/axis_words.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/findings.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/round_positions.h"
@@ -49,8 +50,9 @@ class Lowering {
       : program_(program),
         from_(from),
         to_(to),
-        flow_(program, from),
+        facts_(program, from),
         out_(program),
+        findings_(to),
         factor_(from.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0) {}
 
   std::vector<text::Diagnostic> run() {
@@ -58,8 +60,9 @@ class Lowering {
     for (index_ = 0; index_ < count; ++index_) {
       out_.at(index_);
       statement_ = program_.statements[index_];
-      const LatheState* state = flow_.before(index_);
-      if (state == nullptr)
+      findings_.at(statement_.span);
+      const std::optional<LatheState> state = facts_.before(index_);
+      if (!state)
         out_.keep();
       else if (statement_.kind == StatementKind::block)
         block(*state);
@@ -69,7 +72,7 @@ class Lowering {
         out_.keep();
     }
     out_.finish();
-    return std::move(diagnostics_);
+    return findings_.take();
   }
 
  private:
@@ -84,13 +87,13 @@ class Lowering {
     if (has_row(to_, Function::turning_cycle)) return out_.keep();
     const auto turns = std::ranges::find(codes, Function::turning_cycle, &ir::Code::function);
     const auto moves = std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group);
-    const bool stays = moves == codes.end() && !before.cycle.is(LatheState::kNone);
+    const bool stays = moves == codes.end() && before.cycle != LatheState::kNone;
     if ((turns == codes.end() && !stays) || (turns == codes.end() && facts::has_own_words(program_, block)))
       return out_.keep();
     if (turns == codes.end() && !moves_axes(block)) return out_.keep();
-    if (turns == codes.end() && !before.cycle.value)
-      return unknown("the turning cycle", "two control-flow paths lead to this block and differ");
-    pass(before, block, turns == codes.end() ? *before.cycle.value : turns->argument, turns != codes.end());
+    if (turns == codes.end() && !before.cycle)
+      return findings_.unknown("the turning cycle", "two control-flow paths lead to this block and differ");
+    pass(before, block, turns == codes.end() ? *before.cycle : turns->argument, turns != codes.end());
   }
 
   [[nodiscard]] bool moves_axes(const ir::Block& block) const {
@@ -108,7 +111,7 @@ class Lowering {
   };
 
   void pass(const LatheState& before, const ir::Block& block, std::int16_t cycle, bool begins) {
-    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
+    if (block.rest_level != 0) return findings_.cannot(passes::at_switch("block skip inside a block"));
     if (!settle_distance()) return;
     std::vector<ir::Code> rest_codes;
     std::vector<ir::Word> rest;
@@ -120,11 +123,11 @@ class Lowering {
       if (!rest_codes.empty() || !rest.empty()) out_.emit_block(rest_codes, rest);
       return;
     }
-    if (!before.x.value || !before.z.value)
-      return cannot(passes::not_known("a turning cycle that begins at a place not known here"));
-    if (cycle == kThread && !lead_) return cannot(passes::not_known("the lead of a thread, not known here,"));
-    const ExpressionId x0 = constant(*before.x.value);
-    const ExpressionId z0 = constant(*before.z.value);
+    if (!before.x || !before.z)
+      return findings_.cannot(passes::not_known("a turning cycle that begins at a place not known here"));
+    if (cycle == kThread && !lead_) return findings_.cannot(passes::not_known("the lead of a thread, not known here,"));
+    const ExpressionId x0 = constant(*before.x);
+    const ExpressionId z0 = constant(*before.z);
     first_codes_ = std::move(rest_codes);
     first_words_ = std::move(rest);
     const bool tapers = words->taper != ExpressionId::none;
@@ -150,7 +153,7 @@ class Lowering {
     Pass pass;
     const Address old_taper = cycle == kAlongX ? Address::k : Address::i;
     bool tapers = false;
-    lead_ = before.feed.value && *before.feed.value != 0.0 ? std::optional(constant(*before.feed.value)) : std::nullopt;
+    lead_ = before.feed && *before.feed != 0.0 ? std::optional(constant(*before.feed)) : std::nullopt;
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     for (const ir::Word& w : words) {
       if (w.address == Address::r || w.address == old_taper) {
@@ -163,58 +166,58 @@ class Lowering {
         if (!end) return std::nullopt;
         (*axis == Address::x ? pass.x : pass.z) = *end;
       } else if (ir::is_axis(w.address) || w.address == Address::q) {
-        cannot("a turning cycle with the word " + std::string(w.span.in(program_.source.text())));
+        findings_.cannot("a turning cycle with the word " + std::string(w.span.in(program_.source.text())));
         return std::nullopt;
       } else {
         if (w.address == Address::f) {
-          const std::optional<double> feed = flow_.feed_of(w, index_);
+          const std::optional<double> feed = facts_.feed_of(w, index_);
           lead_ = feed ? constant(*feed) : w.value;
         }
         rest.push_back(w);
       }
     }
     if (begins) return pass;
-    const auto kept = [&](ExpressionId& word, const Known<bool>& has, const Known<double>& value) {
-      if (word != ExpressionId::none || has.is(false)) return true;
-      if (!has.value || !value.value) return false;
-      word = constant(*value.value);
+    const auto kept = [&](ExpressionId& word, const std::optional<bool>& has, const std::optional<double>& value) {
+      if (word != ExpressionId::none || has == false) return true;
+      if (!has || !value) return false;
+      word = constant(*value);
       return true;
     };
-    if (!tapers && before.taper.value && *before.taper.value != 0.0) pass.taper = constant(*before.taper.value);
+    if (!tapers && before.taper && *before.taper != 0.0) pass.taper = constant(*before.taper);
     if (kept(pass.x, before.has_x, before.end_x) && kept(pass.z, before.has_z, before.end_z) &&
-        (tapers || before.taper.value))
+        (tapers || before.taper))
       return pass;
-    cannot(passes::not_known("a word that a turning cycle keeps, not known here,"));
+    findings_.cannot(passes::not_known("a word that a turning cycle keeps, not known here,"));
     return std::nullopt;
   }
 
   std::optional<ExpressionId> end_of(const LatheState& before, const ir::Word& w, Address axis) {
-    const std::optional<bool> increment = flow_.is_increment(w, index_);
+    const std::optional<bool> increment = facts_.is_increment(w, index_);
     if (!increment) {
-      unknown("absolute or incremental", "two control-flow paths lead to this block and differ");
+      findings_.unknown("absolute or incremental", "two control-flow paths lead to this block and differ");
       return std::nullopt;
     }
     const std::optional<ExpressionId> value = value_of(w);
     if (!value || !*increment) return value;
-    const Known<double>& place = axis == Address::x ? before.x : before.z;
-    if (!place.value) {
-      cannot(passes::not_known("a turning cycle that begins at a place not known here"));
+    const std::optional<double>& place = axis == Address::x ? before.x : before.z;
+    if (!place) {
+      findings_.cannot(passes::not_known("a turning cycle that begins at a place not known here"));
       return std::nullopt;
     }
-    return sum(constant(*place.value), *value, 1.0);
+    return sum(constant(*place), *value, 1.0);
   }
 
   std::optional<ExpressionId> value_of(const ir::Word& w) {
-    if (const std::optional<double> value = flow_.number(w, index_)) return constant(*value);
+    if (const std::optional<double> value = facts_.number(w, index_)) return constant(*value);
     if (program_.at(w.value).op != Operator::constant) return w.value;
-    unknown("the unit of lengths", "two control-flow paths lead to this block and differ");
+    findings_.unknown("the unit of lengths", "two control-flow paths lead to this block and differ");
     return std::nullopt;
   }
 
   // --- G74, G75, G76
 
   void repetitive(const LatheState& before, const ir::Block& block) {
-    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
+    if (block.rest_level != 0) return findings_.cannot(passes::at_switch("block skip inside a block"));
     if (!settle_distance()) return;
     first_codes_.clear();
     first_words_.clear();
@@ -225,12 +228,13 @@ class Lowering {
     for (const ir::Word& w : words) {
       const bool rest =
           w.address == Address::f || w.address == Address::s || w.address == Address::t || w.address == Address::m;
-      if (w.address == Address::f) here.feed.value = flow_.feed_of(w, index_);
+      if (w.address == Address::f) here.feed = facts_.feed_of(w, index_);
       if (rest) first_words_.push_back(w);
     }
-    const std::optional<LatheFlow::Repeated> done = flow_.repeat(index_, here);
-    if (!done) return cannot(passes::not_known("a turning cycle whose numbers or whose place are not known here"));
-    if (done->fails || done->motions.size() > kMostMoves) return cannot("a turning cycle with such numbers");
+    const std::optional<LatheFacts::Repeated> done = facts_.repeat(index_, here);
+    if (!done)
+      return findings_.cannot(passes::not_known("a turning cycle whose numbers or whose place are not known here"));
+    if (done->fails || done->motions.size() > kMostMoves) return findings_.cannot("a turning cycle with such numbers");
     moves(done->motions, done->inch ? 25.4 : 1.0);
     if (!first_codes_.empty() || !first_words_.empty())
       out_.emit_block(std::exchange(first_codes_, {}), std::exchange(first_words_, {}));
@@ -241,17 +245,18 @@ class Lowering {
 
   void thread_call(const LatheState& before) {
     const std::string name(program_.strings.at(program_.calls[statement_.payload].name));
-    if (!is_lathe(to_) || !is_lathe(from_)) return cannot(name + " between a lathe and a mill");
-    const std::optional<Function> unit = flow_.mode(facts::Mode::unit, index_);
-    if (!unit) return cannot(passes::not_known(name + " where the unit of lengths is not known"));
+    if (!is_lathe(to_) || !is_lathe(from_)) return findings_.cannot(name + " between a lathe and a mill");
+    const std::optional<Function> unit = facts_.mode(facts::Mode::unit, index_);
+    if (!unit) return findings_.cannot(passes::not_known(name + " where the unit of lengths is not known"));
     const bool inch = *unit == Function::unit_inch;
     const std::expected<std::vector<ir::Motion>, std::string> done =
         moves_of_thread(program_, program_.calls[statement_.payload], from_, inch);
-    if (!done) return cannot(done.error());
-    const std::optional<Function> distance = flow_.mode(facts::Mode::distance, index_);
-    const std::optional<Function> diameter = flow_.mode(facts::Mode::diameter, index_);
+    if (!done) return findings_.cannot(done.error());
+    const std::optional<Function> distance = facts_.mode(facts::Mode::distance, index_);
+    const std::optional<Function> diameter = facts_.mode(facts::Mode::diameter, index_);
     if (!distance || !diameter)
-      return cannot(passes::not_known(name + " where absolute, incremental, diameter or radius is not known"));
+      return findings_.cannot(
+          passes::not_known(name + " where absolute, incremental, diameter or radius is not known"));
     x_scale_ = *diameter == Function::diameter_off ? 0.5 : 1.0;
     mode_ = *distance == Function::incremental ? ir::WordMode::absolute : ir::WordMode::as_modal;
     first_codes_.clear();
@@ -261,10 +266,10 @@ class Lowering {
     mode_ = ir::WordMode::as_modal;
     // Here the lead was the feed.
     std::vector<ir::Word> feed;
-    if (before.feed.value && *before.feed.value != 0.0) feed.push_back(word(Address::f, constant(*before.feed.value)));
+    if (before.feed && *before.feed != 0.0) feed.push_back(word(Address::f, constant(*before.feed)));
     motion_again(before, feed);
-    if (!before.feed.value && flow_.needs_feed(index_))
-      cannot(passes::not_known("the feed after " + name + ", which is not known here,"));
+    if (!before.feed && needs_feed_after(program_, index_))
+      findings_.cannot(passes::not_known("the feed after " + name + ", which is not known here,"));
   }
 
   static bool is_lathe(const ir::Control& control) { return control.kind != ir::MachineKind::mill; }
@@ -325,12 +330,11 @@ class Lowering {
 
   // The moves end in rapid; what was in effect before is said again.
   void motion_again(const LatheState& before, const std::vector<ir::Word>& words) {
-    if (!before.cycle.is(LatheState::kNone)) return;
+    if (before.cycle != LatheState::kNone) return;
     std::vector<ir::Code> codes;
-    if (before.motion.value && *before.motion.value != Function::rapid)
-      codes.push_back(motion_code(*before.motion.value));
-    if (!before.motion.value && flow_.needs_motion(index_))
-      return unknown("the motion after the cycle", "two control-flow paths lead to this block and differ");
+    if (before.motion && *before.motion != Function::rapid) codes.push_back(motion_code(*before.motion));
+    if (!before.motion && needs_motion_after(program_, index_))
+      return findings_.unknown("the motion after the cycle", "two control-flow paths lead to this block and differ");
     if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
   }
 
@@ -338,9 +342,9 @@ class Lowering {
   bool settle_distance() {
     mode_ = ir::WordMode::as_modal;
     if (from_.semantics.incremental_letters_uvw) return true;
-    const std::optional<Function> distance = flow_.mode(facts::Mode::distance, index_);
+    const std::optional<Function> distance = facts_.mode(facts::Mode::distance, index_);
     if (!distance) {
-      unknown("absolute or incremental", "two control-flow paths lead to this block and differ");
+      findings_.unknown("absolute or incremental", "two control-flow paths lead to this block and differ");
       return false;
     }
     if (*distance == Function::incremental) mode_ = ir::WordMode::absolute;
@@ -375,19 +379,13 @@ class Lowering {
     if (address == Address::x || address == Address::z) w.mode = mode_;
     return w;
   }
-  void cannot(passes::Refusal what) {
-    diagnostics_.push_back(passes::diagnose(std::move(what), statement_.span, to_.title));
-  }
-  void unknown(std::string what, std::string why) {
-    diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::unknown_modal_state, statement_.span,
-                                                 {std::move(what), std::move(why)}));
-  }
 
   ir::Program& program_;
   const ir::Control& from_;
   const ir::Control& to_;
-  LatheFlow flow_;
+  LatheFacts facts_;
   passes::Rewrite out_;
+  passes::Findings findings_;
   double factor_;  // of a radius in the words of X
   std::uint32_t index_ = 0;
   ir::Statement statement_;
@@ -396,7 +394,6 @@ class Lowering {
   std::vector<ir::Word> first_words_;
   double x_scale_ = 1.0;
   ir::WordMode mode_ = ir::WordMode::as_modal;
-  std::vector<text::Diagnostic> diagnostics_;
 };
 
 }  // namespace

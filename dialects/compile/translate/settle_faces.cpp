@@ -9,9 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "dialects/compile/translate/lathe_flow.h"
+#include "dialects/compile/translate/lathe_facts.h"
 #include "dialects/facts/transformation.h"
 #include "dialects/ir/transformation_use.h"
+#include "dialects/passes/findings.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/text/number.h"
@@ -45,14 +46,16 @@ class Faces {
         from_(from),
         to_(to),
         to_rotary_(has_rotary_forms(to)),
-        flow_(program, from),
-        out_(program) {}
+        facts_(program, from),
+        out_(program),
+        findings_(to) {}
 
   std::vector<text::Diagnostic> run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (index_ = 0; index_ < count; ++index_) {
       out_.at(index_);
       statement_ = program_.statements[index_];
+      findings_.at(statement_.span);
       const bool is_block = statement_.kind == StatementKind::block;
       here_ = region_at(index_);
       const ir::Block block = is_block ? program_.blocks[statement_.payload] : ir::Block();
@@ -64,7 +67,7 @@ class Faces {
         inside(block);
     }
     out_.finish();
-    return std::move(diagnostics_);
+    return findings_.take();
   }
 
  private:
@@ -85,7 +88,7 @@ class Faces {
     [[nodiscard]] bool is(std::uint32_t statement) const { return begin == statement; }
   };
   [[nodiscard]] Region region_at(std::uint32_t statement) const {
-    const facts::Facts* facts = flow_.facts().before(statement);
+    const facts::Facts* facts = facts_.facts().before(statement);
     if (facts == nullptr) return {};
     const facts::Known<facts::Setting>& fact = (*facts)[facts::Mode::transformation];
     if (!fact.agrees()) return {.is_reached = true, .begin = {}};
@@ -98,19 +101,20 @@ class Faces {
   void begin(const ir::Code& written, const ir::Block& block) {
     const ir::Code code = written;
     if (program_.codes_of(block).size() != 1 || block.rest_level != 0)
-      return cannot(passes::together("a code in the same block as polar or cylindrical interpolation"));
-    if (!here_.is(kNowhere)) return cannot(passes::together("polar or cylindrical interpolation inside of another"));
+      return findings_.cannot(passes::together("a code in the same block as polar or cylindrical interpolation"));
+    if (!here_.is(kNowhere))
+      return findings_.cannot(passes::together("polar or cylindrical interpolation inside of another"));
     if (is_face(code.argument)) {
-      const LatheState* state = flow_.before(index_);
-      if (state == nullptr || !state->c.is(0.0))
-        return cannot(passes::not_known("polar interpolation where C is not known to stand at 0"));
-      if (state->x.value && *state->x.value < 0.0) return cannot("polar interpolation from a negative X");
+      const std::optional<LatheState> state = facts_.before(index_);
+      if (!state || state->c != 0.0)
+        return findings_.cannot(passes::not_known("polar interpolation where C is not known to stand at 0"));
+      if (state->x && *state->x < 0.0) return findings_.cannot("polar interpolation from a negative X");
       emit(to_rotary_ ? ir::kFaceByRotary : ir::kFaceByY, "TRANSMIT", {});
       if (!to_rotary_) plane(Function::plane_xy);
       return;
     }
     const double radius = radius_at(index_);
-    if (radius <= 0.0) return cannot("cylindrical interpolation without C and its radius as a number");
+    if (radius <= 0.0) return findings_.cannot("cylindrical interpolation without C and its radius as a number");
     if (to_rotary_) return emit(ir::kCylinderByRotary, {}, {word(Address::c, constant(radius))});
     emit(ir::kCylinderByY, "TRACYL(" + text::format_shortest(radius * 2.0) + ")", {});
     plane(Function::plane_yz);
@@ -122,26 +126,27 @@ class Faces {
     const auto words = program_.words_of(block);
     const bool rotary = code_of(block)->argument == ir::kCylinderByRotary;
     const auto size = std::ranges::find(words, rotary ? Address::c : Address::r, &ir::Word::address);
-    const double given = size == words.end() ? 0.0 : flow_.number(*size, statement).value_or(0.0);
+    const double given = size == words.end() ? 0.0 : facts_.number(*size, statement).value_or(0.0);
     return rotary ? given : given / 2.0;
   }
 
   void end() {
     if (!here_.is_reached) return;
-    if (!here_.begin) return cannot(passes::not_known("the end of what began on one control-flow path only"));
+    if (!here_.begin) return findings_.cannot(passes::not_known("the end of what began on one control-flow path only"));
     if (here_.is(kNowhere)) return out_.keep();  // ends nothing
     const bool cylinder = is_cylinder_here();
-    const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
+    const std::optional<Function> here = facts_.mode(facts::Mode::plane, index_);
     const std::optional<Function> now = !to_rotary_ ? (cylinder ? Function::plane_yz : Function::plane_xy)
                                         : cylinder  ? here
-                                                    : flow_.mode(facts::Mode::plane, *here_.begin);
+                                                    : facts_.mode(facts::Mode::plane, *here_.begin);
     if (to_rotary_ && cylinder)
       emit(ir::kCylinderByRotary, {}, {word(Address::c, constant(0.0))});
     else
       emit(ir::kTransformationEnds, to_rotary_ ? "" : "TRAFOOF", {});
     // What the program has in effect behind it.
     if (here && now != here) plane(*here);
-    if (!here) cannot(passes::not_known("the plane after polar or cylindrical interpolation, not known here,"));
+    if (!here)
+      findings_.cannot(passes::not_known("the plane after polar or cylindrical interpolation, not known here,"));
   }
 
   [[nodiscard]] bool is_cylinder_here() const {
@@ -171,13 +176,14 @@ class Faces {
   void inside(const ir::Block& block) {
     if (statement_.kind == StatementKind::call || statement_.kind == StatementKind::modal_call ||
         statement_.kind == StatementKind::native)
-      return cannot(passes::together("a call inside of polar or cylindrical interpolation"));
+      return findings_.cannot(passes::together("a call inside of polar or cylindrical interpolation"));
     if (statement_.kind != StatementKind::block) return out_.keep();
     if (!here_.begin)
-      return cannot(passes::not_known("a block that stands in polar interpolation on one control-flow path only"));
-    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
+      return findings_.cannot(
+          passes::not_known("a block that stands in polar interpolation on one control-flow path only"));
+    if (block.rest_level != 0) return findings_.cannot(passes::at_switch("block skip inside a block"));
     const bool cylinder = is_cylinder_here();
-    const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
+    const std::optional<Function> here = facts_.mode(facts::Mode::plane, index_);
     std::vector<ir::Code> codes;
     bool bends = false;
     const bool turned = cylinder && !to_rotary_ && here == Function::plane_zx;
@@ -188,11 +194,11 @@ class Faces {
       codes.push_back(c);
     }
     if (bends && !plane_fits(cylinder, here))
-      return cannot("an arc or compensation in another plane than that of the face");
+      return findings_.cannot("an arc or compensation in another plane than that of the face");
     std::vector<ir::Word> words;
     const std::vector<ir::Word> old(program_.words_of(block).begin(), program_.words_of(block).end());
     for (const ir::Word& w : old) {
-      if (cylinder && is_center(w)) return cannot("an arc on a cylinder by its centre");
+      if (cylinder && is_center(w)) return findings_.cannot("an arc on a cylinder by its centre");
       words.push_back(across(w, cylinder));
     }
     out_.emit_block(codes, words);
@@ -217,7 +223,7 @@ class Faces {
   static bool is_center(const ir::Word& w) { return w.address >= Address::i && w.address <= Address::k; }
 
   ir::Word across(ir::Word w, bool cylinder) {
-    const bool increment = flow_.is_increment_of_c(w);
+    const bool increment = facts_.is_increment_of_c(w);
     if (to_rotary_ ? w.address != Address::y : (w.address != Address::c && !increment)) return w;
     w.address = to_rotary_ ? Address::c : Address::y;
     if (increment) w.mode = ir::WordMode::incremental;
@@ -238,20 +244,17 @@ class Faces {
   // --- small parts
 
   ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }
-  void cannot(passes::Refusal what) {
-    diagnostics_.push_back(passes::diagnose(std::move(what), statement_.span, to_.title));
-  }
 
   ir::Program& program_;
   const ir::Control& from_;
   const ir::Control& to_;
   bool to_rotary_;  // the target names the coordinate across by the axis that turns
-  LatheFlow flow_;
+  LatheFacts facts_;
   passes::Rewrite out_;
   Region here_;
   std::uint32_t index_ = 0;
   ir::Statement statement_;
-  std::vector<text::Diagnostic> diagnostics_;
+  passes::Findings findings_;
 };
 
 }  // namespace

@@ -7,8 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "dialects/compile/translate/lathe_flow.h"
+#include "dialects/compile/translate/lathe_facts.h"
 #include "dialects/facts/axis_words.h"
+#include "dialects/passes/findings.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
@@ -24,13 +25,14 @@ using ir::StatementKind;
 class Leads {
  public:
   Leads(ir::Program& program, const ir::Control& from, const ir::Control& to)
-      : program_(program), from_(from), to_(to), flow_(program, from), out_(program) {}
+      : program_(program), from_(from), to_(to), facts_(program, from), out_(program), findings_(to) {}
 
   std::vector<text::Diagnostic> run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (index_ = 0; index_ < count; ++index_) {
       out_.at(index_);
       statement_ = program_.statements[index_];
+      findings_.at(statement_.span);
       if (ir::is_foreign(program_, index_)) {
         out_.keep();  // in ISO mode F is the lead, as it is there
         continue;
@@ -43,25 +45,25 @@ class Leads {
         out_.keep();
         continue;
       }
-      const LatheState& before = *flow_.before(index_);
+      const LatheState before = *facts_.before(index_);
       const ir::Block block = program_.blocks[statement_.payload];
       leads_by_letters(to_) ? feed_as_lead(before, block) : lead_as_feed(before, block);
     }
     out_.finish();
-    return std::move(diagnostics_);
+    return findings_.take();
   }
 
  private:
   // A block of a thread; where K, I or J say leads, with one of these.
   [[nodiscard]] bool cuts_thread(std::uint32_t index) const {
     const ir::Statement& s = program_.statements[index];
-    const LatheState* state = flow_.before(index);
-    if (s.kind != StatementKind::block || state == nullptr) return false;
+    const std::optional<LatheState> state = facts_.before(index);
+    if (s.kind != StatementKind::block || !state) return false;
     const ir::Block& block = program_.blocks[s.payload];
     const auto codes = program_.codes_of(block);
     const auto motion = std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group);
     const bool thread =
-        motion == codes.end() ? state->motion.is(Function::thread) : motion->function == Function::thread;
+        motion == codes.end() ? state->motion == Function::thread : motion->function == Function::thread;
     if (!thread || facts::has_own_words(program_, block)) return false;
     return leads_by_letters(from_) ? std::ranges::any_of(program_.words_of(block), is_lead) : moves_axes(block);
   }
@@ -73,8 +75,8 @@ class Leads {
     const auto codes = program_.codes_of(block);
     const auto motion = std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group);
     if (motion != codes.end()) return motion->function == Function::thread_changing;
-    const LatheState* state = flow_.before(index);
-    return state != nullptr && state->motion.is(Function::thread_changing) && moves_axes(block) &&
+    const std::optional<LatheState> state = facts_.before(index);
+    return state && state->motion == Function::thread_changing && moves_axes(block) &&
            !facts::has_own_words(program_, block);
   }
 
@@ -82,7 +84,7 @@ class Leads {
   // the lead on the other.
   void changing() {
     const ir::Block block = program_.blocks[statement_.payload];
-    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
+    if (block.rest_level != 0) return findings_.cannot(passes::at_switch("block skip inside a block"));
     std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     const bool by_letters = leads_by_letters(from_);
@@ -90,18 +92,21 @@ class Leads {
         by_letters ? std::ranges::find_if(words, is_lead) : std::ranges::find(words, Address::f, &ir::Word::address);
     const auto change = std::ranges::find(words, by_letters ? Address::f : Address::k, &ir::Word::address);
     if (lead == words.end() || change == words.end())
-      return cannot(passes::not_known("a thread whose lead changes, without its lead and the change in the block"));
+      return findings_.cannot(
+          passes::not_known("a thread whose lead changes, without its lead and the change in the block"));
     const auto in_inch_alone = [](const ir::Code& c) { return c.function == Function::unit_inch && c.argument == 1; };
     if (by_letters && std::ranges::any_of(program_.codes, in_inch_alone))
-      return cannot("the change of a lead where lengths alone are in inch (G70)");
-    if (!by_letters && counts(*change)) return cannot(passes::by_parameter("the change of a lead without a point"));
-    if (flow_.needs_feed(index_) && !thread_goes_on_changing())
-      return cannot("the feed after a thread whose lead changes");
-    if (!by_letters) lead_along_axis(*flow_.before(index_), words);
+      return findings_.cannot("the change of a lead where lengths alone are in inch (G70)");
+    if (!by_letters && counts(*change))
+      return findings_.cannot(passes::by_parameter("the change of a lead without a point"));
+    if (needs_feed_after(program_, index_) && !thread_goes_on_changing())
+      return findings_.cannot("the feed after a thread whose lead changes");
+    if (!by_letters) lead_along_axis(*facts_.before(index_), words);
     if (by_letters) {
       lead->address = Address::f;
       change->address = Address::k;
-      if (!take_sign(codes, *change)) return cannot(passes::not_known("the change of a lead whose sign is not known"));
+      if (!take_sign(codes, *change))
+        return findings_.cannot(passes::not_known("the change of a lead whose sign is not known"));
     }
     out_.emit_block(codes, words);
   }
@@ -137,23 +142,23 @@ class Leads {
   static bool is_lead(const ir::Word& w) { return w.address >= Address::i && w.address <= Address::k; }
 
   void lead_as_feed(const LatheState& before, const ir::Block& block) {
-    if (block.rest_level != 0) return cannot(passes::at_switch("block skip inside a block"));
+    if (block.rest_level != 0) return findings_.cannot(passes::at_switch("block skip inside a block"));
     std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     // Each block says that its F is a lead: lengths may be in inch and feeds not (G70).
     if (std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group) == codes.end())
       codes.push_back(thread_code());
     std::vector<ir::Word> words;
-    std::optional<double> feed = before.feed.value;
+    std::optional<double> feed = before.feed;
     for (const ir::Word& w : program_.words_of(block)) {
-      if (w.address == Address::f) feed = flow_.feed_of(w, index_);
+      if (w.address == Address::f) feed = facts_.feed_of(w, index_);
       if (w.address == Address::f) continue;
       words.push_back(w);
       if (is_lead(w)) words.back().address = Address::f;
     }
     out_.emit_block(codes, words);
     if (thread_goes_on()) return;
-    if (!feed && flow_.needs_feed(index_))
-      cannot(passes::not_known("the feed after a thread, which is not known here,"));
+    if (!feed && needs_feed_after(program_, index_))
+      findings_.cannot(passes::not_known("the feed after a thread, which is not known here,"));
     if (feed && *feed != 0.0) out_.emit_block({}, {word(Address::f, constant(*feed))});
   }
 
@@ -163,13 +168,14 @@ class Leads {
     const std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     const auto written = std::ranges::find(words, Address::f, &ir::Word::address);
-    const bool known = before.feed.value && *before.feed.value != 0.0;
-    if (written == words.end() && !known) return cannot(passes::not_known("the lead of a thread, not known here,"));
-    ir::Word lead = written == words.end() ? word(Address::f, constant(*before.feed.value)) : *written;
+    const bool known = before.feed && *before.feed != 0.0;
+    if (written == words.end() && !known)
+      return findings_.cannot(passes::not_known("the lead of a thread, not known here,"));
+    ir::Word lead = written == words.end() ? word(Address::f, constant(*before.feed)) : *written;
     if (written == words.end()) words.push_back(lead);
     lead_along_axis(before, words);
     out_.emit_block(codes, words);
-    if (!thread_goes_on() && flow_.needs_feed(index_)) out_.emit_block({}, {lead});
+    if (!thread_goes_on() && needs_feed_after(program_, index_)) out_.emit_block({}, {lead});
   }
 
   // F of a cone counts along the axis that moves more, and there its letter is I or K. Where that is not known it is
@@ -180,23 +186,22 @@ class Leads {
     const std::optional<double> z = way_along(Address::z, before.z, words);
     if ((x && *x == 0.0) || (z && *z == 0.0)) return;
     if (!x || !z) {
-      cannot("which axis the lead of a cone counts along, taken as Z,");
-      diagnostics_.back().severity = text::Severity::warning;
+      findings_.warn("which axis the lead of a cone counts along, taken as Z,");
       return;
     }
     const double factor = from_.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
     if (*x / factor > *z) lead->address = Address::i;
   }
   // How far the block goes along X or Z as it is written there; nothing where that is not known.
-  [[nodiscard]] std::optional<double> way_along(Address axis, const Known<double>& from,
+  [[nodiscard]] std::optional<double> way_along(Address axis, const std::optional<double>& from,
                                                 const std::vector<ir::Word>& words) const {
     const auto word = std::ranges::find_if(
         words, [&](const ir::Word& w) { return turning_axis(w.address, from_).value_or(Address::f) == axis; });
     if (word == words.end()) return 0.0;
-    const std::optional<double> to = flow_.number(*word, index_);
-    const std::optional<bool> increment = flow_.is_increment(*word, index_);
-    if (!to || !increment || (!*increment && !from.value)) return std::nullopt;
-    return std::abs(*increment ? *to : *to - *from.value);
+    const std::optional<double> to = facts_.number(*word, index_);
+    const std::optional<bool> increment = facts_.is_increment(*word, index_);
+    if (!to || !increment || (!*increment && !from)) return std::nullopt;
+    return std::abs(*increment ? *to : *to - *from);
   }
 
   [[nodiscard]] bool moves_axes(const ir::Block& block) const {
@@ -211,18 +216,15 @@ class Leads {
     return code;
   }
   ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }
-  void cannot(passes::Refusal what) {
-    diagnostics_.push_back(passes::diagnose(std::move(what), statement_.span, to_.title));
-  }
 
   ir::Program& program_;
   const ir::Control& from_;
   const ir::Control& to_;
-  LatheFlow flow_;
+  LatheFacts facts_;
   passes::Rewrite out_;
   std::uint32_t index_ = 0;
   ir::Statement statement_;
-  std::vector<text::Diagnostic> diagnostics_;
+  passes::Findings findings_;
 };
 
 }  // namespace

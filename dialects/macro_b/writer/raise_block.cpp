@@ -80,7 +80,7 @@ BlockRaiser::BlockRaiser(ir::Program& program, const ir::Control& from, const ir
       inch_(from.semantics.power_on_unit == Function::unit_inch),
       diameter_(from.semantics.power_on_diameter) {
   if (!edges_ || same_) return;
-  tools_.emplace(program);
+  tools_.emplace(program, from, facts::ToolChange::as_the_text);
   calls_others_ = std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
     return facts::is_call(s.kind) && !facts::is_standard_cycle(program, s);
   });

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
-#include "dialects/passes/tool_flow.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::macro_b {
@@ -70,11 +70,11 @@ class BlockRaiser {
   [[nodiscard]] Draft length_of(ir::ExpressionId tool) const;
   void change_first(const Traits& traits, Draft length);
   void compensation_number();
-  [[nodiscard]] passes::ToolState tool_state() const;
+  [[nodiscard]] facts::Facts facts_here() const;
   [[nodiscard]] ir::ExpressionId edge_of(const Traits& traits) const;
   // The tool that D means, or that is in: nothing, and told, where it is not known; none where no tool was named.
   std::optional<ir::ExpressionId> tool_of(const Traits& traits);
-  std::optional<ir::ExpressionId> tool_in(const passes::ToolState& state);
+  std::optional<ir::ExpressionId> tool_in(const facts::Facts& facts);
   [[nodiscard]] bool lacks_edge();
   [[nodiscard]] bool plane_is_always_xy() const;
   [[nodiscard]] bool calls_next() const;
@@ -107,9 +107,9 @@ class BlockRaiser {
   bool edges_;                 // D is an edge of the tool
   bool calls_others_ = false;  // programs that are not the control's own
   bool foreign_ = false;  // the block is of another language of its control, whose T, D and H are those of the target
-  std::optional<passes::ToolFlow> tools_;  // where D is an edge
-  std::vector<bool> lacks_edge_;           // by statement, once it is asked for
-  bool stands_on_xy_ = false;              // all tools do
+  std::optional<facts::Resolved> tools_;  // where D is an edge
+  std::vector<bool> lacks_edge_;          // by statement, once it is asked for
+  bool stands_on_xy_ = false;             // all tools do
   std::uint32_t index_ = 0;
   enum class Way : std::uint8_t { other, holes, curve };
   Way way_ = Way::other;

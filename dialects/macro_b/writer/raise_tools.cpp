@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "dialects/facts/calls.h"
+#include "dialects/facts/tool_in.h"
 #include "dialects/macro_b/writer/raise_block.h"
 #include "dialects/passes/refusal.h"
 
@@ -13,14 +14,19 @@ namespace dripfeed::macro_b {
 
 namespace {
 
+using facts::Kept;
 using ir::Address;
 using ir::ExpressionId;
 using ir::Function;
 using ir::Operator;
 using ir::StatementKind;
-using passes::ToolState;
 
 constexpr double kToolPlaces = 100.0;  // T0606: two digits for the offset
+
+// D, or a length, is stated for the tool that is in.
+bool has_edge(const facts::Facts& facts) {
+  return facts[Kept::edge].is_always([](const facts::Written& edge) { return edge.is_stated; });
+}
 
 bool changes_tool(const ir::Code& c) { return c.function == Function::tool_change; }
 
@@ -36,7 +42,7 @@ void BlockRaiser::tool_words(const Traits& traits) {
     return cannot(*statement_, passes::of_tool("a tool with a name"));
   const bool on_lathe = to_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (!on_lathe && traits.tool != nullptr) draft_.words.push_back(*traits.tool);
-  if (traits.tool != nullptr && !traits.tool_change && !tools_->changes_at_once()) return prepare(traits);
+  if (traits.tool != nullptr && !traits.tool_change && !tools_->tool_comes_by_t()) return prepare(traits);
   const ExpressionId edge = edge_of(traits);
   if (!on_lathe) return length_offset(traits, edge);
   if (const std::optional<ExpressionId> tool = tool_of(traits)) lathe_tool(*tool, edge);
@@ -44,10 +50,11 @@ void BlockRaiser::tool_words(const Traits& traits) {
 
 // T that only prepares. D beside it comes with M6, and acts on the tool that is in the spindle until then.
 void BlockRaiser::prepare(const Traits& traits) {
-  const ToolState* before = tools_->before(index_);
-  if (traits.edge == nullptr || before == nullptr || before->in.known == ToolState::Known::none) return;
+  const facts::Facts* before = tools_->before(index_);
+  if (traits.edge == nullptr || before == nullptr) return;
+  if (facts::tool_in(program_, (*before)[Kept::tool]).state == facts::ToolIn::State::none) return;
   const ExpressionId edge = traits.edge->value;
-  if (before->has_edge && is_constant(edge, 1.0)) return;
+  if (has_edge(*before) && is_constant(edge, 1.0)) return;
   const std::optional<ExpressionId> tool = tool_in(*before);
   if (!tool) return;
   if (to_.semantics.tool_word == ir::ToolWord::number_and_offset) return lathe_tool(*tool, edge);
@@ -57,36 +64,39 @@ void BlockRaiser::prepare(const Traits& traits) {
   change_first(traits, length_of(*tool));
 }
 
-ToolState BlockRaiser::tool_state() const {
-  const ToolState* before = tools_->before(index_);
-  return before == nullptr ? ToolState() : tools_->after(index_, *before);
-}
+// After the block's own T, M6 and D.
+facts::Facts BlockRaiser::facts_here() const { return tools_->at(index_).value_or(facts::Facts()); }
 
 // The block's own D, or the one that stood beside the T which M6 brings in.
 ExpressionId BlockRaiser::edge_of(const Traits& traits) const {
   if (traits.edge != nullptr) return traits.edge->value;
-  return traits.tool_change && traits.tool == nullptr ? tool_state().next_edge : ExpressionId::none;
+  if (!traits.tool_change || traits.tool != nullptr) return ExpressionId::none;
+  const facts::Known<facts::Written> edge = facts_here()[Kept::next_edge];
+  return edge.agrees() ? edge.value.value : ExpressionId::none;
 }
 
 std::optional<ExpressionId> BlockRaiser::tool_of(const Traits& traits) {
-  return traits.tool != nullptr ? std::optional(traits.tool->value) : tool_in(tool_state());
+  return traits.tool != nullptr ? std::optional(traits.tool->value) : tool_in(facts_here());
 }
 
-std::optional<ExpressionId> BlockRaiser::tool_in(const ToolState& state) {
-  using Known = ToolState::Known;
-  if (state.in.known == Known::none) return ExpressionId::none;
+std::optional<ExpressionId> BlockRaiser::tool_in(const facts::Facts& facts) {
+  using State = facts::ToolIn::State;
+  const facts::ToolIn in = facts::tool_in(program_, facts[Kept::tool]);
+  if (in.state == State::none) return ExpressionId::none;
   // A program that is called between T and D may have been what changes it.
-  const bool between = state.caller != ir::kNoIndex && state.next.known != Known::none &&
-                       !tools_->same_value(state.next.value, state.in.value);
-  if (state.in.known == Known::differs || between || program_.at(state.in.value).op == Operator::string) {
+  const facts::ToolIn next = facts::tool_in(program_, facts[Kept::next_tool]);
+  const bool between = in.changer != ir::kNoIndex && next.state != State::none &&
+                       !(facts[Kept::next_tool].value == facts[Kept::tool].value);
+  const bool is_name = in.state == State::tool && program_.at(in.value).op == Operator::string;
+  if (in.state == State::differs || between || is_name) {
     cannot(*statement_, passes::not_known("a tool that is not known here, or not the same on all control-flow paths,"));
     return std::nullopt;
   }
-  if (state.caller != ir::kNoIndex)
+  if (in.changer != ir::kNoIndex)
     tell("the tool in the spindle", fmt::format("it is taken as the one of T above, which what line {} calls may have "
                                                 "changed",
-                                                program_.statements[state.caller].line));
-  return state.in.value;
+                                                program_.statements[in.changer].line));
+  return in.value;
 }
 
 void BlockRaiser::tell(std::string what, std::string why) {
@@ -98,7 +108,7 @@ void BlockRaiser::tell(std::string what, std::string why) {
 // Where D names an edge, compensation takes its radius from there; here it needs the number of an offset.
 void BlockRaiser::compensation_number() {
   if (to_.semantics.tool_word != ir::ToolWord::number) return;
-  const std::optional<ExpressionId> tool = tool_in(tool_state());
+  const std::optional<ExpressionId> tool = tool_in(facts_here());
   if (tool && *tool != ExpressionId::none) return draft_.words.push_back(word_of(Address::d, *tool));
   if (tool) tell("the number of the compensation (D)", "the tool is a caller's, which must have stated it");
 }
@@ -114,7 +124,7 @@ void BlockRaiser::lathe_tool(ExpressionId tool, ExpressionId edge) {
 
 // D1 turns the tool's length on: G43 H with the tool's number.
 void BlockRaiser::length_offset(const Traits& traits, ExpressionId edge) {
-  const bool changes = traits.tool_change || (traits.tool != nullptr && tools_->changes_at_once());
+  const bool changes = traits.tool_change || (traits.tool != nullptr && tools_->tool_comes_by_t());
   Draft length;
   if (edge == ExpressionId::none) {
     if (!changes || !lacks_edge()) return change_first(traits, {});
@@ -125,7 +135,7 @@ void BlockRaiser::length_offset(const Traits& traits, ExpressionId edge) {
       tell("the tool length", "neither the tool nor a cutting edge of it is stated here");
       return change_first(traits, {});
     }
-    if (tools_->changes_at_once() && calls_next())
+    if (tools_->tool_comes_by_t() && calls_next())
       return cannot(*statement_, passes::of_tool("a tool that a called program brings in, without D after the call,"));
     tell("the cutting edge after a tool change without D", "MD20270 decides, and it is taken as D1");
     length = length_of(*tool);
@@ -180,7 +190,7 @@ bool BlockRaiser::lacks_edge() {
     for (std::size_t i = count; i-- > 0;)
       lacks_edge_[i] = moves_without_edge(program_.statements[i]).value_or(lacks_edge_[i + 1]);
   }
-  return lacks_edge_[index_ + 1] && !tool_state().has_edge;
+  return lacks_edge_[index_ + 1] && !has_edge(facts_here());
 }
 
 bool BlockRaiser::plane_is_always_xy() const {
@@ -207,7 +217,7 @@ std::optional<bool> BlockRaiser::moves_without_edge(const ir::Statement& s) cons
       s.kind == StatementKind::define)
     return std::nullopt;
   // A called program may be what brings the tool in.
-  if (s.kind == StatementKind::call && tools_->changes_at_once()) return std::nullopt;
+  if (s.kind == StatementKind::call && tools_->tool_comes_by_t()) return std::nullopt;
   if (s.kind != StatementKind::block || s.skip_level != 0) return true;
   const ir::Block& block = program_.blocks[s.payload];
   const auto codes = program_.codes_of(block);

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/passes/refusal.h"
 
 namespace dripfeed::sinumerik {
@@ -36,10 +37,10 @@ bool names_offsets_only(const ir::Program& program) {
 ToolOffsets::ToolOffsets(const Raising& raising)
     : raising_(raising), program_(raising.program), names_offsets_only_(names_offsets_only(raising.program)) {
   if (raising.is_own() || raising.from.semantics.tool_word != ir::ToolWord::number) return;
-  const passes::ToolFlow flow(program_);
+  const facts::Resolved known(program_, raising_.from, facts::ToolChange::as_the_text);
   for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
-    const passes::ToolState* before = flow.before(i);
-    tools_.push_back(before == nullptr ? passes::ToolState() : flow.after(i, *before));
+    const std::optional<facts::Facts> here = known.at(i);
+    tools_.push_back(here ? facts::tool_in(program_, (*here)[facts::Kept::tool]) : facts::ToolIn());
   }
 }
 
@@ -141,18 +142,16 @@ bool ToolOffsets::is_tool(double number, std::string_view otherwise, text::Span 
     if (number != last_tool_) raising_.cannot(std::string(otherwise), span);
     return number == last_tool_;
   }
-  using Known = passes::ToolState::Known;
-  const passes::ToolState& state = tools_[index_];
-  if (state.in.known == Known::differs) {
+  const facts::ToolIn& in = tools_[index_];
+  if (in.state == facts::ToolIn::State::differs) {
     raising_.cannot(
         passes::not_known("an offset of a tool that is not known here, or not the same on all control-flow paths,"),
         span);
     return false;
   }
-  const ir::Expression* tool = state.in.known == Known::tool ? &program_.at(state.in.value) : nullptr;
-  const bool same = tool != nullptr && tool->op == ir::Operator::constant && tool->value == number;
+  const bool same = in.number == number;
   if (!same) raising_.cannot(std::string(otherwise), span);
-  if (same && state.caller != ir::kNoIndex) tell_caller(state.caller, span);
+  if (same && in.changer != ir::kNoIndex) tell_caller(in.changer, span);
   return same;
 }
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dialects/passes/tool_flow.h"
+#include "dialects/facts/tool_in.h"
 #include "dialects/sinumerik/writer/raise.h"
 
 namespace dripfeed::sinumerik {
@@ -47,7 +47,7 @@ class ToolOffsets {
 
   const Raising& raising_;
   ir::Program& program_;
-  std::vector<passes::ToolState> tools_;  // behind each statement
+  std::vector<facts::ToolIn> tools_;  // after each statement
   std::span<const ir::Code> codes_;
   std::span<const ir::Word> words_;
   std::uint32_t index_ = 0;

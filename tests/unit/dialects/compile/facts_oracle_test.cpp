@@ -82,6 +82,12 @@ class Judge {
     if constexpr (std::is_same_v<T, double>) same = std::abs(fact.value - seen) < 1e-6;
     if (!same) faults.push_back(fmt::format("line {}: {} is otherwise", m.place.line, what));
   }
+  void compare_word(std::string_view what, const facts::Known<facts::Written>& fact, double seen, const ir::Motion& m) {
+    const facts::Written* word = fact.certain();
+    facts::Known<double> number;
+    if (word != nullptr && word->is_number) number.set(word->number, fact.origin);
+    compare(what, number, seen, m);
+  }
   void mode(std::string_view what, const facts::Facts& facts, Mode mode, Function seen, const ir::Motion& m) {
     facts::Known<facts::Setting> fact = facts[mode];
     fact.value.argument = 0;
@@ -113,10 +119,19 @@ class Judge {
       if (offset.is_certain() && claimed != offset_)
         faults.push_back(fmt::format("line {}: the work offset is otherwise", m.place.line));
     }
-    if (tool >= 0) compare("the tool", (*facts)[Number::tool], static_cast<double>(tool), m);
+    if (tool >= 0) compare_word("the tool", (*facts)[facts::Kept::tool], static_cast<double>(tool), m);
     positions(*facts, m);
   }
 
+  void feed(const facts::Facts& facts, const ir::Motion& m) {
+    const facts::Setting* unit = facts[Mode::unit].certain();
+    const facts::Written* word = facts[facts::Kept::feed].certain();
+    if (!control_.semantics.arc_radius_is_r) return;  // SINUMERIK's feeds may be in another unit than lengths (G70)
+    const bool is_plain = word != nullptr && word->is_number && word->number != 0.0 && word->has_point;
+    if (unit == nullptr || !is_plain) return;
+    const double mm = unit->function == Function::unit_inch ? 25.4 : 1.0;
+    compare_word("the feed", facts[facts::Kept::feed], m.feed / mm, m);
+  }
   void positions(const facts::Facts& facts, const ir::Motion& m) {
     const facts::Setting* unit = facts[Mode::unit].certain();
     if (unit == nullptr) return;
@@ -148,6 +163,7 @@ class Judge {
     if (!facts || !(*facts)[Mode::cycle].is({.function = Function::cycle_off})) return;
     if ((*facts)[Mode::modal_call].is({}) == false) return;  // the call's moves may have the block's line
     if (!(*facts)[Mode::transformation].is({})) return;      // the machine's axes move in pieces
+    if (m.kind == ir::MotionKind::linear) feed(*facts, m);
     mode("the motion", *facts, Mode::motion, m.kind == ir::MotionKind::rapid ? Function::rapid : Function::linear, m);
   }
 
