@@ -10,6 +10,7 @@
 #include "dialects/facts/axis_words.h"
 #include "dialects/facts/block_values.h"
 #include "dialects/facts/calls.h"
+#include "dialects/facts/drill_effects.h"
 #include "dialects/facts/kept_words.h"
 #include "dialects/facts/position_effects.h"
 #include "dialects/facts/shape_blocks.h"
@@ -100,6 +101,7 @@ struct Effects::Walk {
   bool with_rest;  // with what stands after "/n" inside the block
   Facts& facts;
   BlockValues values = BlockValues(of.program_, block, with_rest);
+  DrillEffects drilling = DrillEffects{of.control_, statement, values, facts};
   PositionEffects positions = PositionEffects{of.control_, statement, values, facts};
 
   void run() {
@@ -112,6 +114,7 @@ struct Effects::Walk {
       for (const Mode mode : {Mode::spindle, Mode::coolant, Mode::length}) facts[mode].forget(statement);
     ToolEffects{of.control_, statement, of.tool_at_once_, values, facts}.run();
     take_feed_and_speed();
+    take_drilling();
     positions.run();
   }
 
@@ -124,8 +127,9 @@ struct Effects::Walk {
 
   void take_code(const ir::Code& code, bool names_speed, const Known<Setting>& feed_before) {
     const std::optional<Mode> mode = mode_of(code);
-    if (loses_positions(code)) facts.forget_positions(statement);
+    if (loses_positions(code)) lose_positions();
     if (code.function == Function::turning_cycle) begin_turning_cycle();
+    if (code.function == Function::drill) drilling.begin();
     if (is_finishing(code)) forget_what_shapes_set();
     if (code.function == Function::repetitive_cycle && !ir::follows_shape(code)) take_cycle_data(code);
     if (shifts(code)) take_shift(code);
@@ -135,7 +139,8 @@ struct Effects::Walk {
       case Mode::unit:
         for (const Number shift : {Number::shift_x, Number::shift_y, Number::shift_z})
           if (!facts[shift].is(0.0)) facts[shift].forget(statement);
-        for (const Kept length : {Kept::feed, Kept::turn_x, Kept::turn_z, Kept::turn_taper}) forget_unless_zero(length);
+        for (const Kept length : {Kept::feed, Kept::turn_x, Kept::turn_z, Kept::turn_taper, Kept::initial})
+          forget_unless_zero(length);
         break;
       case Mode::frame: return take_frame(code);
       case Mode::transformation:
@@ -159,6 +164,12 @@ struct Effects::Walk {
       default: break;
     }
     set(*mode, code.function, code.argument);
+  }
+
+  // … and the level where a cycle began has another number, too.
+  void lose_positions() {
+    facts.forget_positions(statement);
+    facts[Kept::initial].forget(statement);
   }
 
   static bool shifts(const ir::Code& code) {
@@ -226,6 +237,25 @@ struct Effects::Walk {
     for (const Mode mode : {Mode::motion, Mode::cycle, Mode::compensation, Mode::spindle, Mode::path})
       facts[mode].forget(statement);
     for (const Kept word : {Kept::feed, Kept::speed}) facts[word].forget(statement);
+  }
+
+  void take_drilling() {
+    if (std::ranges::any_of(values.codes, [](const ir::Code& code) { return has_own_words(code); })) return;
+    const Setting* cycle = facts[Mode::cycle].certain();
+    if (cycle == nullptr) return forget_drilling();
+    if (cycle->function == Function::drill) drilling.take_words();
+  }
+  // Where it is not known whether a cycle is in effect, a word may be the cycle's or not.
+  void forget_drilling() {
+    constexpr Kept kWords[] = {Kept::drill_depth, Kept::drill_level, Kept::drill_peck, Kept::drill_dwell,
+                               Kept::drill_i,     Kept::drill_j,     Kept::initial};
+    if (std::ranges::none_of(values.words, [](const ir::Word& word) {
+          return ir::is_axis(word.address) || word.address == Address::r || word.address == Address::q ||
+                 word.address == Address::p || word.address == Address::i || word.address == Address::j;
+        }))
+      return;
+    for (const Kept word : kWords) facts[word].forget(statement);
+    facts[Mode::hole_end].forget(statement);
   }
 
   void take_feed_and_speed() {

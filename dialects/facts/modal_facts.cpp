@@ -125,6 +125,7 @@ Setting power_on(Mode mode, const ir::Control& control) {
     case Mode::motion: return {s.power_on_known ? s.power_on_motion : Function::none};
     case Mode::cycle: return {Function::cycle_off};
     case Mode::compensation: return {Function::comp_off};
+    case Mode::hole_end:
     case Mode::return_level: return {Function::return_to_initial};
     case Mode::path: return {Function::continuous_path};
     case Mode::spindle: return {Function::spindle_stop};
@@ -179,6 +180,7 @@ void Facts::forget_all(std::uint32_t changer) {
 
 void Facts::forget_positions(std::uint32_t changer) {
   for (auto i = static_cast<std::size_t>(kFirstAxis); i < kNumbers; ++i) numbers[i].forget(changer);
+  for (const Kept name : {Kept::at_x, Kept::at_y, Kept::at_z}) (*this)[name].forget(changer);
 }
 
 bool Facts::join(const Facts& with) {

@@ -28,15 +28,16 @@ enum class Mode : std::uint8_t {
   path,  // exact stop or continuous
   spindle,
   coolant,
-  length,  // length_offset_off: no tool length is in effect; see tool_length()
-  frame,   // none, or one about a point (G68, G51, G51.1) in effect
+  length,    // length_offset_off: no tool length is in effect; see tool_length()
+  frame,     // none, or one about a point (G68, G51, G51.1) in effect
+  letters,   // polar_words_on: the letters of the plane are a radius and an angle (G16)
+  hole_end,  // return_to_initial or return_to_r: where a drilling cycle has left the tool
   // Setting::argument of these is the number of the statement that set them.
   thread_data,     // none, or the block of G76 that only states data
   peck_data,       // … of G74 or G75
   modal_call,      // none, or a call that each move makes
   transformation,  // none, or what makes the face or the circumference of a part a plane
   pole,            // of polar positions; none: where the control has it before the first one
-  letters,         // polar_words_on: the letters of the plane are a radius and an angle (G16)
   count_,
 };
 inline constexpr std::size_t kModes = static_cast<std::size_t>(Mode::count_);
@@ -62,9 +63,10 @@ struct Written {
   bool is_number = false;
   bool has_point = false;
   bool is_stated = false;
+  bool by_distance = false;  // of a drilling cycle: counts from the level above
 
   friend bool operator==(const Written& a, const Written& b) {
-    if (a.is_number != b.is_number || a.is_stated != b.is_stated) return false;
+    if (a.is_number != b.is_number || a.is_stated != b.is_stated || a.by_distance != b.by_distance) return false;
     return a.is_number ? a.number == b.number && a.has_point == b.has_point : a.value == b.value;
   }
 };
@@ -72,8 +74,31 @@ struct Written {
 // Words that stay in effect. `next_tool` is T, `tool` the one in the spindle (of T0101 the tool's number). `edge` is D
 // where it selects an edge of the tool, not stated since the tool came in otherwise; G43 and G44 state one, too.
 // `next_edge` is the D in the block of T. `feed` and `speed` are F and S, 0 before the first one. A turning cycle keeps
-// the ends of its block, as numbers of the program's coordinates, and its taper.
-enum class Kept : std::uint8_t { next_tool, tool, next_edge, edge, feed, speed, turn_x, turn_z, turn_taper, count_ };
+// the ends of its block, as numbers of the program's coordinates, and its taper; a drilling cycle Z, R, Q, P, I and J.
+// `initial` is the level where that one began: a number, or the name by which the tool was sent there. `at_x` to `at_z`
+// are such names, where an axis stands at what a variable alone says.
+enum class Kept : std::uint8_t {
+  next_tool,
+  tool,
+  next_edge,
+  edge,
+  feed,
+  speed,
+  turn_x,
+  turn_z,
+  turn_taper,
+  drill_depth,
+  drill_level,
+  drill_peck,
+  drill_dwell,
+  drill_i,
+  drill_j,
+  initial,
+  at_x,
+  at_y,
+  at_z,
+  count_
+};
 inline constexpr std::size_t kKept = static_cast<std::size_t>(Kept::count_);
 
 struct Facts {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dialects/facts/axis_words.h"
+#include "dialects/facts/drill_effects.h"
 #include "dialects/ir/axis_letters.h"
 
 namespace dripfeed::facts {
@@ -55,6 +56,7 @@ void PositionEffects::run() {
   if (std::ranges::any_of(values.words, [](const ir::Word& word) { return bends_the_end(word.address); }))
     return facts.forget_positions(statement);
   const Setting* cycle = facts[Mode::cycle].certain();
+  if (cycle != nullptr && cycle->function == Function::drill) return take_drilling();
   if (cycle != nullptr && cycle->function == Function::turning_cycle) return take_turning_words(cycle->argument);
   if (std::ranges::none_of(values.words, names_axis)) return;
   const Known<Setting>& motion = facts[Mode::motion];
@@ -63,6 +65,19 @@ void PositionEffects::run() {
                      (motion.other_origin == kNobody || ends_at_its_words(motion.other));
   if (!plain) return facts.forget_positions(statement);
   for (const ir::Word& word : values.words) take_axis(word);
+}
+
+// Holes at plain positions are followed; those that are repeated, or of a lathe, are not.
+void PositionEffects::take_drilling() {
+  if (std::ranges::none_of(values.words, makes_hole, &ir::Word::address)) return;
+  const std::optional<Number> along = drilling_axis(facts[Mode::plane]);
+  const bool repeats = values.word(Address::k) != nullptr || values.word(Address::l) != nullptr;
+  if (control.kind != ir::MachineKind::mill || !along || repeats) return facts.forget_positions(statement);
+  for (const ir::Word& word : values.words) {
+    const std::optional<AxisTarget> target = target_of(word);
+    if (target && target->axis != *along) take_axis(word);
+  }
+  DrillEffects{control, statement, values, facts}.leave_hole(*along);
 }
 
 // A turning cycle ends where it began.
@@ -106,10 +121,20 @@ std::optional<PositionEffects::AxisTarget> PositionEffects::target_of(const ir::
   return axis ? std::optional(AxisTarget{*axis, false}) : std::nullopt;
 }
 
+// What a variable alone says, absolutely.
+void PositionEffects::take_name(const ir::Word& word, Number axis) {
+  const std::optional<Kept> name = name_of(axis);
+  if (!name) return;
+  const bool absolute = is_increment(word, {axis, false}) == false && word.value != ir::ExpressionId::none;
+  const bool is_name = absolute && is_plain_name(values.program, word.value);
+  facts[*name].set(is_name ? Written{.value = word.value, .is_stated = true} : Written(), statement);
+}
+
 void PositionEffects::take_axis(const ir::Word& word) {
   const std::optional<AxisTarget> target = target_of(word);
   if (!target) return;
   Known<double>& position = facts[target->axis];
+  take_name(word, target->axis);
   const std::optional<double> value = coordinate(word, target->axis);
   const std::optional<bool> increment = is_increment(word, *target);
   if (!value || !increment) return position.forget(statement);

@@ -22,18 +22,20 @@ struct PositionEffects {
   [[nodiscard]] std::optional<double> coordinate(const ir::Word& word, Number axis) const;
   // A word for X or Z.
   [[nodiscard]] bool turns(const ir::Word& word) const;
-
- private:
   struct AxisTarget {
     Number axis;
     bool by_letter;  // the letter itself says that it is an increment
   };
+  [[nodiscard]] std::optional<bool> is_increment(const ir::Word& word, const AxisTarget& target) const;
+
+ private:
   [[nodiscard]] std::optional<AxisTarget> target_of(const ir::Word& word) const;
   void take_turning_words(std::int32_t cycle);
   void keep(Kept which, std::optional<double> number, const ir::Word& word);
   [[nodiscard]] bool halves(Number axis) const;
+  void take_drilling();
+  void take_name(const ir::Word& word, Number axis);
   void take_axis(const ir::Word& word);
-  [[nodiscard]] std::optional<bool> is_increment(const ir::Word& word, const AxisTarget& target) const;
 };
 
 }  // namespace dripfeed::facts

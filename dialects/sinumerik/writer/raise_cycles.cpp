@@ -40,26 +40,25 @@ constexpr double kMostRepeats = 100.0;
 class CycleRaiser {
  public:
   explicit CycleRaiser(const Raising& raising)
-      : raising_(raising), program_(raising.program), flow_(program_, raising.from), out_(program_) {}
+      : raising_(raising), program_(raising.program), facts_(program_, raising.from), out_(program_) {}
 
   void run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       out_.at(i);
       const ir::Statement s = program_.statements[i];
-      const DrillState* before = flow_.before(i);
+      const facts::Facts* before = facts_.before(i);
       if (s.kind != StatementKind::block || before == nullptr)
         out_.keep();
       else
-        block(s, *before);
+        block(s, drill_state(program_, *before), drill_state(program_, *facts_.at(i)));
     }
     out_.finish();
   }
 
  private:
-  void block(const ir::Statement& s, const DrillState& before) {
+  void block(const ir::Statement& s, const DrillState& before, const DrillState& after) {
     const ir::Block block = program_.blocks[s.payload];
-    const DrillState after = flow_.after(before, block);
     const bool was = !before.cycle.is(DrillState::kNone);
     const bool is = !after.cycle.is(DrillState::kNone);
     if (!was && !is) return out_.keep();
@@ -208,7 +207,7 @@ class CycleRaiser {
 
   const Raising& raising_;
   ir::Program& program_;
-  DrillFlow flow_;
+  facts::Resolved facts_;
   passes::Rewrite out_;
   const ir::Statement* statement_ = nullptr;
 };

@@ -89,6 +89,24 @@ TEST(KeptWords, ATurningCycleKeepsItsEndsAndLeavesTheToolWhereItBegan) {
   EXPECT_TRUE((*resolved.before(4))[Number::x].is(60.0));
 }
 
+TEST(KeptWords, ADrillingCycleLeavesTheToolAtItsLevel) {
+  Builder b;
+  b.block({{Function::rapid, 0, ModalGroup::motion}}, {{Address::z, 50.0}});
+  b.block({{Function::return_to_r, 0, ModalGroup::return_level}, {Function::drill, 0, ModalGroup::cycle}},
+          {{Address::x, 1.0}, {Address::z, -5.0}, {Address::r, 2.0}});
+  b.block({{Function::return_to_initial, 0, ModalGroup::return_level}}, {{Address::x, 9.0}});
+  b.block({{Function::cycle_off, 0, ModalGroup::cycle}});
+  b.end();
+  const ir::Program& program = b.build();
+  const ir::Control control = control_of(ir::MachineKind::mill);
+  const Resolved resolved(program, control);
+  EXPECT_TRUE((*resolved.before(2))[Number::z].is(2.0));
+  EXPECT_EQ((*resolved.before(2))[Kept::initial].certain()->number, 50.0);
+  EXPECT_EQ((*resolved.before(2))[Kept::drill_depth].certain()->number, -5.0);
+  EXPECT_TRUE((*resolved.before(3))[Number::z].is(50.0));
+  EXPECT_TRUE((*resolved.before(4))[Number::x].is(9.0));
+}
+
 // Right after its roughing cycle nothing else runs a shape.
 TEST(KeptWords, BlocksOfAShapeAreLeftOutAfterTheirCycle) {
   Builder b;
