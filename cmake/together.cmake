@@ -6,6 +6,11 @@ set(DRIPFEED_TOGETHER OFF CACHE STRING "compile several files as one: ON, TESTS 
 # Files that name something as a neighbour of theirs does. When a new name collides, rename it or list its file here.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/apart.txt)
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/apart.txt DRIPFEED_APART REGEX "^[^#]")
+foreach(name IN LISTS DRIPFEED_APART)
+  if(NOT EXISTS ${CMAKE_SOURCE_DIR}/${name})
+    message(FATAL_ERROR "cmake/apart.txt names ${name}, which does not exist")
+  endif()
+endforeach()
 
 # dripfeed_together(TARGET library|test): to be called in the folder that made TARGET.
 function(dripfeed_together target kind)
