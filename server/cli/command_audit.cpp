@@ -9,11 +9,10 @@
 
 #include "server/app/base/error.h"
 #include "server/cli/cli.h"
-#include "server/cli/data_folder.h"
+#include "server/cli/open_store.h"
 #include "server/cli/output.h"
 #include "server/json/people.h"
 #include "store/sql/audit_chain.h"
-#include "store/sqlite/open.h"
 
 namespace dripfeed::cli {
 
@@ -21,6 +20,7 @@ namespace {
 
 struct AuditOptions {
   std::string data = "data";
+  std::string store{};
   std::string output;
   std::string file;
   std::string head;
@@ -44,7 +44,7 @@ app::Result<void> write_rows(store::Store& store, std::ostream& out) {
 }
 
 int export_rows(const AuditOptions& options) {
-  const auto store = app::lift(sqlite::open(store_path(options.data), {.create = false}));
+  const auto store = app::lift(open_existing({.data = options.data, .url = options.store}));
   if (!store) {
     print_error(store.error());
     return kWrongUse;
@@ -88,6 +88,7 @@ void add_audit(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<AuditOptions>();
   CLI::App* exporting = audit->add_subcommand("export", "all rows as lines of JSON, oldest first");
   exporting->add_option("--data", options->data, "folder of the store")->capture_default_str();
+  exporting->add_option("--store", options->store, kStoreOption);
   exporting->add_option("--output", options->output, "a file instead of standard output");
   exporting->callback([options, &exit_code] { exit_code = export_rows(*options); });
   CLI::App* verifying = audit->add_subcommand("verify", "whether exported rows are whole and as they were written");

@@ -8,7 +8,9 @@
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/documents.h"
+#include "server/cli/open_store.h"
 #include "server/cli/output.h"
+#include "store/postgresql/verify.h"
 #include "store/sqlite/verify.h"
 
 namespace dripfeed::cli {
@@ -17,10 +19,11 @@ namespace {
 
 struct LedgerOptions {
   std::string data;
+  std::string store{};
   bool json = false;
 };
 
-std::string summary_of(const sqlite::Verification& found) {
+std::string summary_of(const sql::Verification& found) {
   return fmt::format(
       "audit: {} rows, head {}\nledger: {} jobs, {} rows\ncontents: {}, {} bytes\ntorn machines that wait for a "
       "confirmation: {}\n{}\n",
@@ -30,13 +33,17 @@ std::string summary_of(const sqlite::Verification& found) {
 }
 
 int verify(const LedgerOptions& options) {
-  const std::string path = store_path(options.data);
-  const auto found = sqlite::verify(path);
+  if (options.data.empty() == options.store.empty()) {
+    print_error("one of both: the folder of the store, or --store");
+    return kWrongUse;
+  }
+  const std::string path = options.data.empty() ? std::string("--store") : store_path(options.data);
+  const auto found = options.data.empty() ? postgresql::verify(options.store) : sqlite::verify(path);
   if (!found) {
     print_error(fmt::format("{}: {}", path, store::message_of(found.error())));
     return found.error().code == store::ErrorCode::corrupt ? kFailed : kWrongUse;
   }
-  for (const sqlite::VerifyFault& fault : found->faults) print_error(fmt::format("{}: {}", fault.subject, fault.what));
+  for (const sql::VerifyFault& fault : found->faults) print_error(fmt::format("{}: {}", fault.subject, fault.what));
   if (!write_output("-", options.json ? verify_document(*found) : summary_of(*found))) return kWrongUse;
   return found->faults.empty() ? kDone : kFailed;
 }
@@ -50,7 +57,8 @@ void add_ledger(CLI::App& app, int& exit_code) {
       "verify",
       "checks a server's folder: the file, the audit's chain, each job's ledger, each content by its hash, torn marks");
   const auto options = std::make_shared<LedgerOptions>();
-  command->add_option("DIR", options->data, "folder of the store")->required();
+  command->add_option("DIR", options->data, "folder of the store");
+  command->add_option("--store", options->store, kStoreOption);
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->footer("Exit: 0 whole, 1 at least one fault, 2 wrong use or the store cannot be read");
   command->callback([options, &exit_code] { exit_code = verify(*options); });

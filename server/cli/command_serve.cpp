@@ -23,6 +23,7 @@
 #include "server/cli/data_folder.h"
 #include "server/cli/inputs.h"
 #include "server/cli/logging.h"
+#include "server/cli/open_store.h"
 #include "server/cli/output.h"
 #include "server/cli/serve_options.h"
 #include "server/cli/serve_reload.h"
@@ -42,7 +43,6 @@
 #include "server/json/workers.h"
 #include "store/hash/hash.h"
 #include "store/sqlite/library.h"
-#include "store/sqlite/open.h"
 
 namespace dripfeed::cli {
 
@@ -293,7 +293,7 @@ int serve(const ServerOptions& options, const Reload::Read& read_again) {
     return kWrongUse;
   }
   raise_file_limit();
-  auto store = sqlite::open(store_path(options.data), {.own = true, .checkpoints_aside = true});
+  auto store = open_to_serve({.data = options.data, .url = options.store});
   if (!store) {
     print_error(store::message_of(store.error()));
     return kWrongUse;

@@ -10,12 +10,11 @@
 #include "server/app/base/error.h"
 #include "server/app/base/names.h"
 #include "server/cli/cli.h"
-#include "server/cli/data_folder.h"
+#include "server/cli/open_store.h"
 #include "server/cli/output.h"
 #include "server/http/rights.h"
 #include "server/io/steady_clock.h"
 #include "store/hash/hash.h"
-#include "store/sqlite/open.h"
 
 namespace dripfeed::cli {
 
@@ -23,6 +22,7 @@ namespace {
 
 struct TokenOptions {
   std::string data = "data";
+  std::string store{};
   std::string name;
   std::string role;
   std::string user;
@@ -91,7 +91,7 @@ store::Result<void> revoke_token(store::Store& store, const TokenOptions& option
 
 // Only a store that is there: a wrong folder must not become a new one.
 int on_store(const TokenOptions& options, Work work) {
-  const auto store = sqlite::open(store_path(options.data), {.create = false});
+  const auto store = open_existing({.data = options.data, .url = options.store});
   if (!store) {
     print_error(store::message_of(store.error()));
     return kWrongUse;
@@ -113,6 +113,7 @@ void add_token(CLI::App& app, int& exit_code) {
   const auto action = [&](const char* name, const char* summary, Work work) {
     CLI::App* one = command->add_subcommand(name, summary);
     one->add_option("--data", options->data, "folder of the store")->capture_default_str();
+    one->add_option("--store", options->store, kStoreOption);
     one->callback([options, work, &exit_code] { exit_code = on_store(*options, work); });
     return one;
   };

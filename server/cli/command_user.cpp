@@ -15,10 +15,9 @@
 #include "server/app/base/names.h"
 #include "server/app/shop/sign_in.h"
 #include "server/cli/cli.h"
-#include "server/cli/data_folder.h"
+#include "server/cli/open_store.h"
 #include "server/cli/output.h"
 #include "server/io/steady_clock.h"
-#include "store/sqlite/open.h"
 
 namespace dripfeed::cli {
 
@@ -26,6 +25,7 @@ namespace {
 
 struct UserOptions {
   std::string data = "data";
+  std::string store{};
   std::string name;
   std::string role = "viewer";
   std::vector<std::string> grants;  // "mills=operator"
@@ -175,7 +175,7 @@ app::Result<void> set_pin(store::Store& store, const UserOptions& options, const
 
 // Only a store that is there: a wrong folder must not become a new one.
 int on_store(const UserOptions& options, Work work) {
-  const auto store = app::lift(sqlite::open(store_path(options.data), {.create = false}));
+  const auto store = app::lift(open_existing({.data = options.data, .url = options.store}));
   if (!store) {
     print_error(store.error());
     return kWrongUse;
@@ -198,6 +198,7 @@ void add_user(CLI::App& app, int& exit_code) {
     CLI::App* one = command->add_subcommand(name, summary);
     if (of_one) one->add_option("name", options->name, "of the person")->required();
     one->add_option("--data", options->data, "folder of the store")->capture_default_str();
+    one->add_option("--store", options->store, kStoreOption);
     one->callback([options, work, &exit_code] { exit_code = on_store(*options, work); });
     return one;
   };

@@ -60,6 +60,7 @@ class Client:
 
     def __init__(self, folder, *arguments):
         self.server = shop.Server(binary(), folder / "data", arguments=arguments)
+        self.store = list(arguments[arguments.index("--store"):][:2]) if "--store" in arguments else []  # where it is not in the folder
         self.tokens = {}
         atexit.register(self.end)  # also where a test fails
 
@@ -78,7 +79,7 @@ class Client:
         self.server.start()
 
     def token_command(self, *arguments):
-        done = subprocess.run([str(binary()), "token", *arguments, "--data", str(self.server.data)], capture_output=True, text=True, timeout=30)
+        done = subprocess.run([str(binary()), "token", *arguments, "--data", str(self.server.data), *self.store], capture_output=True, text=True, timeout=30)
         expect(done.returncode == 0, f"token {arguments}: {done.stderr}")
         return done.stdout
 
