@@ -22,13 +22,14 @@ struct WordsOptions {
 };
 
 int words(const WordsOptions& options) {
-  if (options.markdown) return write_output("", words_in_markdown()) ? kDone : kWrongUse;
+  if (options.markdown && options.dialect.empty()) return write_output("", words_in_markdown()) ? kDone : kWrongUse;
   const compile::Dialect* dialect = compile::find_dialect(options.dialect);
   if (dialect == nullptr) {
     print_error(options.dialect.empty() ? "name a control's language with --dialect, or --markdown for all of them"
                                         : fmt::format("no dialect \"{}\" is known", options.dialect));
     return kWrongUse;
   }
+  if (options.markdown) return write_output("", words_in_markdown(*dialect)) ? kDone : kWrongUse;
   const auto kind = static_cast<ir::MachineKind>(std::ranges::find(ir::kMachineKindNames, options.kind) -
                                                  ir::kMachineKindNames.begin());
   const ir::Control control = dialect->control(kind, static_cast<ir::GSystem>(options.system.front() - 'A'));
@@ -45,7 +46,7 @@ void add_words(CLI::App& app, int& exit_code) {
   command->add_option("--kind", options->kind, "mill, lathe or mill-turn")
       ->check(CLI::IsMember({"mill", "lathe", "mill-turn"}));
   command->add_option("--g-system", options->system, "of lathes: A, B or C")->check(CLI::IsMember({"A", "B", "C"}));
-  command->add_flag("--markdown", options->markdown, "all dialects, as docs/words.md");
+  command->add_flag("--markdown", options->markdown, "as docs/words.md; with --dialect as the page of that dialect");
   command->callback([options, &exit_code] { exit_code = words(*options); });
 }
 

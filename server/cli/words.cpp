@@ -1,13 +1,14 @@
-// Spellings of one state in the order of the tables, a range of numbered variables as one.
+// The pages are tables: a row for each meaning of a word, a column for each kind of machine whose words differ.
 #include "server/cli/words.h"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include "dialects/compile/dialect/dialect.h"
 
 namespace dripfeed::cli {
 
@@ -15,42 +16,110 @@ namespace {
 
 constexpr std::string_view kHead = R"(# Words of the languages
 
-Every word that the built-in dialects know for their usual controls, by what a check makes of it. The list is written by
-`dripfeed words --markdown`; `dripfeed words --dialect fanuc --kind lathe` shows one control with a line a word.
+Every word that the built-in dialects know for their usual controls, by what a check makes of it. A page for each dialect has them
+with a line a word, what it does and where the control's manual states it. `dripfeed words` lists those of one control in a terminal.
 
-- **Interpreted**: its effect is followed exactly, in checks, in runs and in translation. Where one case of a word is
+- **interpreted**: its effect is followed exactly, in checks, in runs and in translation. Where one case of a word is
   not followed, the report names that case.
-- **Without effect**: it neither moves nor changes what is checked.
-- **Reported**: the control knows it, and what it does depends on the machine or is not followed. The report names it, and
+- **without effect**: it neither moves nor changes what is checked.
+- **reported**: the control knows it, and what it does depends on the machine or is not followed. The report names it, and
   the verdict is `unknown` until a person waives it or the machine's profile states its effect.
 
-A word that stands in no list is named as `unknown-code`, `unknown-address` or `unknown-name`; where an option or a definition file
-may bring it, that is a warning, and the verdict is no better than `unknown`.
+A word that stands on no page is named as `unknown-code`, `unknown-address` or `unknown-name`; where an option or a definition file
+may bring it, that is a warning, and the verdict is no better than `unknown`. What is translated between two controls is in
+[dialects.md](dialects.md).
 )";
 
 struct Kind {
   ir::MachineKind kind;
+  ir::GSystem system;
   std::string_view title;
 };
-constexpr std::array kKinds = {Kind{ir::MachineKind::mill, "mills"}, Kind{ir::MachineKind::lathe, "lathes"},
-                               Kind{ir::MachineKind::mill_turn, "mill-turn centers"}};
-constexpr std::array kStates = {ir::WordState::interpreted, ir::WordState::without_effect, ir::WordState::reported};
-constexpr std::array<std::string_view, 3> kStateTitles = {"Interpreted", "Without effect", "Reported"};
+constexpr std::array kKinds = {Kind{ir::MachineKind::mill, ir::GSystem::a, "mills"},
+                               Kind{ir::MachineKind::lathe, ir::GSystem::a, "lathes"},
+                               Kind{ir::MachineKind::lathe, ir::GSystem::b, "lathes, system B"},
+                               Kind{ir::MachineKind::lathe, ir::GSystem::c, "lathes, system C"},
+                               Kind{ir::MachineKind::mill_turn, ir::GSystem::a, "mill-turn centers"}};
+// By ir::WordState.
+constexpr std::array<std::string_view, 3> kStateTitles = {"interpreted", "without effect", "reported"};
+// By ir::WordSort.
+constexpr std::array<std::string_view, 5> kSortTitles = {"Codes", "Keywords", "Functions", "Cycles",
+                                                         "System variables"};
+
+std::string_view title_of(ir::WordState state) { return kStateTitles[static_cast<std::size_t>(state)]; }
 
 std::string spelling_of(const compile::DialectWord& word) {
   return word.last == 0 ? word.spelling : fmt::format("{} to #{}", word.spelling, word.last);
 }
 
-std::string by_state(const std::vector<compile::DialectWord>& words) {
-  std::string out;
-  for (std::size_t i = 0; i < kStates.size(); ++i) {
-    std::vector<std::string> spellings;
-    for (const compile::DialectWord& word : words)
-      if (word.state == kStates[i]) spellings.push_back(fmt::format("`{}`", spelling_of(word)));
-    if (!spellings.empty())
-      out += fmt::format("**{}** ({}): {}\n\n", kStateTitles[i], spellings.size(), fmt::join(spellings, ", "));
+bool is_same(const compile::DialectWord& a, const compile::DialectWord& b) {
+  return a.spelling == b.spelling && a.last == b.last && a.sort == b.sort && a.about == b.about && a.state == b.state;
+}
+
+// Kinds of machine with the same words share one.
+struct Column {
+  std::string title;
+  std::vector<compile::DialectWord> words;
+};
+
+std::vector<Column> columns_of(const compile::Dialect& dialect) {
+  std::vector<Column> columns;
+  for (const Kind& kind : kKinds) {
+    auto words = compile::language_of(dialect, dialect.control(kind.kind, kind.system));
+    const auto same =
+        std::ranges::find_if(columns, [&](const Column& one) { return std::ranges::equal(one.words, words, is_same); });
+    if (same == columns.end())
+      columns.push_back({std::string(kind.title), std::move(words)});
+    else if (kind.system == ir::GSystem::a)
+      same->title += fmt::format(", {}", kind.title);
   }
+  return columns;
+}
+
+struct Row {
+  compile::DialectWord word;
+  std::vector<std::string_view> states;  // by column; "" where it is not known with this meaning
+};
+
+// A word that means something else on another kind of machine has a row for each meaning.
+std::vector<Row> rows_of(const std::vector<Column>& columns) {
+  std::vector<Row> rows;
+  std::map<std::pair<std::string, std::string>, std::size_t> by_meaning;
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    for (const compile::DialectWord& word : columns[column].words) {
+      const auto [known, is_new] = by_meaning.try_emplace({spelling_of(word), word.about}, rows.size());
+      if (is_new) rows.push_back({word, std::vector<std::string_view>(columns.size())});
+      rows[known->second].states[column] = title_of(word.state);
+    }
+  }
+  std::ranges::stable_sort(rows, {}, [](const Row& row) { return row.word.sort; });
+  return rows;
+}
+
+std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
   return out;
+}
+
+std::string head_of_table(const std::vector<Column>& columns) {
+  std::string names = "| word | does |";
+  std::string lines = "|---|---|";
+  for (const Column& column : columns) {
+    names += fmt::format(" {} |", column.title);
+    lines += "---|";
+  }
+  return fmt::format("{} manual |\n{}---|\n", names, lines);
+}
+
+std::string line_of(const Row& row) {
+  std::string line = fmt::format("| `{}` | {} |", cell(spelling_of(row.word)), cell(row.word.about));
+  for (const std::string_view state : row.states) line += fmt::format(" {} |", state.empty() ? "–" : state);
+  return fmt::format("{} {} |\n", line, row.word.reference.empty() ? "–" : cell(row.word.reference));
+}
+
+std::size_t count_of(const Column& column, ir::WordState state) {
+  return static_cast<std::size_t>(std::ranges::count(column.words, state, &compile::DialectWord::state));
 }
 
 }  // namespace
@@ -64,18 +133,31 @@ std::string list_of_words(const std::vector<compile::DialectWord>& words) {
 
 std::string words_in_markdown() {
   std::string out(kHead);
-  for (const compile::Dialect& dialect : compile::dialects()) {
-    out += fmt::format("\n## {}\n\n", dialect.title);
-    std::string before;
-    for (const Kind& kind : kKinds) {
-      const ir::Control control = dialect.control(kind.kind, ir::GSystem::a);
-      std::string section = by_state(compile::language_of(dialect, control));
-      if (section == before) continue;  // it has no codes of its own for that kind
-      out += fmt::format("### For {}\n\n{}", kind.title, section);
-      before = std::move(section);
-    }
+  out += "\n| dialect | for | interpreted | without effect | reported |\n|---|---|---|---|---|\n";
+  for (const compile::Dialect& dialect : compile::dialects())
+    for (const Column& column : columns_of(dialect))
+      out += fmt::format("| [{}](words-{}.md) | {} | {} | {} | {} |\n", dialect.title, dialect.name, column.title,
+                         count_of(column, ir::WordState::interpreted), count_of(column, ir::WordState::without_effect),
+                         count_of(column, ir::WordState::reported));
+  return out;
+}
+
+std::string words_in_markdown(const compile::Dialect& dialect) {
+  const std::vector<Column> columns = columns_of(dialect);
+  std::string out = fmt::format(
+      "# Words: {0}\n\n`dripfeed words --markdown --dialect {1}` writes this page from the tables of the binary. What "
+      "the "
+      "columns state is in\n[words.md](words.md). A dash: the control does not know the word, or not with this "
+      "meaning; "
+      "the last column: no manual is cited.\n",
+      dialect.title, dialect.name);
+  const std::vector<Row> rows = rows_of(columns);
+  for (std::size_t sort = 0; sort < kSortTitles.size(); ++sort) {
+    std::string table;
+    for (const Row& row : rows)
+      if (static_cast<std::size_t>(row.word.sort) == sort) table += line_of(row);
+    if (!table.empty()) out += fmt::format("\n## {}\n\n{}{}", kSortTitles[sort], head_of_table(columns), table);
   }
-  while (out.ends_with("\n\n")) out.pop_back();
   return out;
 }
 

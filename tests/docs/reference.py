@@ -82,6 +82,8 @@ def pages(dripfeed, root):
     api = json.loads(_printed(dripfeed, 'openapi'))
     tables = {'routes': lambda: route_table(api), 'problems': lambda: problem_table(api), 'profile': lambda: profile_table(api)}
     whole = {'diagnostics.md': lambda: _printed(dripfeed, 'explain', '--all', '--markdown'), 'words.md': lambda: _printed(dripfeed, 'words', '--markdown')}
+    for path in sorted((root / 'docs').glob('words-*.md')):
+        whole[path.name] = lambda dialect=path.stem.removeprefix('words-'): _printed(dripfeed, 'words', '--markdown', '--dialect', dialect)
     for path in sorted((root / 'docs').glob('*.md')):
         text = path.read_text(encoding='utf-8')
         yield path, text, whole[path.name]() if path.name in whole else written(text, tables)
