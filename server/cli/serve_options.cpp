@@ -29,7 +29,8 @@ struct Row {
 constexpr Row<std::string> kTexts[] = {
     {"--data", &ServerOptions::data, "folder of the store"},
     {"--store", &ServerOptions::store,
-     "postgresql://USER@HOST/DATABASE: keep the store in this database of a PostgreSQL server, 14 or later; without it, "
+     "postgresql://USER@HOST/DATABASE: keep the store in this database of a PostgreSQL server, 14 or later; without "
+     "it, "
      "in the folder"},
     {"--listen", &ServerOptions::listen, "ADDRESS:PORT, loopback by default"},
     {"--web", &ServerOptions::web, "folder of the built page"},

@@ -46,7 +46,8 @@ Result<bool> is_marked(sql::Connection& connection) {
   const std::uint64_t id = one_number(session, "PRAGMA application_id");
   const std::uint64_t tables = one_number(session, "SELECT count(*) FROM sqlite_master");
   if (!session.ok()) return std::unexpected(session.error());
-  if (id != kApplicationId && (id != 0 || tables != 0)) return session.refuse(ErrorCode::not_a_store, "another program's file");
+  if (id != kApplicationId && (id != 0 || tables != 0))
+    return session.refuse(ErrorCode::not_a_store, "another program's file");
   return id == kApplicationId;
 }
 

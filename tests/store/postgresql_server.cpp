@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void give_up(const std::string& why) {
-  std::fprintf(stderr, "the tests need a PostgreSQL server (deploy/install test): %s\n", why.c_str());
+  fmt::print(stderr, "the tests need a PostgreSQL server (deploy/install test): {}\n", why);
   std::exit(2);
 }
 
