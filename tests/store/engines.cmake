@@ -16,5 +16,5 @@ if(TARGET store_whole)
   set_tests_properties(store_whole PROPERTIES ENVIRONMENT GTEST_FILTER=-Postgresql*)
   add_test(NAME store_whole_postgresql COMMAND store_whole --gtest_filter=-${about_a_file})
   set_tests_properties(store_whole_postgresql PROPERTIES
-    ENVIRONMENT DRIPFEED_STORE_ENGINE=postgresql LABELS store TIMEOUT 300)
+    ENVIRONMENT DRIPFEED_STORE_ENGINE=postgresql LABELS store TIMEOUT 600)
 endif()

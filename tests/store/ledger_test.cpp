@@ -149,22 +149,22 @@ TEST_F(LedgerTest, ManyLinesInOneCommit) {
     }
     return {};
   }));
-  constexpr int kCommits = 200;
+  const std::size_t commits = engine() == EngineKind::postgresql ? 20 : 200;  // a row is three round trips there
   std::vector<double> spent_ms;
-  for (int i = 0; i < kCommits; ++i) {
+  for (std::size_t i = 0; i < commits; ++i) {
     for (NewLedgerRow& row : rows) {
       row.counts.clocked = row.counts.handed = row.counts.reserve;
       row.counts.reserve += 96;
     }
     const auto start = std::chrono::steady_clock::now();
-    const auto faults = must(store_->ledger().append(rows, i));
+    const auto faults = must(store_->ledger().append(rows, static_cast<std::int64_t>(i)));
     spent_ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     ASSERT_TRUE(faults.empty());
   }
   std::ranges::sort(spent_ms);
-  std::cout << "512 lines, one commit: median " << spent_ms[kCommits / 2] << " ms, 99 % "
-            << spent_ms[kCommits * 99 / 100] << " ms, most " << spent_ms.back() << " ms\n";
-  EXPECT_EQ(must(store_->ledger().interval(rows.back().job)).seq, static_cast<std::uint64_t>(kCommits));
+  std::cout << "512 lines, one commit: median " << spent_ms[commits / 2] << " ms, 99 % " << spent_ms[commits * 99 / 100]
+            << " ms, most " << spent_ms.back() << " ms\n";
+  EXPECT_EQ(must(store_->ledger().interval(rows.back().job)).seq, commits);
 }
 
 }  // namespace
