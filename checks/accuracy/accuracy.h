@@ -26,7 +26,7 @@ struct Settings {
   bool x_is_diameter = true;     // the motions' x
   // Of the main program, the lines whose moves make the profile; empty: every cutting move.
   std::vector<LineRange> lines = {};
-  // Nose radii and tips; a tool that is not here is taken as a point, and that is said.
+  // Nose radii and tips; a tool that is not here is taken as a point, and the report states that.
   std::vector<checks::Tool> tools = {};
   double coverage_mm = 0.001;  // a gap up to this is none
 };

@@ -29,7 +29,7 @@ struct CmmTable {
 };
 
 // CSV with a header: columns x and y (milling) or x and z (turning; x a diameter where `x_is_diameter`), or nominal and
-// measured, or deviation; separated by commas, semicolons or tabs; others are passed over. `_mm` behind a name is
+// measured, or deviation; separated by commas, semicolons or tabs; others are passed over. `_mm` after a name is
 // allowed, empty lines are skipped. The error names row and column.
 std::expected<CmmTable, std::string> read_cmm(std::string_view csv, CmmKind kind, bool x_is_diameter);
 

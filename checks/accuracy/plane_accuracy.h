@@ -27,9 +27,10 @@ struct PlaneNominal {
 
 struct PlaneSettings {
   std::vector<PlaneNominal> nominal = {};
-  std::vector<LineRange> lines = {};     // as in Settings
-  std::vector<checks::Tool> tools = {};  // by diameter; one that is not here is taken as a point, and that is said
-  double coverage_mm = 0.01;             // a gap up to this is none
+  std::vector<LineRange> lines = {};  // as in Settings
+  std::vector<checks::Tool> tools =
+      {};                     // by diameter; one that is not here is taken as a point, and the report states that
+  double coverage_mm = 0.01;  // a gap up to this is none
 };
 
 class PlaneAccuracy final : public ir::MotionSink {

@@ -1,4 +1,4 @@
-// What the envelope check is told and what it says.
+// What the envelope check gets and what it reports.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Travel in machine coordinates: the programmed tip, the work offset that it is counted from, and the length of the
-// tool between the tip and the slide. Where one of them is not known that is said, and nothing is claimed.
+// Travel in machine coordinates: the programmed tip, the work offset that it is counted from, and the tool
+// length between the tip and the slide. Where one of them is not known the report states that, and nothing is claimed.
 //
 //     slide = programmed tip (half of a diameter) + zero of the work offset + tool length
 //

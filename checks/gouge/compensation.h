@@ -61,7 +61,7 @@ class Compensation {
   OuterCorner corner_;
   checks::NotCheckedList& notes_;
   std::optional<Piece> pending_;
-  std::vector<ir::Motion> waiting_;  // behind it, without a way in the plane
+  std::vector<ir::Motion> waiting_;  // after it, without a path in the plane
   std::vector<ir::Motion> out_;
   curves::Point offset_;  // of the axis from the programmed place, where the last known move ended
 };

@@ -33,7 +33,7 @@ struct Settings {
   curves::Profile nominal = {};          // x as radius; may be empty
   bool x_is_diameter = true;             // the motions' x
   bool needs_spindle = false;            // a cut while it stands is no turning
-  std::vector<checks::Tool> tools = {};  // a tool that is not here is taken as a point, and that is said
+  std::vector<checks::Tool> tools = {};  // a tool that is not here is taken as a point, and the report states that
   double depth_mm = 0.001;               // a rapid may touch by this much
   // Of the slides. Axes that run at their own speed bend off the line, and that way is checked, too. 0: not known, then
   // rapids are taken as lines.

@@ -49,7 +49,7 @@ class HeightMap {
     Depth nominal;  // the same below the nominal
   };
   [[nodiscard]] Touch touch(const Cutter& cutter, const Point3& from, const Point3& to, double slack) const;
-  // Takes away what the cutter passes. Deepest place below the nominal by more than its tolerance that was cut anew;
+  // Takes away what the cutter passes. Deepest place below the nominal by more than its tolerance that was newly cut;
   // the depth is from the nominal.
   Depth cut(const Cutter& cutter, const Point3& from, const Point3& to);
 

@@ -49,7 +49,7 @@ class Execution {
   // From the first row again; its memory is used again.
   void restart(const SupplySettings& settings);
 
-  // `speed2`: squares at the starts of the pieces (and behind the last) by the plan of the whole path, certain up to
+  // `speed2`: squares at the starts of the pieces (and after the last) by the plan of the whole path, certain up to
   // index `certain`; `duration_s`: of the pieces before that, by the plan; `sums`: change_sums of the pieces. Runs rows
   // as far as that goes; all when `is_last`. Returns how many rows ran.
   struct Window {

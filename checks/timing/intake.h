@@ -1,5 +1,5 @@
 // Motions to rows and pieces: what each asks of the line, of the control's computing and of the machine. What is
-// missing or no number is said once and left out.
+// missing or no number is reported once and left out.
 #pragma once
 
 #include <cstdint>

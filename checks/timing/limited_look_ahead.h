@@ -1,5 +1,5 @@
 // The look-ahead of A. Keinert, A. Verl, "Analysis of CNC software modules regarding parallelization capability": the
-// path is cut into buffers of some hundred elements, each of which is swept back by itself from some elements behind
+// path is cut into buffers of some hundred elements, each of which is swept back by itself from some elements after
 // it, as if it ended there at rest. Other than plan_path it gives another plan where those are too few.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace dripfeed::timing {
 
 struct LimitedLookAhead {
   std::size_t elements = 300;     // a buffer
-  std::size_t overlap_least = 5;  // elements behind it that are swept, too
+  std::size_t overlap_least = 5;  // elements after it that are swept, too
   std::size_t overlap_most = 50;
   unsigned threads = 1;
 };

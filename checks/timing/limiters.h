@@ -27,8 +27,8 @@ struct Stretch {
   double duration_s = 0.0;
 };
 
-// Rows in their order to stretches. What is shorter than kShortest_s is told as part of the stretch before it; the sums
-// count it as what it is.
+// Rows in their order to stretches. What is shorter than kShortest_s is reported as part of the stretch before it; the
+// sums count it as what it is.
 class StretchList {
  public:
   static constexpr double kShortest_s = 0.25;

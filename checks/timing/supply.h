@@ -17,7 +17,7 @@ struct SupplySettings {
   checks::BufferSize buffer = {};  // without figures it has no limit
   double char_s = 0.0;             // 0: the program lies in the memory
   double latency_s = 0.0;          // before the first byte
-  double line_delay_s = 0.0;       // behind each EOB, with char_s alone
+  double line_delay_s = 0.0;       // after each EOB, with char_s alone
 };
 
 class Supply {
@@ -52,7 +52,7 @@ class Supply {
   bool blocked_ = false;  // the next block waits for room
   double room_s_ = 0.0;   // when there was room for the newest block
   double line_s_ = 0.0;   // when the line is free again
-  double block_s_ = 0.0;  // when the newest block was there, before the rest behind its EOB
+  double block_s_ = 0.0;  // when the newest block was there, before the rest after its EOB
   double computed_s_ = 0.0;
   std::vector<double> ready_s_;
   std::vector<double> arrived_s_;

@@ -26,7 +26,7 @@ void junction_limits(const PieceArrays& pieces, Range range, double* speed2);
 void horizon_limits(const double* sums, std::size_t size, std::size_t blocks, Range range, double* speed2);
 
 // speed2[i] = min(speed2[i], speed2[i+1] + change2[i]) from the last of the range to its first; `after` is the square
-// behind it.
+// after it.
 void sweep_back(const PieceArrays& pieces, Range range, double after, double* speed2);
 // As sweep_back of a range that was swept with a higher `after`: ends at the first junction that stays the same to the
 // last bit, because all before it then stay, too. Returns how many changed.

@@ -29,7 +29,7 @@ struct Line {
   double pace = 1.0;            // share of the line's rate that the sender uses
   double latency_s = 0.0;       // once, before the first byte
   double char_delay_s = 0.0;    // additional, for each character
-  double line_delay_s = 0.0;    // additional, behind each EOB
+  double line_delay_s = 0.0;    // additional, after each EOB
 
   [[nodiscard]] double char_s(double at_baud) const { return bits_per_char / (at_baud * pace) + char_delay_s; }
 };

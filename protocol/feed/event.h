@@ -25,7 +25,7 @@ enum class Stall : std::uint8_t {
   dsr_off,              // where DSR is the flow line
   held_below,           // what is below us takes nothing more, or does not send what it took
   waiting_for_trigger,  // armed, the profile waits for a text
-  reset_suspected,      // stopped by a person, and then the control asked anew: it may have been reset
+  reset_suspected,      // stopped by a person, and then the control asked again: it may have been reset
 };
 
 // Why the state changed or the feed ended.

@@ -1,6 +1,6 @@
 // feed: drip-feeding a program over a plain serial line, block by block, under the control's DC1 and DC3. Here live the
 // state table, the pacing, the check of a text before it may be fed, and the machine itself. The machine does no I/O:
-// it is told what came in and what time it is, and says what may go out. Not here: ports, clocks, threads, the store,
+// it gets what came in and what time it is, and shows what may go out. Not here: ports, clocks, threads, the store,
 // what a program means. This header brings all of the folder.
 //
 // A driver's loop, on one thread, `now` from a steady clock, never stepping back:
@@ -66,7 +66,7 @@ enum class Refusal : std::uint8_t {
   link_is_down,     // arm: the link was not reported up
   no_source,        // arm: the job has no source
   rounds,           // arm: none or too many
-  reset_suspected,  // resume: the control asked anew while the feed was stopped
+  reset_suspected,  // resume: the control asked again while the feed was stopped
 };
 std::string_view message(Refusal refusal);
 
@@ -188,7 +188,7 @@ class Feed {
   bool control_holds_ = false;                     // DC3 came after the last DC1
   std::array<std::uint8_t, kMaxTrigger> heard_{};  // the last characters while armed, the newest at the end
   bool triggered_ = false;
-  bool after_trigger_ = false;  // an EOB behind the start text belongs to it
+  bool after_trigger_ = false;  // an EOB after the start text belongs to it
 
   std::array<std::byte, kMaxUnsent> out_{};
   std::array<std::uint8_t, kMaxUnsent> out_ends_block_{};

@@ -113,7 +113,7 @@ class ProgramCheck {
   std::uint64_t odd_blocks_at_percent_ = 0;  // of these before the final '%'
   std::optional<ProgramRefusal> refusal_;
   bool begun_ = false;            // a character other than EOB was seen
-  std::optional<Place> percent_;  // a '%' behind the first character: the final one, if nothing follows
+  std::optional<Place> percent_;  // a '%' after the first character: the final one, if nothing follows
   bool in_comment_ = false;
   char comment_close_ = 0;
   bool in_string_ = false;

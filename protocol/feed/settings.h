@@ -61,7 +61,7 @@ struct Settings {
   FlowCharacters flow_characters{};
   XoffBy xoff_by = XoffBy::host;
   Time char_delay{};  // additional, between two characters
-  Time line_delay{};  // additional, behind each EOB
+  Time line_delay{};  // additional, after each EOB
 
   // Budget: unsent + latency_chars <= overrun_budget. overrun_budget: characters that the machine takes after its DC3.
   // unsent: characters that may lie below the feed (driver, UART). latency_chars: characters that pass on the line

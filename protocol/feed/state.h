@@ -19,10 +19,10 @@ enum class State : std::uint8_t {
   stopping_held,    // ... but DC3 holds it inside the block
   stopped,          // at a block end, until a person says resume or cancel
   stopped_held,     // ... and the control sent DC3 meanwhile
-  reset_suspected,  // ... and the control asked anew, as it does after a RESET: only cancel is left
+  reset_suspected,  // ... and the control asked again, as it does after a RESET: only cancel is left
   cancelling,       // a person said cancel: the block is sent to its EOB and clocked
   cancelling_held,  // ... but DC3 holds it inside the block
-  trailer,          // the final '%' is handed; EOBs and NULs behind it go out
+  trailer,          // the final '%' is handed; EOBs and NULs after it go out
   trailer_held,     // ... held by a DC3 that is no end sign
   draining,         // all is handed, its line time not yet passed
   wait_end,         // all is clocked; waiting for the end sign
@@ -68,7 +68,7 @@ enum class Guard : std::uint8_t {
 enum class Action : std::uint8_t {
   none,      // nothing to do; a known no-op
   note,      // an event tells what came
-  refuse,    // the command has no effect here; its caller and an event are told
+  refuse,    // the command has no effect here; its caller and an event get that
   unarmed,   // DC1 that starts nothing: an event says so
   remember,  // DC3 at rest: an event, and a start at once begins held
   arm,       // take the job

@@ -1,4 +1,4 @@
-// The host's side of the doorbell: which ring counts, exactly when it is told, and what is answered for it. A ring
+// The host's side of the doorbell: which ring counts, exactly when it is reported, and what is answered for it. A ring
 // counts only where it was seen to come: one that was there already (either side was restarted, or the link was away)
 // is answered "missed" and never acted on. What a request asks for is the application's matter.
 #pragma once
@@ -31,7 +31,7 @@ enum class BellReason : std::uint16_t {
   is_protected = 3,  // O8000 to O9999
   not_allowed = 4,   // by the machine's profile
   busy = 5,          // the job cannot be added or armed now
-  missed = 6,        // nobody saw it come: ring again
+  missed = 6,        // it was not seen to come: ring again
   unknown = 7,       // no such request
 };
 std::string_view name(BellRequest request);
@@ -44,7 +44,7 @@ struct Ring {
   std::uint32_t program = 0;
 };
 
-// A, the answer: host to receiver, behind the mailbox, one FC16 write.
+// A, the answer: host to receiver, after the mailbox, one FC16 write.
 inline constexpr std::size_t kAnswerRegisters = 7;
 using AnswerImage = std::array<std::uint16_t, kAnswerRegisters>;
 struct BellAnswer {
@@ -59,7 +59,7 @@ std::optional<std::uint16_t> answered_bell(std::span<const std::uint16_t> regist
 
 enum class BellState : std::uint8_t {
   unmet,      // nothing was read yet
-  checking,   // a bell that nobody saw come: is it answered already?
+  checking,   // a bell that was not seen to come: is it answered already?
   quiet,      // answered, or none
   rung,       // waits for the application
   answering,  // its answer is to be written
@@ -69,7 +69,7 @@ enum class BellInput : std::uint8_t {
   same,     // the bell as before
   rang,     // another bell, seen to come
   zero,     // none since the receiver's start
-  strange,  // a bell behind a restart or a silence
+  strange,  // a bell after a restart or a silence
   shown,    // the answer's registers name this bell
   differs,  // they do not
   decided,  // the application's answer to this bell
@@ -86,13 +86,13 @@ BellCell cell(BellState state, BellInput input);
 class Doorbell {
  public:
   using Time = std::chrono::nanoseconds;
-  // A bell that changed behind a longer silence was not seen to come.
+  // A bell that changed after a longer silence was not seen to come.
   static constexpr Time kFresh = std::chrono::seconds(10);
 
   void seen(std::uint16_t boot_counter, const MachineWords& words, Time now);
-  // A ring that counts, told once.
+  // A ring that counts, reported once.
   std::optional<Ring> take_ring();
-  // Of a ring that was told; one that is not the present ring's is dropped.
+  // Of a ring that was reported; one that is not the present ring's is dropped.
   void answer(const BellAnswer& answer);
 
   enum class Want : std::uint8_t { nothing, read_answer, write_answer };

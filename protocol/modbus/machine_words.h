@@ -1,4 +1,4 @@
-// The machine's own words behind the status image: what it runs, its state, its alarm, and the doorbell by which it
+// The machine's own words after the status image: what it runs, its state, its alarm, and the doorbell by which it
 // asks for something. A receiver may lack them. What a ring means and when it counts is doorbell's.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace dripfeed::modbus {
 
-// M, right behind G: receiver to host, in the same read.
+// M, right after G: receiver to host, in the same read.
 inline constexpr std::size_t kMachineRegisters = 14;
 inline constexpr std::size_t kStatusAndMachine = kStatusRegisters + kMachineRegisters;
 using MachineImage = std::array<std::uint16_t, kMachineRegisters>;

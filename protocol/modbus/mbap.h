@@ -1,5 +1,5 @@
-// One connection of a Modbus TCP server: bytes to requests, answers to bytes. Strict, because nothing finds its way
-// back in a stream that is out of step: a header that cannot be, or one that stays unfinished, ends the connection.
+// One connection of a Modbus TCP server: bytes to requests, answers to bytes. Strict, because a stream
+// that is out of step stays so: a header that cannot be, or one that stays unfinished, ends the connection.
 // Requests that come at once are all answered, in order. No socket here. Source: Modbus Messaging on TCP/IP 1.0b,
 // section 3.
 #pragma once

@@ -37,11 +37,11 @@
 //   9      what is asked for: 1 load, 2 drip, 3 cancel, 4 call a person
 //   10-11  program number asked for
 //   12-13  CRC-32 over registers 0-11
-// Answer A, written by the host after a ring, behind the mailbox.
+// Answer A, written by the host after a ring, past the mailbox.
 //   0      the doorbell's count that is answered
 //   1      1 answered, 2 armed, 3 queued (a person arms it), 4 refused
 //   2      why it is refused: 1 not found, 2 released for drip only, 3 protected number, 4 not allowed by the
-//          profile, 5 busy, 6 missed (nobody saw it come: ring again), 7 unknown request
+//          profile, 5 busy, 6 missed (it was not seen to come: ring again), 7 unknown request
 //   3-4    job number, 0 none
 //   5-6    CRC-32 over registers 0-4
 // Rules. The receiver takes a message only if magic, session, commit word and CRC fit; it appends seq = last + 1 and

@@ -69,7 +69,7 @@ struct Request {
 };
 
 // A driver's loop: take next_request(); do it; answer with exactly one of written(), status_read() or request_failed()
-// (time-out, exception, lost connection: all the same; after one the connection must be made anew, so that no late
+// (time-out, exception, lost connection: all the same; after one the connection must be made again, so that no late
 // answer is taken for another). Nothing else is asked until then. Set a timer to deadline() and call tick().
 class Sender {
  public:
@@ -90,7 +90,7 @@ class Sender {
   std::optional<Request> next_request(Time now);
   void written(Time now);
   void status_read(std::span<const std::uint16_t> registers, Time now);
-  // The write was answered together with the status as it stood behind it (one FC23): written() and status_read() in
+  // The write was answered together with the status as it stood after it (one FC23): written() and status_read() in
   // one.
   void exchanged(std::span<const std::uint16_t> registers, Time now);
   void request_failed(Time now);

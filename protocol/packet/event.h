@@ -41,7 +41,7 @@ enum class Cause : std::uint8_t {
   text_lost,
   bad_character,
   broken_off,
-  second_file,  // a batch of YMODEM goes on behind the file that was received
+  second_file,  // a batch of YMODEM goes on after the file that was received
 };
 inline constexpr std::size_t kCauses = 16;
 

@@ -28,13 +28,13 @@ class Outbox {
   // Makes a frame of the first `size` bytes, or fewer where `to_block_end` is set and a block ends before.
   void frame(std::size_t size, bool to_block_end);
   std::span<const std::byte> framed() const { return std::span(bytes_).first(framed_); }
-  // Offset behind the frame.
+  // Offset after the frame.
   std::uint64_t frame_end() const { return accepted_ + framed_; }
   // The peer has the frame.
   void accept();
 
   std::uint64_t accepted() const { return accepted_; }
-  // No block of the program is unfinished here: before the frame, behind it.
+  // No block of the program is unfinished here: before the frame, after it.
   bool block_ends_before() const { return ends_before_; }
   bool block_ends_behind() const;
   std::optional<tape_code::WirePosition> locate(std::uint64_t offset) const;

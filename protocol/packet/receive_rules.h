@@ -35,7 +35,7 @@ class ReceiveRules {
   virtual std::uint32_t attempts(ReceiveState state) const = 0;
   // Bytes of text that a frame has at most, by what was agreed; the sink has room for so many before one is asked for.
   virtual std::size_t usual_payload() const = 0;
-  // The text of the frame that `good` told of. Valid until the next byte.
+  // The text of the frame that `good` reported. Valid until the next byte.
   virtual std::span<const std::byte> payload() const = 0;
 
   // Each writes into `out` (kMaxAnswer) and says how much.
@@ -49,7 +49,7 @@ class ReceiveRules {
   virtual std::size_t reply(std::span<std::byte>) { return 0; }
   // The text is whole although its sender has more to say; when it does not, that is the end.
   virtual bool is_whole() const { return false; }
-  // A frame is acknowledged although there is no room for another: the sender is told so at its next call.
+  // A frame is acknowledged although there is no room for another: the sender gets that at its next call.
   virtual bool acknowledges_at_once() const { return false; }
 };
 

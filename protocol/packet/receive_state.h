@@ -12,9 +12,9 @@ enum class ReceiveState : std::uint8_t {
   inviting,  // no frame has come yet; the sender is asked for one where the protocol asks
   waiting,   // for the next frame
   framing,   // a frame has begun
-  purging,   // a frame was bad: what is left of it runs out before the sender is told
+  purging,   // a frame was bad: what is left of it runs out before the sender gets an answer
   full,      // a frame is taken, and its acknowledgement waits until there is room for another
-  done,      // the sender told the end
+  done,      // the sender sent the end
   failed,    // with a cause; what came so far is no whole program
 };
 inline constexpr std::size_t kReceiveStates = 8;
@@ -46,15 +46,15 @@ enum class ReceiveAction : std::uint8_t {
   begin,        // forget what was, invite
   invite,       // ask for the first frame
   take,         // the frame's time runs
-  listen,       // the state's time runs anew
+  listen,       // the state's time starts again
   keep,         // append it, acknowledge it where there is room for another (else the state is `full`)
   acknowledge,  // it was appended before
   note,         // acknowledge it, nothing was appended
   purge,
   ask_again,  // refuse what came, or ask for what did not
   finish,     // acknowledge the end
-  fail,       // with a named cause; nothing is told to the sender
-  cancel,     // the same, and the sender is told
+  fail,       // with a named cause; nothing is sent to the sender
+  cancel,     // the same, and the protocol's cancel goes out
 };
 
 struct ReceiveCell {

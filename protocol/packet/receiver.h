@@ -14,7 +14,7 @@
 
 namespace dripfeed::packet {
 
-// Where the text goes. XMODEM fills its last block with SUB (1A) behind the text; a program's final '%' tells where
+// Where the text goes. XMODEM fills its last block with SUB (1A) after the text; a program's final '%' shows where
 // that begins, so the sink gets it as it came.
 class Sink {
  public:

@@ -60,7 +60,7 @@ class S3964ReceiveRules final : public ReceiveRules {
 };
 
 // Where both call at once, the side without priority receives the other's block first, whole, and then calls again. A
-// call that comes when this side has not called is refused: nothing stands behind it that would use the text.
+// call that comes when this side has not called is refused: nothing here would use the text.
 class S3964SendRules final : public SendRules {
  public:
   explicit S3964SendRules(const Settings& settings);

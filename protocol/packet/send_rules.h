@@ -22,7 +22,7 @@ enum class Signal : std::uint8_t {
   granted,
   accepted,
   again,
-  later,     // the wait begins anew: the receiver is not ready, or what is awaited has come in part
+  later,     // the wait begins again: the receiver is not ready, or what is awaited has come in part
   yielded,   // both called, and this side gives way
   telegram,  // the partner's is whole
   broken,    // with a cause
@@ -71,18 +71,18 @@ class SendRules {
   virtual std::size_t call(std::span<std::byte>) { return 0; }
   virtual std::size_t compose(std::span<const std::byte> payload, std::span<std::byte> out) = 0;
   virtual std::size_t close(std::span<std::byte>) { return 0; }
-  // Told when a job is over between two blocks and the receiver still waits.
+  // Called when a job is over between two blocks and the receiver still waits.
   virtual std::size_t part(std::span<std::byte>) { return 0; }
   // What the receiver was just promised an answer to, beside frames.
   virtual std::size_t reply(std::span<std::byte>) { return 0; }
-  // Told when a person aborts inside a block of the program, between two frames: that what came is no whole text.
+  // Called when a person aborts inside a block of the program, between two frames: that what came is no whole text.
   virtual std::size_t abort(std::span<std::byte>) { return 0; }
   // The last byte of a call, a frame or an end is on its way: an answer may come.
   virtual void sent() {}
   // The receiver has the present frame.
   virtual void accepted() = 0;
 
-  // The receiver asks for each frame anew; where none can go out, it is told so.
+  // The receiver asks for each frame; where none can go out, it gets that.
   virtual bool is_pulled() const { return false; }
   virtual std::size_t nothing_now(std::span<std::byte>) { return 0; }
   // The sender begins by itself, the receiver never asks.

@@ -23,7 +23,7 @@ class Sender {
  public:
   static constexpr std::size_t kMaxEvents = 64;
   // Characters that may lie unsent below: a frame is handed as the line takes it, so that an answer can only come
-  // behind its last character, and an abort stops what is left of it.
+  // after its last character, and an abort stops what is left of it.
   static constexpr std::uint32_t kUnsent = 64;
   // An answer that takes longer is a stall, and shown.
   static constexpr Time kShownAfter = std::chrono::seconds(1);

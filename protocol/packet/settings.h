@@ -22,7 +22,7 @@ enum class Protocol : std::uint8_t {
   s3964,            // Siemens 3964: the frame of 3964R without its check
   s3964r,           // Siemens 3964R
   remote_buffer_a,  // FANUC remote buffer, protocol A
-  ymodem,           // blocks as of xmodem_1k behind a header with name and length; one file in a batch
+  ymodem,           // blocks as of xmodem_1k after a header with name and length; one file in a batch
 };
 inline constexpr std::size_t kProtocols = 7;
 

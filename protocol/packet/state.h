@@ -16,7 +16,7 @@ enum class State : std::uint8_t {
   sending,    // a frame goes out
   waiting,    // all of it is out; waiting for its answer
   ready,      // no frame is on the way; the next waits for text, ledger, a person, or the receiver's request
-  closing,    // every frame is answered; the end is told, waiting for its answer
+  closing,    // every frame is answered; the end is sent, waiting for its answer
   done,       // transferred; says nothing about execution
   failed,     // broken off between two blocks of the program
   torn,       // broken off inside a block: nothing goes out until a person confirms that the control was reset

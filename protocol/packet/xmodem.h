@@ -81,7 +81,7 @@ class XmodemSendRules final : public SendRules {
   std::uint32_t restarts_ = 0;  // C where none is due
   Part part_ = Part::blocks;
   bool answerable_ = false;      // what is on the way has left
-  std::uint32_t farewells_ = 0;  // the batch's end was told so often
+  std::uint32_t farewells_ = 0;  // how often the batch's end was sent
   std::array<char, xmodem::kMaxName> name_{};
   std::size_t name_size_ = 0;
   std::uint64_t bytes_ = 0;
@@ -119,8 +119,8 @@ class XmodemReceiveRules final : public ReceiveRules {
   std::uint32_t invitations_ = 0;
   std::uint8_t expected_ = 1;
   bool first_ = true;
-  bool ended_ = false;                   // the end was told once
-  bool asks_anew_ = false;               // behind its acknowledgement the sender waits to be asked
+  bool ended_ = false;                   // the end was sent once
+  bool asks_anew_ = false;               // after its acknowledgement the sender waits to be asked
   bool headed_ = false;                  // YMODEM: the header came
   bool file_over_ = false;               // YMODEM: the end of the file was acknowledged, the end of the batch is due
   std::size_t kept_ = 0;                 // of the block: what the length of the header leaves

@@ -35,7 +35,7 @@ inline constexpr std::size_t kNameLines = 10;
 // Text with LF as EOB. Nothing when it gives itself no name.
 std::optional<ProgramName> find_name(std::string_view text);
 
-// The first comment of the text, in parentheses or behind ';', within so many lines; "" without one.
+// The first comment of the text, in parentheses or after ';', within so many lines; "" without one.
 std::string_view first_comment(std::string_view text, std::size_t lines);
 
 // The programs of one punch: several between pairs of '%' part at their O numbers, an archive at its %_N_ headers.

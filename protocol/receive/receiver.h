@@ -32,7 +32,7 @@ struct Settings {
       false;  // ISO, ASCII or EIA is found out from what comes up to the first EOB, whatever the line sends
   tape_code::EiaSpecials eia_specials{};
   Time quiet = std::chrono::seconds(5);               // without an end sign this long silence ends a reception
-  Time short_quiet = std::chrono::milliseconds(500);  // behind the final '%'
+  Time short_quiet = std::chrono::milliseconds(500);  // after the final '%'
   std::optional<std::uint8_t> end_character{};        // EOT, ETX, SUB … (7 bits), where the profile has one
   std::uint8_t xon = 0x11;  // the line's flow characters (7 bits): what DC1 and DC3 are on others
   std::uint8_t xoff = 0x13;

@@ -22,7 +22,7 @@ enum class Input : std::uint8_t {
   punch_on,    // DC2
   punch_off,   // DC4
   percent,     // '%' of the code in use
-  text,        // any other character that a program has, EOBs but for those behind the final '%'
+  text,        // any other character that a program has, EOBs but for those after the final '%'
   eob,         // LF, CR, or the EOB of EIA
   filler,      // NUL, DEL: leader and trailer
   end_code,    // the profile's end character
@@ -62,7 +62,7 @@ struct Reaction {
 
 enum class Condition : std::uint8_t {
   quiet,        // nothing came for the profile's quiet time
-  short_quiet,  // nothing came for the short time behind a final '%'
+  short_quiet,  // nothing came for the short time after a final '%'
   too_long,     // more came than the limit
 };
 

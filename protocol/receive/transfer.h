@@ -24,7 +24,7 @@ enum class Fault : std::uint8_t {
   binary,
   interrupted,  // the control was reset or began to read before the end
   no_start,     // a final '%' and no first one
-  no_end,       // no final '%', or no DC4 behind DC2
+  no_end,       // no final '%', or no DC4 after DC2
   flow_taken,   // EIA through XON/XOFF below us: its 3 is DC3, and none arrived
 };
 std::string_view name(Fault fault);

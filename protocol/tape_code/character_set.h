@@ -1,5 +1,5 @@
 // Which characters a control takes, as a bitmap, and a streaming check of a text against it before anything is sent.
-// The controls' sets are rows of a table; the meaning of a program is nobody's business here.
+// The controls' sets are rows of a table; the meaning of a program plays no part here.
 #pragma once
 
 #include <array>

@@ -33,7 +33,7 @@ enum class ByteKind : std::uint8_t {
   filler,         // DEL, NUL of ISO and ASCII, codes of EIA without a meaning in a program
   blank,          // EIA without a hole: leader and trailer, an error inside
   wrong,          // wrong parity; the character is what its low 7 bits say
-  wrong_nothing,  // wrong parity, or a code that nobody has: EIA gives no character then
+  wrong_nothing,  // wrong parity, or a code that no table has: EIA gives no character then
 };
 
 // Wire to text.

@@ -47,7 +47,7 @@ std::optional<Eob> parse_eob(std::string_view name);
 std::string name(const Eob& eob);
 
 // Turns LF, CR LF, CR and LF CR CR into one LF each, character by character. A CR is held back until what follows it is
-// known, so at most one EOB is pending; finish() gives it. A reader that is told of another EOB knows that one, too.
+// known, so at most one EOB is pending; finish() gives it. A reader that is given another EOB knows that one, too.
 class EobReader {
  public:
   EobReader() = default;

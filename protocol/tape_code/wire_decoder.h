@@ -24,7 +24,7 @@ struct ParityError {
 // What becomes of the characters before the program and of those that follow its '%' up to the first EOB. A control
 // skips all of them ("label skip").
 enum class Label : std::uint8_t {
-  from_percent,  // the text begins with the first '%' and keeps what stands behind it
+  from_percent,  // the text begins with the first '%' and keeps what stands after it
   keep,          // the text begins with the first character that is no filler
   skip,          // of all up to the first EOB only a '%' stays, with its EOB
 };

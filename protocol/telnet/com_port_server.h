@@ -40,7 +40,7 @@ class ComPortServer : private DecoderSink {
   std::size_t send(std::span<const std::byte> data);
   // The lines as the device drives them (CTS, DSR, RI, CD: bits of modem::); tells the client what changed.
   void set_modem_lines(std::uint8_t lines);
-  // The receiver saw something (bits of line::); told where the client's mask asks for it.
+  // The receiver saw something (bits of line::); reported where the client's mask asks for it.
   void notify_line(std::uint8_t bits);
   // The device's buffer is full, or has room again.
   void ask_suspend(bool suspend);

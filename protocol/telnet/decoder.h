@@ -17,7 +17,7 @@ class DecoderSink {
   DecoderSink& operator=(const DecoderSink&) = delete;
   virtual ~DecoderSink() = default;
   virtual void on_negotiation(Verb verb, std::uint8_t option) = 0;
-  // Doubled FF taken out; `parameters` is what stands behind the option's number.
+  // Doubled FF taken out; `parameters` is what stands after the option's number.
   virtual void on_subnegotiation(std::uint8_t option, std::span<const std::uint8_t> parameters) = 0;
 };
 

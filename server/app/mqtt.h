@@ -1,5 +1,5 @@
 // Brings states and events to a message broker, and takes nothing from it: no command comes in by this door. A thread
-// of its own does it, which waits for the store, and for which nobody waits.
+// of its own does it, which waits for the store, and for which no thread waits.
 //
 //   PREFIX/dripfeed/connection          "online" or, by the broker, "offline"; retained
 //   PREFIX/MACHINE/state                where the machine's line stands, as GET /machines gives its status; retained
@@ -71,7 +71,7 @@ class Mqtt {
   // Of the thread alone.
   std::uint64_t connection_ = 0;         // that was greeted
   std::optional<std::uint64_t> seen_;    // the last event that the broker confirmed, with all before it
-  std::vector<Sent> sent_;               // events behind it, in their order
+  std::vector<Sent> sent_;               // events after it, in their order
   std::map<std::string, Shown> states_;  // by machine
   feed::Time next_states_{};
   RoundThread thread_;  // last: it uses all of the above

@@ -19,7 +19,7 @@ namespace dripfeed::cli {
 // What a command ends with that did not get its line.
 struct LineRefusal {
   std::string sentence;
-  int exit_code;  // kTorn, kFailed (somebody has it), kWrongUse (no reason given)
+  int exit_code;  // kTorn, kFailed (another process has it), kWrongUse (no reason given)
 };
 
 // `confirmed_reset`: the reason that a person gave, where one was.

@@ -10,7 +10,7 @@ namespace dripfeed::cli {
 // The file of the store in that folder.
 std::string store_path(const std::string& data);
 
-// A folder of ours is for its owner alone; one that was there keeps the rights that somebody gave it.
+// A folder of ours is for its owner alone; one that was there keeps the rights that it has.
 app::Result<void> make_data_folder(const std::string& data);
 
 }  // namespace dripfeed::cli

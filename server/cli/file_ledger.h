@@ -13,7 +13,7 @@ namespace dripfeed::cli {
 
 class FileLedger {
  public:
-  // Makes the file; refuses one that exists, because it is somebody's record.
+  // Makes the file; refuses one that exists, because it is the record of another transfer.
   static std::expected<FileLedger, std::string> create(const std::string& path, const std::string& head);
   ~FileLedger();
   FileLedger(FileLedger&& other) noexcept;

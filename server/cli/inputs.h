@@ -46,7 +46,7 @@ app::Result<machine::Profile> read_machine(const std::string& name_or_path);
 // The profile of that machine, or the usual one for "", reached at this link whose options are laid over its line.
 app::Result<machine::Profile> read_machine_at(const std::string& link, const std::string& name_or_path);
 
-// Files of the project that the command finds without being told: presets. $DRIPFEED_SHARE, beside the binary,
+// Files of the project that the command finds without an option: presets. $DRIPFEED_SHARE, next to the binary,
 // /usr/share/dripfeed.
 std::optional<std::string> find_shared(std::string_view relative);
 
@@ -54,7 +54,7 @@ struct ChosenControl {
   const compile::Dialect* dialect = nullptr;
   ir::Control control;
   std::optional<machine::Profile> profile;
-  bool inferred = false;  // nobody named it: reports say so
+  bool inferred = false;  // it was not named: reports state that
 };
 // For a text: the machine's control, the dialect's usual one with --control laid over it, or what the text looks like.
 app::Result<ChosenControl> choose_control(const TextOptions& options, const text::Source& source);

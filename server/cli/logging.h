@@ -14,7 +14,7 @@
 
 namespace dripfeed::cli {
 
-// Lines to a descriptor. push() may be called from any thread; it waits for nobody.
+// Lines to a descriptor. push() may be called from any thread; it waits for no other.
 class LineQueue {
  public:
   static constexpr std::size_t kMostLines = 4096;

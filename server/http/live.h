@@ -42,7 +42,7 @@ class LiveHub {
 
   // Everything after event `after`; or a sentence where too many watch.
   std::expected<std::shared_ptr<EventSubscription>, std::string> watch(std::uint64_t after, Credential credential);
-  // What passes on a line from now on, five times a second; it ends with the line. For as long as somebody watches,
+  // What passes on a line from now on, five times a second; it ends with the line. For as long as a person watches,
   // and no longer, the tap keeps what passes.
   std::expected<std::shared_ptr<EventSubscription>, std::string> watch_wire(std::shared_ptr<app::WireTap> tap,
                                                                             WriteWire write, Credential credential);
@@ -90,7 +90,7 @@ class LiveHub {
   app::Events::Watch watch_ = 0;
 
   std::mutex mutex_;             // of what follows
-  std::deque<Written> written_;  // all events behind written_from_, up to written_to_
+  std::deque<Written> written_;  // all events after written_from_, up to written_to_
   std::uint64_t written_from_ = 0;
   std::uint64_t written_to_ = 0;
   std::map<std::string, Shown> progress_;  // by machine

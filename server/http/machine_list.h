@@ -1,4 +1,4 @@
-// The list of machines, kept row by row: a row is written anew where the store or its line changed. A hall's screens
+// The list of machines, kept row by row: a row is written again where the store or its line changed. A hall's screens
 // ask for it all the time, and most lines stand still.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace dripfeed::http {
 
 class MachineList {
  public:
-  static constexpr std::size_t kMostPages = 64;  // then all are read anew
+  static constexpr std::size_t kMostPages = 64;  // then all are read again
 
   MachineList(app::Application& application, Titles& titles) : application_(application), titles_(titles) {}
   // `version`: of the store, asked for with this request. From any thread.
@@ -29,7 +29,7 @@ class MachineList {
     json::ProfileHead head;
     app::LineFacts facts;
     std::string text;
-    bool is_kept = false;  // false: the text is to be written anew
+    bool is_kept = false;  // false: the text is to be written again
   };
   struct Page {
     std::uint64_t version = 0;

@@ -1,5 +1,5 @@
 // The files of the page, as answers: by their type, compressed where the browser takes that and the build made it, with
-// a tag of their content, so that nobody loads twice what did not change.
+// a tag of their content, so that no browser loads twice what did not change.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class PageFiles {
   };
   std::string tag_of(const std::filesystem::path& path, std::string& body);
 
-  static constexpr std::size_t kMost = 1024;  // then all are read anew
+  static constexpr std::size_t kMost = 1024;  // then all are read again
   std::mutex mutex_;
   std::map<std::string, Seen> seen_;
 };

@@ -26,7 +26,7 @@ std::string_view name_of(Method method);
 struct Request {
   Method method = Method::get;
   std::string target;                        // as sent
-  std::vector<std::string> path;             // decoded segments behind the leading slash
+  std::vector<std::string> path;             // decoded segments after the leading slash
   std::map<std::string, std::string> query;  // decoded
   std::string authorization;
   std::string cookie;

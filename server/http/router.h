@@ -80,7 +80,7 @@ struct Call {
   Parameters parameters;
   std::string_view user;
   Right right;
-  const Caller* caller = nullptr;                       // nullptr where anybody may call
+  const Caller* caller = nullptr;                       // nullptr where no token is needed
   const Commit* once = nullptr;                         // for commit(); nullptr: it is no step of its own
   std::optional<std::uint64_t> version = std::nullopt;  // of the store when the request came; nothing: not known
 

@@ -59,7 +59,7 @@ struct ServerSettings {
   std::string tls_key;
   unsigned heavy_threads = 2;          // see Lanes
   std::vector<std::string> proxies;    // IP addresses whose X-Forwarded-Host and X-Forwarded-Proto are believed
-  std::shared_ptr<Traffic> traffic{};  // where it counts; nullptr: for nobody
+  std::shared_ptr<Traffic> traffic{};  // where it counts; nullptr: nowhere
 };
 
 class Server {

@@ -1,5 +1,5 @@
 // Who calls: API tokens in the Authorization header, or a browser's cookie that was given for a token or for a user's
-// password or PIN. Sessions of browsers live in the store, so a restart of the server signs nobody out. A revoked token
+// password or PIN. Sessions of browsers live in the store, so a restart of the server ends no session. A revoked token
 // and a disabled user end their sessions with the next request.
 #pragma once
 
@@ -39,7 +39,7 @@ struct Caller {
 class Sessions {
  public:
   static constexpr std::size_t kMostOfOne = 32;  // sessions of one owner; the one that was used longest ago goes
-  static constexpr std::int64_t kIdle_ms = std::int64_t{12} * 3600 * 1000;         // a session that nobody uses
+  static constexpr std::int64_t kIdle_ms = std::int64_t{12} * 3600 * 1000;         // a session that is not used
   static constexpr std::int64_t kLongest_ms = std::int64_t{7} * 24 * 3600 * 1000;  // any session
   // A PIN is short and typed where others look on.
   static constexpr std::int64_t kPinIdle_ms = std::int64_t{30} * 60'000;
@@ -50,8 +50,8 @@ class Sessions {
   Sessions(store::Tokens& tokens, store::Users& users, store::BrowserSessions& kept,
            std::function<std::int64_t()> now_ms)
       : tokens_(tokens), users_(users), kept_(kept), now_ms_(std::move(now_ms)) {}
-  // Nothing when nobody valid is behind the request. `version`: of the store (Store::version()), asked for with this
-  // request: who was let in at the same one is let in again without asking. Nothing: the store is asked.
+  // Nothing when the request has no valid token or session. `version`: of the store (Store::version()), asked for with
+  // this request: who was let in at the same one is let in again without asking. Nothing: the store is asked.
   std::optional<Caller> caller(const Request& request, std::optional<std::uint64_t> version = std::nullopt);
   // The cookie's value for this token. Errors: not_found (the token is not valid), and those of a store that cannot
   // write.
@@ -74,7 +74,7 @@ class Sessions {
     std::int64_t used_at_ms = 0;
   };
 
-  static constexpr std::size_t kMostKnown = 1024;                          // then all are asked for anew
+  static constexpr std::size_t kMostKnown = 1024;                          // then all are asked for again
   static constexpr std::int64_t kNoteEvery_ms = std::int64_t{5} * 60'000;  // uses, in the store
 
   // Of a token (its hash) or of a session, from what is known at this version or from the store.

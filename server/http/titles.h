@@ -17,7 +17,7 @@ namespace dripfeed::http {
 template <class Shown>
 class PerRevision {
  public:
-  static constexpr std::size_t kMost = 4096;  // then all are read anew
+  static constexpr std::size_t kMost = 4096;  // then all are read again
 
   // From any thread. `read` is called without the lock: two who ask at once read twice, and find the same.
   template <class Read>

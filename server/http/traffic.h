@@ -27,7 +27,7 @@ class Traffic {
     Count sum_ns = 0;
   };
 
-  // `routes`: how many there are. A request of none of them counts as the one behind the last.
+  // `routes`: how many there are. A request of none of them counts as the one after the last.
   explicit Traffic(std::size_t routes) : requests_(routes + 1) {}
 
   void answered(std::size_t route, Lane lane, unsigned status, std::chrono::nanoseconds took);

@@ -37,8 +37,8 @@ std::expected<std::unique_ptr<app::LineClaim>, std::string> claim_line_in(const 
 
 // The folder where it would be looked for, made or not; nothing is made. "": there is none.
 std::filesystem::path known_lines_folder();
-// Who has one of the line's names now, as it signed its lock: "dripfeed serve … (pid 77), since …". "": nobody, as far
-// as the system shows it. Nothing is taken.
+// Who has one of the line's names now, as it signed its lock: "dripfeed serve … (pid 77), since …". "": no process, as
+// far as the system shows it. Nothing is taken.
 std::string line_holder(const std::filesystem::path& folder, const machine::LinkUrl& link,
                         const std::string& sysfs = "/sys");
 

@@ -1,6 +1,6 @@
 // A link in the file system that leads to a pseudo-terminal, and whether the one who made it still lives. The number of
-// a pseudo-terminal is given to somebody else once it is closed; a link that was left behind by a crash then leads to a
-// stranger. So the maker keeps a lock on PATH.owner, which the system drops with the process.
+// a pseudo-terminal is given to another process once it is closed; a link that was left behind by a crash then leads to
+// a stranger. So the maker keeps a lock on PATH.owner, which the system drops with the process.
 #pragma once
 
 #include <expected>
@@ -34,7 +34,7 @@ class PtyOwner {
 bool is_abandoned(const std::string& path);
 
 // For a port that was opened at `path`: refused where the maker of the link is gone, or where the link led to another
-// device than the maker's. A path without an owner file is nobody's matter here.
+// device than the maker's. A path without an owner file is left alone here.
 std::expected<void, std::string> check_pty_owner(const std::string& path, int descriptor);
 
 }  // namespace dripfeed::io

@@ -19,7 +19,7 @@ SerialIdentity identify_serial(const std::string& path, const std::string& sysfs
 // "/dev/ttyUSB0". Empty where `path` is such a name, or there is none.
 std::string lasting_name(const std::string& path, const std::string& by_id = "/dev/serial/by-id");
 
-// A pseudo-terminal: its number is given to somebody else once it is closed.
+// A pseudo-terminal: its number is given to another process once it is closed.
 bool is_pty(const std::string& device);
 
 // Absolute, without "." and "..", links not followed.

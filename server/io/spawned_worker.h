@@ -1,5 +1,5 @@
 // A process of its own for one piece of work: started, given its request, heard to its end, and killed when it takes
-// longer than it may or nobody waits for it. It shares nothing with this process but one socket.
+// longer than it may or no request waits for it. It shares nothing with this process but one socket.
 #pragma once
 
 #include <chrono>

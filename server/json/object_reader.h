@@ -51,7 +51,7 @@ class ObjectReader {
   const Document* member(std::string_view name, const Schema& shape, bool required = false);
 
   void fault(std::string_view name, std::string text);
-  // Every member that nobody asked for is a fault. Call it last.
+  // Every member that was not asked for is a fault. Call it last.
   void finish();
   // A null counts as not there. Who describes has nothing.
   [[nodiscard]] bool has(std::string_view name) const;

@@ -63,7 +63,7 @@ struct DiagnoseBody {
 };
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body);
 
-// The same, and how it is laid out anew.
+// The same, and how it is laid out again.
 struct RewriteBody {
   DiagnoseBody of;
   app::Rewriting how = app::Rewriting::renumber;

@@ -14,9 +14,9 @@ namespace dripfeed::machine {
 
 struct BusSettings {
   std::uint8_t unit = 1;
-  std::uint32_t timeout_ms = 1000;  // for one answer; then the connection is made anew
+  std::uint32_t timeout_ms = 1000;  // for one answer; then the connection is made again
   std::uint32_t poll_ms = 500;      // between two looks at the machine's words while no job is on the line
-  // RTU alone: what the standard asks for where nothing is said.
+  // RTU alone: what the standard asks for where nothing is stated.
   std::uint32_t baud = 19200;
   tape_code::Framing framing{.data_bits = 8, .parity = tape_code::Parity::even, .stop_bits = 1};
 };

@@ -22,7 +22,7 @@ bool drops_bare_files(const Profile& profile);
 inline constexpr std::size_t kArchiveEdge = 512;  // so many bytes of a text show its head or its tail
 // Bytes of the head at the beginning of a text, with its EOBs; 0: there is none.
 std::size_t archive_head(std::string_view beginning);
-// Bytes of the tail: the final '%' and the EOBs behind it.
+// Bytes of the tail: the final '%' and the EOBs after it.
 std::size_t archive_tail(std::string_view end);
 // The text of such a file.
 std::string_view file_part(std::string_view text);

@@ -43,7 +43,7 @@ std::expected<LinkUrl, std::string> parse_link_url(std::string_view text);
 // A program goes over it character by character, paced by us; the others take blocks or a whole file.
 bool feeds_characters(LinkKind kind);
 
-// Blind links give no way to see what is still unsent below the socket.
+// Blind links do not show what is still unsent below the socket.
 bool is_blind(LinkKind kind);
 // A bus of registers, not a link of bytes.
 bool is_modbus(LinkKind kind);

@@ -1,5 +1,5 @@
 // A machine profile: what the shop knows of one machine. Values that were not given keep the control's usual ones;
-// `confirmed` fields say that somebody looked at the machine.
+// `confirmed` fields say that a person looked at the machine.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct ControlSettings {
   std::optional<ir::DecimalMode> decimal_mode;
   bool decimal_mode_confirmed = false;
   double increment_mm = 0.0;                  // printed and traced positions are rounded to it; 0: not stated
-  std::optional<ir::Function> power_on_unit;  // these four: what the machine wakes up with
+  std::optional<ir::Function> power_on_unit;  // these four: the machine's power-on state
   std::optional<ir::Function> power_on_distance;
   std::optional<ir::Function> power_on_feed;
   std::optional<ir::Function> power_on_plane;
@@ -49,7 +49,7 @@ struct ControlSettings {
   std::optional<double> arc_tolerance_mm;      // by which an arc's radius may change from start to end (3410, MD21000)
   std::optional<double> arc_tolerance_factor;  // … as a part of the radius, where that is more (MD21010)
   std::optional<std::uint32_t> reference_fixed_point;  // G75 FP= of it is where the other controls go by G28 (MD30600)
-  bool splines_confirmed = false;                      // somebody held a spline of the machine against ours
+  bool splines_confirmed = false;                      // a person compared a spline of the machine with ours
   // ISO mode of a SINUMERIK.
   std::optional<ir::DecimalMode> iso_decimal_mode;  // MD10884
   bool iso_decimal_mode_confirmed = false;
@@ -85,7 +85,7 @@ struct LineSettings {
   std::uint8_t xoff = 0x13;
   feed::XoffBy xoff_by = feed::XoffBy::host;
   double char_delay_ms = 0.0;  // additional, between two characters
-  double line_delay_ms = 0.0;  // additional, behind each EOB
+  double line_delay_ms = 0.0;  // additional, after each EOB
   bool end_by_dc3 = true;
   std::optional<std::uint8_t> end_by_character;
   std::optional<double> end_by_quiet_s = 5.0;

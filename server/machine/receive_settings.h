@@ -17,7 +17,7 @@ struct LineSettings;
 struct ReceiveSettings {
   bool enabled = true;
   double quiet_s = 5.0;                       // 3..10 is usual
-  double quiet_after_end_s = 0.5;             // behind the final '%'
+  double quiet_after_end_s = 0.5;             // after the final '%'
   std::optional<std::uint8_t> end_character;  // EOT, ETX, SUB …
   bool find_code = false;                     // ISO, ASCII or EIA is found out from what comes
   receive::Hold hold = receive::Hold::none;   // how the control's output is held while the server cannot keep up

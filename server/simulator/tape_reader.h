@@ -25,7 +25,7 @@ class TapeReader {
 
   // Bytes of blocks that are not run yet, the unfinished one's included.
   [[nodiscard]] std::uint64_t buffered() const { return buffered_; }
-  [[nodiscard]] bool at_end() const { return at_end_; }  // the '%' behind the program was read
+  [[nodiscard]] bool at_end() const { return at_end_; }  // the '%' after the program was read
   [[nodiscard]] bool is_busy() const { return running_ || !blocks_.empty(); }
   [[nodiscard]] std::optional<Time_ns> runs_until() const {
     return running_ ? std::optional(run_until_) : std::nullopt;
@@ -56,7 +56,7 @@ class TapeReader {
   bool at_end_ = false;
   bool running_ = false;
   Time_ns run_until_ = 0;
-  std::optional<Time_ns> dry_since_;  // it ran out of blocks behind the first one
+  std::optional<Time_ns> dry_since_;  // it ran out of blocks after the first one
   std::uint64_t blocks_run_ = 0;
   std::uint64_t bytes_run_ = 0;
   std::uint64_t stalls_ = 0;

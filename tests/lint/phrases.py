@@ -1,5 +1,5 @@
-# Phrases that must not return to what people read: README, docs, the page's English, and the messages of the program (its string
-# literals). docs/style.md has what to write instead. Comments of the code are not covered yet.
+# Phrases that must not return to what people read: README, docs, the page's English, the messages of the program (its string
+# literals), and the comments of headers. docs/style.md has what to write instead.
 import json
 import re
 import sys
@@ -18,11 +18,12 @@ IN_MESSAGES = (r'ways?', r'behind', r'beside', r'as it is', r'as it was', r'goes
 # Literals that are names; headers whose texts are values of the API, or whose change rebuilds everything.
 LITERAL = re.compile(r'"(?:anybody|[a-z]+(?:-[a-z]+)+)"')  # a role, the name of a diagnostic
 FILES = re.compile(r'^store/sqlite/schema|^dialects/ir/cost_model\.h$|^checks/machine\.h$|^server/app/(?:lines/line|receive/read_back)\.h$')
+HEADERS = ('checks', 'protocol', 'server')  # whose comments were swept
 NOT_SWEPT = {'docs/style.md'}  # it names them
 
 
 def pattern(phrases):
-    return re.compile(r'\b(?:' + '|'.join(phrases) + r')\b', re.I)
+    return re.compile(r'\b(?:' + '|'.join(phrases).replace(' ', r'\s+') + r')\b', re.I)
 
 
 def faults(root):
@@ -34,6 +35,8 @@ def faults(root):
     for path in tree.files(root, tree.TOPS, tree.CODE):
         if not FILES.match(path):
             found += _in_literals(path, tree.read(root, path), messages)
+    for path in tree.files(root, HEADERS, ('.h',)):
+        found += _in_comments(path, tree.read(root, path), docs)
     for key, value in json.loads(tree.read(root, 'web/src/i18n/en.json')).items():
         found += [f'web/src/i18n/en.json: {key}: {m[0]}' for m in messages.finditer(value)]
     return found
@@ -42,6 +45,14 @@ def faults(root):
 def _in_text(path, text, wanted):
     text = re.sub(r'`[^`\n]*`', lambda m: ' ' * len(m[0]), text)
     return [f'{path}:{tree.line_of(text, m.start())}: {m[0]}' for m in wanted.finditer(text)]
+
+
+def _in_comments(path, text, wanted):
+    """A comment is what without_comments() takes out; a phrase may go on in the next line."""
+    code = tree.without_comments(text)
+    comments = ''.join(a if a == '\n' or a != b else ' ' for a, b in zip(text, code)).replace('//', '  ')
+    comments = re.sub(r'`[^`\n]*`', lambda m: ' ' * len(m[0]), comments)
+    return [f'{path}:{tree.line_of(text, m.start())}: {" ".join(m[0].split())} in a comment' for m in wanted.finditer(comments)]
 
 
 def _in_literals(path, text, wanted):

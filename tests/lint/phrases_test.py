@@ -1,4 +1,4 @@
-# Shows that the lint of phrases refuses them in docs, messages and the page's words, and leaves comments, code and names alone.
+# Shows that the lint of phrases refuses them in docs, messages and the page's words, and in comments of headers, and leaves code and names alone.
 import unittest
 
 import bad_tree
@@ -24,6 +24,12 @@ class Phrases(bad_tree.BadTree):
         for sentence in ('the feed behind it', 'a pole beside a code', 'a way out', 'nobody armed it', 'it goes to 5'):
             self.write('dialects/text/a.cpp', f'// What it is.\nauto a = "{sentence}";\n')
             self.assert_refused(phrases.faults, 'dialects/text/a.cpp:2')
+
+    def test_comments(self):
+        self.write('server/app/a.h', '#pragma once\nint a();  // what it is worth\n// A fault of it is\n// told to a person.\n')
+        self.assert_refused(phrases.faults, 'server/app/a.h:3: is told')
+        self.write('server/app/a.h', '#pragma once\nint nobody = 0;  // `nobody` of the system, and a port behind a proxy\n')
+        self.assert_clean(phrases.faults)
 
     def test_page(self):
         self.write('web/src/i18n/en.json', '{"a.b": "Somebody must look."}')

@@ -25,7 +25,7 @@ class Ballast {
   [[nodiscard]] bool is_whole() const { return is_whole_.load(); }
   // Leaves its room to the store. False when there is none left to give. From one thread, as restore().
   bool give_up();
-  // Makes the file anew where the disk has as much room again beside it.
+  // Makes the file again where the disk has as much room again beside it.
   void restore();
 
   // 0 where the disk does not tell: then there is no room that we know of.

@@ -1,4 +1,4 @@
-// What a use case could not do, as people and programs are told: a code that decides the HTTP status and exit code, a
+// What a use case could not do, as people and programs get it: a code that decides the HTTP status and exit code, a
 // sentence, and the places where there are some.
 #pragma once
 

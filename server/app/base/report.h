@@ -1,4 +1,4 @@
-// What is said of one text for one control: by reading, validating and running it, and by the checks.
+// What there is to report of one text for one control: by reading, validating and running it, and by the checks.
 #pragma once
 
 #include <cstdint>

@@ -20,7 +20,7 @@ inline constexpr std::string_view kTimingProgramName = "DRIPFEED TIMING";
 
 struct CalibrationOptions {
   bool prints = false;  // it sends the times by DPRNT, too, as "V500 412.000"
-  bool calls = false;   // a second program stands behind it in the same text, and calls of it are measured, too
+  bool calls = false;   // a second program stands after it in the same text, and calls of it are measured, too
 };
 // Runs some hundred statements of each kind, rounds of loops and a piece of a program, each between two readings of the
 // control's timer (#3001 in ms, $AC_TIMER in s), and leaves the times in #500 … or R20 …. Moves nothing. Errors: the

@@ -1,5 +1,5 @@
-// A text as somebody writes it: what its reader and the validator find in it, and what it consists of. Nothing is run
-// and nothing is stored; whether the program may go to a machine is a check's to say.
+// A text while a person writes it: what its reader and the validator find in it, and what it consists of. Nothing is
+// run and nothing is stored; whether the program may go to a machine is a check's to say.
 #pragma once
 
 #include <memory>

@@ -30,19 +30,20 @@ struct Examination {
   const compile::Dialect* dialect = nullptr;
   ir::Control control;
   bool inferred = false;
-  const machine::Profile* profile = nullptr;  // without one, what needs the machine is not checked, and that is said
+  const machine::Profile* profile =
+      nullptr;  // without one, what needs the machine is not checked, and the report states that
   ir::Delivery delivery = ir::Delivery::memory;
   compile::FindText find_called;                 // may be empty
   std::optional<family::Geometry> geometry;      // stock and nominal, of a rendered program
   std::vector<family::LineRange> profile_lines;  // the moves that make the nominal; empty: every cut
   TimingWishes timing = {};
   std::function<std::string()> used_up = {};  // a budget of the caller's: see interpreter::RunOptions
-  std::vector<std::string> assumed = {};      // what was taken on somebody's word: it stands among what was not checked
+  std::vector<std::string> assumed = {};      // what was taken on a person's word: it stands among what was not checked
 };
 
 CheckReport examine(const Examination& examination);
 
-// A check goes on with what nobody gave (common variables, arguments of a macro that is checked by itself, inputs, a
+// A check goes on with what was not given (common variables, arguments of a macro that is checked by itself, inputs, a
 // called program) as not known, and never takes it for vacant.
 ir::Control for_check(const ir::Control& given);
 

@@ -7,7 +7,7 @@
 
 namespace dripfeed::app {
 
-// Whether x words are diameters: as the machine says, otherwise as the control wakes up.
+// Whether x words are diameters: as the machine's profile states, otherwise as in the control's power-on state.
 inline bool x_is_diameter(const ir::Control& control, const machine::Profile* profile) {
   if (profile != nullptr) {
     if (const checks::MachineAxis* x = checks::find_axis(profile->machine, ir::Axis::x)) return x->is_diameter;

@@ -1,4 +1,4 @@
-// What a text that somebody writes amounts to: how far and how long its tools move, and in what room. Figures for
+// The figures of a text that a person writes: how far and how long its tools move, and in what room. Figures for
 // people: whether it may go to a machine, and what the line adds to the time, is a check's to say.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The checks that need stock, nominal and tools: gouge and accuracy, of turning or of milling. Made from what is known;
-// what is missing for one is said.
+// what is missing for one is reported.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Rendering for a machine: which of the two renderings it gets where nobody asked for one of them. compile::render
+// Rendering for a machine: which of the two renderings it gets where none of them was asked for. compile::render
 // knows what the control can do; how long it takes for that only the machine's profile says. The same for the command,
 // for the REST API and for sweeps.
 #pragma once

@@ -1,6 +1,6 @@
-// The books of all lines, kept by three threads that wait for nobody who uses them: the ledger's, the one that follows
-// with the jobs' states, and the one that reads texts ahead. Use cases leave what they did here and wait, where they
-// want to see its effect, for a bounded time.
+// The books of all lines, kept by three threads that wait for none of those that use them: the ledger's, the one that
+// follows with the jobs' states, and the one that reads texts ahead. Use cases leave what they did here and wait, where
+// they want to see its effect, for a bounded time.
 #pragma once
 
 #include <chrono>

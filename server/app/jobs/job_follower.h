@@ -41,7 +41,7 @@ class JobFollower {
     std::uint64_t session = 0;  // of the arming that is followed
     LineReport last;
     bool over = true;
-    // What the alarms were told last.
+    // What the alarms got last.
     bool is_seen = false;  // the line was looked at
     std::string refusal;
     std::string link_note;

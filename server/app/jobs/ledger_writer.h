@@ -42,7 +42,7 @@ struct Booked {
 class LedgerWriter {
  public:
   // Gets every round's lines, and why the ledger cannot be written ("" where it can). On the writer's thread: it must
-  // only keep them and wake somebody.
+  // only keep them and wake a thread.
   using Take = std::function<void(std::vector<Booked> lines, const std::string& complaint)>;
 
   // Without a ballast a full disk stops the feeds at what is reserved for them.

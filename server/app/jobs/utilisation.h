@@ -18,9 +18,10 @@ struct DayOfUse {
   std::int64_t to_ms = 0;  // midnight of the next day, which may be to come
   double feeding_s = 0.0;  // from the first byte of each job to its end, its holds with it; a job that broke off with
                            // the server counts to its last row in the ledger
-  std::optional<double> held_s = 0.0;  // nothing where it was not counted for a job, or cannot be told of two days
-  std::uint32_t jobs_done = 0;         // that ended on this day
-  std::uint32_t jobs_failed = 0;       // ... with those that an end of the server interrupted
+  std::optional<double> held_s =
+      0.0;                        // nothing where it was not counted for a job, or cannot be divided between two days
+  std::uint32_t jobs_done = 0;    // that ended on this day
+  std::uint32_t jobs_failed = 0;  // ... with those that an end of the server interrupted
   std::uint32_t jobs_cancelled = 0;
   std::uint64_t bytes = 0;  // wire bytes that passed for certain, of the jobs that ended on this day or are on
 };

@@ -1,5 +1,5 @@
-// A text laid out anew by its tokens: blanks between the words, and the case of letters. Comments, strings and what the
-// control writes out stay byte for byte. What comes out is to be read again: see rewriting.h.
+// A text laid out again by its tokens: blanks between the words, and the case of letters. Comments, strings and what
+// the control writes out stay byte for byte. What comes out is to be read again: see rewriting.h.
 #pragma once
 
 #include <cstdint>

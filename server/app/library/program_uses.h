@@ -39,7 +39,7 @@ struct ProgramUses {
   store::KnownCalls known;  // of what it calls itself
   std::vector<Called> calls;
   std::uint64_t waiting = 0;  // changes of programs that the library does not know yet: calls may be missing
-  std::uint64_t unread = 0;   // programs whose calls nobody knows
+  std::uint64_t unread = 0;   // programs whose calls are not known
 };
 
 // Errors: not_found.

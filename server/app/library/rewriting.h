@@ -1,5 +1,5 @@
-// A text that somebody writes, laid out anew: block numbers, blanks, the case of letters. It stays the same program, or
-// it is refused with the lines that stand against it. Nothing is stored.
+// A text that a person writes, laid out again: block numbers, blanks, the case of letters. It stays the same program,
+// or it is refused with the lines that stand against it. Nothing is stored.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Whether a text that was laid out anew is still the same program: word for word, whatever stands between the words.
+// Whether a text that was laid out again is still the same program: word for word, whatever stands between the words.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// The file of one job on its way into a shop's folder: written under a name that nobody fetches, read back, then named
-// in one step. Every member blocks for as long as the folder's file system likes, for ever where its server hangs: only
-// the folder's own thread calls them.
+// The file of one job on its way into a shop's folder: written under a name that no control fetches, read back, then
+// named in one step. Every member blocks for as long as the folder's file system likes, for ever where its server
+// hangs: only the folder's own thread calls them.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,8 @@ namespace dripfeed::app {
 // Why a folder cannot be written to, in one sentence; empty where it can.
 std::string look_at_folder(const std::string& folder);
 
-// Removes what a lost power left, if nobody touched it for ten minutes: another line may be writing to the same folder.
+// Removes what a lost power left, if it was not touched for ten minutes: another line may be writing to the same
+// folder.
 void remove_abandoned(const std::string& folder);
 
 // The cause of give_name() after which the name may stand there all the same: a network share may have lost its answer.

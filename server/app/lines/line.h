@@ -103,7 +103,7 @@ struct LineReport {
   double char_s = 0.0;                // time of one character on the line; 0 where there is none
   std::uint64_t unarmed_starts = 0;   // DC1 that came with nothing armed: nothing was sent
   std::uint64_t received = 0;         // receptions that ended since the start
-  std::uint64_t receptions_lost = 0;  // ... and that nobody took in time
+  std::uint64_t receptions_lost = 0;  // ... and that were not taken in time
   AnswerReport answer;
   std::optional<MachineReport> machine;  // nothing where the link brings no such words
   std::uint64_t changes = 0;             // grows with every change of state, stall, end, machine's state or alarm
@@ -156,7 +156,7 @@ class Line {
   [[nodiscard]] virtual std::shared_ptr<WireTap> tap() const { return nullptr; }
   // Receptions that ended since the last call, oldest first. A line that cannot receive has none.
   virtual std::vector<Reception> take_receptions() { return {}; }
-  // A ring of the machine's doorbell, told once, and its answer. A line without a doorbell has none.
+  // A ring of the machine's doorbell, reported once, and its answer. A line without a doorbell has none.
   virtual std::optional<modbus::Ring> take_ring() { return std::nullopt; }
   virtual void answer_ring(const modbus::BellAnswer& /*answer*/) {}
   // Arms an answer; it takes the place of one that waits. Or one sentence that says why not.
@@ -166,7 +166,7 @@ class Line {
   }
 };
 
-// Called after each change of LineReport::changes, on the line's own thread: it must only wake somebody.
+// Called after each change of LineReport::changes, on the line's own thread: it must only wake a thread.
 using LineChanged = std::function<void()>;
 
 }  // namespace dripfeed::app

@@ -1,5 +1,5 @@
-// What each line did since the server's start, summed over its jobs: a line's own report begins anew with each job, and
-// with each change of its settings. Fed by the follower, from what the ledger saw; nothing here touches a line.
+// What each line did since the server's start, summed over its jobs: a line's own report begins again with each job,
+// and with each change of its settings. Fed by the follower, from what the ledger saw; nothing here touches a line.
 #pragma once
 
 #include <cstdint>

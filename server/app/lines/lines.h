@@ -32,9 +32,9 @@ class Lines {
   // `changed` is called from the lines' threads after each change of any report.
   Lines(LinkThread& thread, BusSeatMaker take_seat, LineChanged changed, LineHistory history);
 
-  // While it lives, nobody else changes this machine's line or arms on it.
+  // While it lives, no other caller changes this machine's line or arms on it.
   [[nodiscard]] std::unique_lock<std::mutex> hold(const std::string& machine);
-  // Makes the machine's line, or makes it anew when its settings changed, in the state in which it was left. The caller
+  // Makes the machine's line, or rebuilds it when its settings changed, in the state in which it was left. The caller
   // holds the machine. Refused while a job is on the old one, while another process has the line, and when the settings
   // cannot be kept.
   Result<void> set(const machine::Profile& profile);

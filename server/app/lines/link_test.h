@@ -40,7 +40,7 @@ inline constexpr std::string_view kLinkTestFaults[] = {
 
 struct LinkTestResult {
   std::vector<feed::Time> latencies;     // sorted; of a character beyond its own line time
-  std::vector<std::uint64_t> after_dc3;  // sorted; characters that arrived behind each DC3
+  std::vector<std::uint64_t> after_dc3;  // sorted; characters that arrived after each DC3
   std::uint64_t characters = 0;          // sent in all
   std::uint64_t wrong = 0;               // came back as something else
   std::uint32_t latency_chars = 0;       // the longest of latencies on this line, rounded up

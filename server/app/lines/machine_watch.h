@@ -28,7 +28,7 @@ class MachineWatch {
   [[nodiscard]] std::size_t registers_with_write() const;
   // They were read / were not.
   void read(std::span<const std::uint16_t> registers, Time now);
-  void read_failed(bool refused, Time now);  // refused: by an exception; else nobody answered
+  void read_failed(bool refused, Time now);  // refused: by an exception; else no answer came
 
   [[nodiscard]] Time next_look() const { return next_look_; }
   [[nodiscard]] const std::optional<MachineReport>& report() const { return report_; }

@@ -72,7 +72,7 @@ class WireTap {
   mutable LineMutex mutex_{"a line's tap"};
   std::vector<Entry> ring_;  // empty until the first person looks: the line's thread allocates nothing
   std::uint64_t next_ = 0;
-  std::uint64_t since_ = 0;  // the first entry since somebody looks without a break
+  std::uint64_t since_ = 0;  // the first entry since a person watches without a break
 };
 
 }  // namespace dripfeed::app

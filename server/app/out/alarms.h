@@ -23,21 +23,21 @@ namespace dripfeed::app {
 
 enum class AlarmKind : std::uint8_t {
   torn_block,         // nothing leaves before a person confirms that the control was reset
-  reset_suspected,    // stopped by a person, and the control asked anew
+  reset_suspected,    // stopped by a person, and the control asked again
   line_refused,       // the line's record lets nothing leave
   ledger_failed,      // the books cannot be written
   link_lost,          // for some time, or while a job was on it
   line_flooded,       // more comes than a line can bring
-  link_note,          // what a device server did not confirm, a ring that nobody saw come
+  link_note,          // what a device server did not confirm, a ring that was not seen to come
   machine_alarm,      // the control's own, as its PLC says
   person_called,      // by the machine's doorbell
   reception_lost,     // the store did not take what a control punched
   quarantined,        // a reception is broken
   device_text,        // a device server speaks to us
   request_failed,     // what an operator asked for at the control could not be done
-  request_expired,    // nobody fetched it
+  request_expired,    // it was not fetched
   read_back_differs,  // the control does not have what was sent
-  read_back_expired,  // nobody punched it back
+  read_back_expired,  // it was not punched back
 };
 inline constexpr std::size_t kAlarmKinds = 16;
 

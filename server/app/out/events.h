@@ -1,5 +1,5 @@
 // Live events: a ring of transitions, numbered and resumable, and a snapshot of progress per machine that is no part of
-// it. A watcher that falls behind is told to reload; it never delays anybody.
+// it. A watcher that is too slow gets `reset` and reloads; it never delays another.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ class Events {
  public:
   static constexpr std::size_t kRing = 1024;
 
-  // A server begins above all that the one before it gave, so that a watcher who saw that one is told to reload.
+  // A server begins above all that the one before it gave, so that a watcher who saw that one reloads.
   explicit Events(std::uint64_t first_id = 1) : first_id_(first_id), next_id_(first_id) {}
 
   // While it lives, what its thread publishes waits, and goes out with release(); without that it never was. For
@@ -79,8 +79,8 @@ class Events {
   [[nodiscard]] std::vector<Progress> snapshot() const;
   [[nodiscard]] std::uint64_t last_id() const;
 
-  // `ready` is called after each publish and each change of progress, from the publisher's thread: it must only wake
-  // somebody.
+  // `ready` is called after each publish and each change of progress, from the publisher's thread: it must only wake a
+  // thread.
   using Watch = std::uint64_t;
   Watch watch(std::function<void()> ready);
   void unwatch(Watch watch);

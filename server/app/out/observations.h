@@ -1,5 +1,5 @@
 // What collectors of MTConnect ask for: the newest value of each data item of each machine, and the changes before it,
-// numbered. They are noted by a thread of its own from the first question on, and it costs nothing where nobody asks.
+// numbered. They are noted by a thread of its own from the first question on, and it costs nothing where no agent asks.
 // What is not known is UNAVAILABLE: of a control without words of its PLC that is most of it.
 #pragma once
 
@@ -27,7 +27,7 @@ inline constexpr std::size_t kDataItems = 8;
 enum class ItemCategory : std::uint8_t { event, condition };
 struct DataItemRow {
   DataItem item;
-  std::string_view id;    // behind the device's: "_exec"
+  std::string_view id;    // after the device's: "_exec"
   std::string_view type;  // as MTConnect has it, in probe and as its element's name
   std::string_view element;
   std::string_view sub_type;  // "" none

@@ -1,6 +1,6 @@
-// What the server's machines do, as Modbus registers for a PLC to read. One unit a machine; who has which unit is said
-// by a person, never derived, so that a machine that is added moves no other. Input and holding registers are the same;
-// 32-bit values have the high word first; nothing can be written.
+// What the server's machines do, as Modbus registers for a PLC to read. One unit a machine; who has which unit is
+// stated by a person, never derived, so that a machine that is added moves no other. Input and holding registers are
+// the same; 32-bit values have the high word first; nothing can be written.
 //
 //   0      magic DF02h, which proves unit and byte order; 1: version of this map, 1
 //   2      heartbeat: seconds of the server's clock, modulo 65536

@@ -1,6 +1,6 @@
 // Sends events to webhooks by the rules of Standard Webhooks 1.0. Events become deliveries in the store, and a delivery
 // stays there until the receiver took it or all tries failed: a receiver may get one twice, and never none. A thread of
-// its own does it, which waits for the store and for receivers, and for which nobody waits.
+// its own does it, which waits for the store and for receivers, and for which no thread waits.
 #pragma once
 
 #include <cstdint>

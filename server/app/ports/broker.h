@@ -1,5 +1,5 @@
 // A message broker, as the application needs it: messages go out, and nothing comes in. The connection is kept and made
-// again behind this.
+// again after this.
 #pragma once
 
 #include <cstdint>

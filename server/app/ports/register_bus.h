@@ -15,7 +15,7 @@
 namespace dripfeed::app {
 
 // Where the register images of the block mailbox (protocol/modbus) lie at the server; the machine's words are right
-// behind the status.
+// after the status.
 inline constexpr std::uint16_t kMailboxAddress = 0;
 inline constexpr std::uint16_t kAnswerAddress = 121;
 inline constexpr std::uint16_t kStatusAddress = 128;
@@ -33,7 +33,7 @@ class RegisterBus {
   virtual ~RegisterBus() = default;
   virtual std::expected<void, BusFailure> write(std::uint16_t address, std::span<const std::uint16_t> registers) = 0;
   virtual std::expected<void, BusFailure> read(std::uint16_t address, std::span<std::uint16_t> registers) = 0;
-  // Writes, and reads in the same request what stands at `from` behind the write, where the bus can (FC23): true.
+  // Writes, and reads in the same request what stands at `from` after the write, where the bus can (FC23): true.
   // False: written only, `into` is as it was.
   virtual std::expected<bool, BusFailure> exchange(std::uint16_t to, std::span<const std::uint16_t> registers,
                                                    [[maybe_unused]] std::uint16_t from,

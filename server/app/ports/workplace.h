@@ -20,7 +20,7 @@ struct WorkName {
   std::string actor;  // who asked for it
 };
 
-// Who waits for the work: once nobody does, it is given up.
+// Who waits for the work: once none does, it is given up.
 struct Waiter {
   std::stop_token stop = {};  // of the server
   int peer = -1;              // the socket of the client that asked; -1: none. It must stay open while the work lasts.
@@ -32,7 +32,7 @@ enum class WorkFault : std::uint8_t {
   time,       // the budget of time is used up
   memory,     // the budget of memory is used up
   ended,      // it ended abnormally
-  abandoned,  // nobody waits for it any more
+  abandoned,  // no request waits for it any more
   cancelled,  // by a person
   not_begun,  // the system gave no process
 };

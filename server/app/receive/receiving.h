@@ -69,7 +69,7 @@ class Receiving {
   Result<std::optional<StoredLikeness>> likeness(const store::Receipt& receipt);
 
  private:
-  // A memory load that nobody compared yet.
+  // A memory load that was not compared yet.
   struct OpenReadBack {
     store::Id job = 0;
     store::Id program = 0;
@@ -129,7 +129,7 @@ class Receiving {
   void note_read_back(const std::string& machine, store::Id job, std::string_view result,
                       std::optional<AlarmKind> alarm = std::nullopt);
   void alarm(const std::string& machine, AlarmKind kind, std::string text, store::Id job = 0);
-  // An event that asks for nobody.
+  // An event that asks for no person.
   void tell(const std::string& machine, std::string text);
   bool answer_hides_a_program(const std::string& machine, const machine::Profile& profile);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;

@@ -14,7 +14,7 @@ struct ProgramPiece {
   std::string_view text;  // of the text that was cut
   std::size_t lines_before = 0;
 
-  // Behind as many empty lines as stand before it, so that messages count as the text does.
+  // After as many empty lines as stand before it, so that messages count as the text does.
   [[nodiscard]] std::string in_place() const { return std::string(lines_before, '\n') + std::string(text); }
 };
 
