@@ -52,10 +52,10 @@ class FindingList {
     const text::Diagnostic diagnostic = text::make_diagnostic(id, {}, std::forward<Arguments>(arguments)());
     Finding finding{id, diagnostic.severity, place, value, limit, text::message_of(diagnostic), {}};
     if (is_worst) kind->worst = finding;
-    const bool is_told = std::ranges::any_of(findings_, [&](const Finding& one) {
+    const bool is_reported = std::ranges::any_of(findings_, [&](const Finding& one) {
       return one.id == id && one.place.program == place.program && one.text == finding.text;
     });
-    if (!may_keep || is_told) return;
+    if (!may_keep || is_reported) return;
     ++kind->kept;
     findings_.push_back(std::move(finding));
   }

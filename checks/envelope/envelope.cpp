@@ -114,8 +114,8 @@ void Envelope::check_cut(const ir::Motion& motion) {
   if (motion.comp != ir::CompSide::off)
     report_.not_checked.add("with tool radius compensation the travel is that of the programmed path",
                             motion.place.line);
-  if (!has_tool_ && !told_no_tool_) {
-    told_no_tool_ = true;
+  if (!has_tool_ && !has_reported_no_tool_) {
+    has_reported_no_tool_ = true;
     report_.findings.add(text::DiagnosticId::tool_not_called, motion.place, 0.0, 0.0,
                          [] { return std::vector<std::string>{}; });
   }
@@ -123,12 +123,12 @@ void Envelope::check_cut(const ir::Motion& motion) {
   const bool turns = motion.spindle != ir::SpindleState::stopped || motion.kind == ir::MotionKind::thread;
   const bool may_be_driven = settings_.machine.kind != ir::MachineKind::mill && travel_.axis(5) != nullptr;
   if (turns || may_be_driven) {
-    told_standing_ = told_standing_ && motion.spindle == ir::SpindleState::stopped;
+    has_reported_standing_ = has_reported_standing_ && motion.spindle == ir::SpindleState::stopped;
   } else if (!spindle_ran_) {
     report_.not_checked.add("no spindle is started before the first cut: whether it turns is not known",
                             motion.place.line);
-  } else if (!told_standing_) {
-    told_standing_ = true;  // until it turns again
+  } else if (!has_reported_standing_) {
+    has_reported_standing_ = true;  // until it turns again
     report_.findings.add(text::DiagnosticId::spindle_not_turning, motion.place, 0.0, 0.0,
                          [] { return std::vector<std::string>{}; });
   }

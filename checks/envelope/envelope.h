@@ -35,9 +35,9 @@ class Envelope final : public ir::MotionSink {
   Travel travel_;
   Speeds speeds_;
   bool has_tool_ = false;
-  bool told_no_tool_ = false;
+  bool has_reported_no_tool_ = false;
   bool spindle_ran_ = false;
-  bool told_standing_ = false;
+  bool has_reported_standing_ = false;
   Reach cut_;                   // of all linear axes in cutting moves, from the work zero
   ir::Place cut_place_;         // where it is farthest from there
   std::array<Reach, 3> spans_;  // X Y Z of all moves in work coordinates

@@ -98,8 +98,8 @@ void Doorbell::seen(std::uint16_t boot_counter, const MachineWords& words, Time 
 }
 
 std::optional<Ring> Doorbell::take_ring() {
-  if (state_ != BellState::rung || told_) return std::nullopt;
-  told_ = true;
+  if (state_ != BellState::rung || is_reported_) return std::nullopt;
+  is_reported_ = true;
   return ring_;
 }
 
@@ -137,7 +137,7 @@ void Doorbell::react(BellInput input) {
     case BellAction::none: break;
     case BellAction::note:
       ring_ = seen_;
-      told_ = false;
+      is_reported_ = false;
       break;
     case BellAction::miss:
       answer_ = {.bell = ring_.bell, .outcome = BellOutcome::refused, .reason = BellReason::missed};

@@ -119,7 +119,7 @@ class Doorbell {
   Ring seen_;
   BellAnswer answer_;
   BellAnswer given_;
-  bool told_ = false;
+  bool is_reported_ = false;
   std::uint16_t boot_ = 0;
   Time seen_at_{};
   CellTaken cell_taken_ = nullptr;

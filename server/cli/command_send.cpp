@@ -108,7 +108,7 @@ Possible expect_punch(machine::LineSettings& line) {
 Named file_name_of(const machine::Profile& profile, const std::string& source_name) {
   std::string name = std::filesystem::path(source_name).filename().string();
   if (profile.line.link.kind == machine::LinkKind::dir) return machine::file_name_for(profile, name);
-  return machine::tells_name(profile.line) ? name : std::string();
+  return machine::sends_name(profile.line) ? name : std::string();
 }
 
 int report_end(const Transferred& sent, const WireHashes& hashes, const SendOptions& options,

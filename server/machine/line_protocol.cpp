@@ -44,7 +44,7 @@ std::optional<packet::Protocol> packet_protocol_of(LineProtocol protocol) {
   return kPackets[static_cast<std::size_t>(protocol)];
 }
 
-bool tells_name(const LineSettings& line) {
+bool sends_name(const LineSettings& line) {
   if (!feeds_characters(line.link.kind)) return false;
   const auto effective = effective_line(line);
   return effective && effective->protocol == LineProtocol::ymodem;

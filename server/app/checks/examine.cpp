@@ -16,8 +16,8 @@
 #include "server/app/checks/line_characters.h"
 #include "server/app/checks/machine_facts.h"
 #include "server/app/checks/outputs_written.h"
-#include "server/app/checks/said_once.h"
 #include "server/app/checks/surface_checks.h"
+#include "server/app/checks/warn_once.h"
 
 namespace dripfeed::app {
 

@@ -38,16 +38,16 @@ text::Diagnostic refused_character(const machine::LineSettings& line, std::uint3
 void check_characters(const Examination& e, const ir::Program& program, std::vector<text::Diagnostic>& diagnostics) {
   if (e.profile == nullptr) return;
   const auto line = machine::effective_line(e.profile->line);
-  if (!line) return;  // the profile's own fault, told where the time is
+  if (!line) return;  // the profile's own fault, reported where the time is
   tape_code::CharacterSet taken = machine::characters_of(*line);
   taken.add('\r');  // a part of the text's EOBs, and not sent as such
-  std::vector<text::Span> told;
+  std::vector<text::Span> reported;
   for (const text::Diagnostic& d : diagnostics)
-    if (d.id == text::DiagnosticId::invalid_character) told.push_back(d.span);
-  std::ranges::sort(told, {}, &text::Span::begin);
-  const auto is_told = [&told](std::uint32_t at) {
-    const auto after = std::ranges::upper_bound(told, at, {}, &text::Span::begin);
-    return after != told.begin() && at < std::prev(after)->end;
+    if (d.id == text::DiagnosticId::invalid_character) reported.push_back(d.span);
+  std::ranges::sort(reported, {}, &text::Span::begin);
+  const auto is_reported = [&reported](std::uint32_t at) {
+    const auto after = std::ranges::upper_bound(reported, at, {}, &text::Span::begin);
+    return after != reported.begin() && at < std::prev(after)->end;
   };
   std::size_t in_program = 0;
   std::array<CommentCharacters, 2> in_comments;  // others, lower case
@@ -58,7 +58,7 @@ void check_characters(const Examination& e, const ir::Program& program, std::vec
       if (token.kind == ir::TokenKind::comment) {
         CommentCharacters& kind = in_comments[is_lower_case(byte) ? 1 : 0];
         if (kind.count++ == 0) kind.first = refused_character(*line, at, byte);
-      } else if (in_program < tape_code::CharacterCheck::kMaxReported && !is_told(at)) {
+      } else if (in_program < tape_code::CharacterCheck::kMaxReported && !is_reported(at)) {
         ++in_program;
         diagnostics.push_back(refused_character(*line, at, byte));
       }

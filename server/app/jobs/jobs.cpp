@@ -100,15 +100,15 @@ Result<void> Jobs::refuse_changed_calls(const store::Release& release) {
   return *verdict ? called_.refuse_changed(**verdict) : Result<void>{};
 }
 
-// "" where the line is no folder and tells no name. What a control calls its files is a rule for folders; where a name
-// is only told, the control makes of it what it will.
+// "" where the line is no folder and sends no name. What a control calls its files is a rule for folders; where a name
+// is only sent, the control makes of it what it will.
 Result<std::string> Jobs::file_name(const machine::Profile& profile, store::Id program) {
-  const bool is_told = machine::tells_name(profile.line);
-  if (profile.line.link.kind != machine::LinkKind::dir && !is_told) return std::string();
+  const bool sends_name = machine::sends_name(profile.line);
+  if (profile.line.link.kind != machine::LinkKind::dir && !sends_name) return std::string();
   const auto row = store_.programs().get(program);
   if (!row) return std::unexpected(from_store(row.error()));
   auto name = machine::file_name_for(profile, row->name);
-  if (!name && is_told) return row->name;
+  if (!name && sends_name) return row->name;
   if (!name) return fail(ErrorCode::refused, name.error());
   return std::move(*name);
 }

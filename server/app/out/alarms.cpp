@@ -215,7 +215,7 @@ bool Alarms::write_raised(const Key& key, Raised& raised) {
                                             .count = raised.count},
                                            raised.at_ms);
   if (!alarm) {
-    tell_unwritten(key, raised);
+    publish_unwritten(key, raised);
     if (!std::exchange(is_failing_, true))
       spdlog::error("{}: an alarm cannot be written: {}", key.first, store::message_of(alarm.error()));
     return is_final(alarm.error().code);
@@ -265,8 +265,8 @@ void Alarms::keep(const Key& key, Pending pending) {
 }
 
 // The store does not take it, and that may be what the alarm is about: those who watch hear it all the same, once.
-void Alarms::tell_unwritten(const Key& key, Raised& raised) {
-  if (std::exchange(raised.is_told, true)) return;
+void Alarms::publish_unwritten(const Key& key, Raised& raised) {
+  if (std::exchange(raised.is_published, true)) return;
   store::Alarm alarm;
   alarm.machine = key.first;
   alarm.kind = row_of(key.second).name;

@@ -85,7 +85,7 @@ class Alarms {
     store::Id job = 0;
     std::uint64_t count = 0;
     std::int64_t at_ms = 0;
-    bool is_told = false;  // as an alarm that could not be written yet
+    bool is_published = false;  // as an alarm that could not be written yet
   };
   // What came for one machine and kind since the last write.
   struct Pending {
@@ -107,7 +107,7 @@ class Alarms {
   bool write_raised(const Key& key, Raised& raised);
   bool write_cleared(const Key& key, std::int64_t at_ms);
   void keep(const Key& key, Pending pending);
-  void tell_unwritten(const Key& key, Raised& raised);
+  void publish_unwritten(const Key& key, Raised& raised);
   void end_shelves();
   void forget();
   void publish(const store::Alarm& alarm);

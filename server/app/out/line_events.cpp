@@ -10,11 +10,12 @@ void LineEvents::look() {
   for (const Progress& shown : events_.snapshot()) {
     Seen& seen = seen_.try_emplace(shown.machine, Seen{.state = shown.report.state, .since = now}).first->second;
     if (seen.state != shown.report.state) seen = {.state = shown.report.state, .since = now};
-    if (seen.is_told || now - seen.since < kStands) continue;
-    const auto told = told_.find(shown.machine);
-    const bool is_known = told != told_.end() && told->second == seen.state;  // it went and came back within the second
-    seen.is_told = is_known || tell(shown);
-    if (seen.is_told) told_[shown.machine] = seen.state;
+    if (seen.is_logged || now - seen.since < kStands) continue;
+    const auto logged = logged_.find(shown.machine);
+    const bool is_known =
+        logged != logged_.end() && logged->second == seen.state;  // it went and came back within the second
+    seen.is_logged = is_known || tell(shown);
+    if (seen.is_logged) logged_[shown.machine] = seen.state;
   }
 }
 

@@ -25,7 +25,7 @@ class LineEvents {
   struct Seen {
     LineState state = LineState::disconnected;
     feed::Time since{};
-    bool is_told = false;
+    bool is_logged = false;
   };
   bool tell(const Progress& shown);
 
@@ -33,7 +33,7 @@ class LineEvents {
   const Events& events_;
   const Clock& clock_;
   std::map<std::string, Seen> seen_;
-  std::map<std::string, LineState> told_;  // the last state of each machine that is in the log
+  std::map<std::string, LineState> logged_;  // the last state of each machine that is in the log
 };
 
 }  // namespace dripfeed::app

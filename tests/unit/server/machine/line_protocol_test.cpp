@@ -55,12 +55,12 @@ TEST(LineProtocol, AUrlMaySayOtherwise) {
 }
 
 TEST(LineProtocol, OnlyYmodemTellsAName) {
-  EXPECT_TRUE(tells_name(line_of("pty:/x?protocol=ymodem")));
-  EXPECT_FALSE(tells_name(line_of("pty:/x?protocol=xmodem-1k")));
-  EXPECT_FALSE(tells_name(line_of("dir:/x")));
+  EXPECT_TRUE(sends_name(line_of("pty:/x?protocol=ymodem")));
+  EXPECT_FALSE(sends_name(line_of("pty:/x?protocol=xmodem-1k")));
+  EXPECT_FALSE(sends_name(line_of("dir:/x")));
   LineSettings by_profile = line_of("pty:/x");
   by_profile.protocol = LineProtocol::ymodem;
-  EXPECT_TRUE(tells_name(by_profile));
+  EXPECT_TRUE(sends_name(by_profile));
 }
 
 TEST(LineProtocol, WhatCannotBeIsASentence) {

@@ -1,5 +1,5 @@
 // The ids of which one warning says it.
-#include "server/app/checks/said_once.h"
+#include "server/app/checks/warn_once.h"
 
 #include <algorithm>
 #include <set>
