@@ -187,6 +187,9 @@ void Connection::on_read(Error error) {
   at_work_.emplace(shared_.traffic->at_work(plan_.lane));
   if (!request_.spooled) request_.body = std::move(parser_->get().body());
   wire_.lowest().expires_never();
+  // Whoever is a proxy brings the requests of many.
+  if (plan_.lane == Lane::secret && !is_proxy() && !(sign_in_ = shared_.sign_ins.take(peer_)))
+    return respond_unread(plain_problem(503, "too many sign-ins from this address are waiting: send this one again"));
   if (plan_.lane != Lane::here) return answer_in(plan_.lane);
   respond(shared_.answerer.answer(request_));
 }
@@ -260,7 +263,7 @@ void Connection::copy_headers() {
 }
 
 void Connection::copy_forwarded() {
-  if (std::ranges::find(shared_.proxies, peer_) == shared_.proxies.end()) return;
+  if (!is_proxy()) return;
   const auto& message = parser_->get();
   request_.forwarded_host = last_of(std::string_view(message["X-Forwarded-Host"]));
   if (beast::iequals(last_of(std::string_view(message["X-Forwarded-Proto"])), "https")) request_.is_encrypted = true;

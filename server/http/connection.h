@@ -12,13 +12,15 @@
 #include <boost/asio/ssl/context.hpp>
 
 #include "server/http/server.h"
+#include "server/http/sign_ins.h"
 #include "server/http/spool.h"
 
 namespace dripfeed::http {
 
-// What all connections of a server share. It outlives them; all but `answerer`, `lanes` and `traffic` is for the HTTP
-// thread.
+// What all connections of a server share. It outlives them; all but `sign_ins`, `answerer`, `lanes` and `traffic` is
+// for the HTTP thread.
 struct ConnectionShared {
+  SignIns sign_ins{};
   Answerer answerer;
   Lanes* lanes = nullptr;
   const Spool* spool = nullptr;

@@ -3,6 +3,7 @@
 // runs on the HTTP thread, so nothing needs a lock, and inside a fence: what it throws closes this connection alone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <expected>
@@ -59,6 +60,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   bool take_room(std::size_t bytes, bool in_file);
   void give_room_back();
   void copy_headers();
+  [[nodiscard]] bool is_proxy() const { return std::ranges::find(shared_.proxies, peer_) != shared_.proxies.end(); }
   void copy_forwarded();
   void refuse_unread(Error error);
   // Where the next request would begin is not known, or not waited for.
@@ -101,8 +103,9 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   std::optional<Clock::time_point> waits_since_;
   Request request_;
   Plan plan_;
-  Clock::time_point read_at_{};     // its last byte, or when it was refused
-  std::optional<Counted> at_work_;  // while it waits for its answer
+  Clock::time_point read_at_{};              // its last byte, or when it was refused
+  std::optional<Counted> at_work_;           // while it waits for its answer
+  std::unique_ptr<SignIns::Place> sign_in_;  // while it waits for that of a sign-in
   std::optional<Counted> upload_;
   std::size_t room_bytes_ = 0;       // taken of the budget for bodies in memory
   std::size_t room_file_bytes_ = 0;  // and for those in files

@@ -56,6 +56,7 @@ void Connection::fill_head(Message& message, const Response& response) const {
 // What was refused before it was read whole took no time of ours.
 void Connection::count(const Response& response) {
   at_work_.reset();
+  sign_in_.reset();
   const auto took = read_at_ == Clock::time_point{} ? Clock::duration{} : Clock::now() - read_at_;
   shared_.traffic->answered(plan_.route, plan_.lane, response.status, took);
 }

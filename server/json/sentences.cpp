@@ -134,6 +134,7 @@ constexpr std::array kRows = {
     Row{"body_too_long", "the body is too long for this path"},
     Row{"too_many_large", "too many large requests are being read: send this one again"},
     Row{"too_many_waiting", "too many requests of this kind are waiting: send this one again"},
+    Row{"too_many_sign_ins", "too many sign-ins from this address are waiting: send this one again"},
     Row{"watch_already", "{count} watch already: close a page that is not needed"},
     Row{"search_not_there", "programs cannot be searched: the log states why"},
     Row{"sweep_runs", "another sweep is running: ask again when it is done"},

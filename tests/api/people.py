@@ -1,12 +1,15 @@
 """People: signing in by password and PIN, locks, roles by groups of machines, tokens with a scope and an end, the second pair of eyes, and the
 audit, exported and verified offline."""
 
+import collections
+import http.client
 import json
 import subprocess
 import sys
+import threading
 import time
 
-from client import Client, binary, expect, in_folder, plain_program, shop
+from client import Client, binary, expect, in_folder, plain_program, shop, whole
 
 GOOD = "correct horse battery"
 
@@ -85,6 +88,35 @@ def locks(folder):
     client.post("/users/olga/unlock")
     sign_in(client, {"name": "olga", "pin": "4711"})
     sign_in(client, {"name": "nobody", "pin": "4711"}, 401)
+    client.server.stop()
+
+
+def a_flood_of_sign_ins(folder):
+    """From another address of this computer, with names that nobody has: it gets its few places, and a person gets in between."""
+    client = Client(folder).start()
+    add(client, "olga", "operator")
+    client.must("PUT", "/users/olga/password", {"secret": "a long enough one"})
+    ends, statuses = threading.Event(), collections.Counter()
+
+    def flood(number):
+        while not ends.is_set():
+            connection = http.client.HTTPConnection("127.0.0.1", client.server.port, timeout=60, source_address=("127.0.0.2", 0))
+            connection.request("POST", whole("/session"), json.dumps({"name": f"nobody{number}", "password": "wrong"}), {"Content-Type": "application/json"})
+            answer = connection.getresponse()
+            statuses[answer.status] += 1
+            expect(answer.status != 503 or int(answer.headers["Retry-After"]) > 0, "when to come again is not stated")
+            connection.close()
+
+    threads = [threading.Thread(target=flood, args=(number,), daemon=True) for number in range(40)]
+    for thread in threads:
+        thread.start()
+    shop.wait_for("the flood to be refused", lambda: statuses[503] > 100)
+    for _ in range(3):
+        sign_in(client, {"name": "olga", "password": "a long enough one"})
+    ends.set()
+    for thread in threads:
+        thread.join()
+    expect(statuses[401] > 0 and set(statuses) == {401, 503}, f"{statuses}")
     client.server.stop()
 
 
@@ -202,6 +234,6 @@ def audit(folder):
 
 
 if __name__ == "__main__":
-    for test in (secrets_and_sessions, locks, roles_by_groups, scopes_and_ends, nobody_locks_the_shop_out, audit):
+    for test in (secrets_and_sessions, locks, a_flood_of_sign_ins, roles_by_groups, scopes_and_ends, nobody_locks_the_shop_out, audit):
         in_folder(test)
     sys.exit(0)
