@@ -89,8 +89,13 @@ Effects::Effects(const ir::Program& program, const ir::Control& control, ToolCha
       tool_at_once_(change == ToolChange::as_the_control ? brings_tool_by_t(control)
                                                          : !has_code(program, Function::tool_change)),
       changes_leads_(has_code(program, Function::thread_changing)),
-      shape_(blocks_of_shapes(program)),
-      skipped_(blocks_left_out(program)) {}
+      may_be_left_out_(program.statements.size()) {
+  const std::vector<Shape> shapes = shapes_of(program);
+  for (const bool left_out : {false, true})
+    for (const Shape& shape : shapes)
+      for (std::uint32_t i = shape.first; i < shape.end && shape.is_left_out == left_out; ++i)
+        may_be_left_out_[i] = !left_out;
+}
 
 // --- one block
 
@@ -287,8 +292,8 @@ void Effects::block(std::uint32_t statement, Facts& facts) const {
 
 void Effects::apply(std::uint32_t statement, Facts& facts) const {
   const ir::Statement& s = program_.statements[statement];
-  if (skipped_[statement]) return;
-  const std::optional<Facts> left_out = s.skip_level != 0 || shape_[statement] ? std::optional(facts) : std::nullopt;
+  const std::optional<Facts> left_out =
+      s.skip_level != 0 || may_be_left_out_[statement] ? std::optional(facts) : std::nullopt;
   carry_out(statement, facts);
   if (left_out) facts.join(*left_out);
 }

@@ -41,10 +41,9 @@ class Effects {
 
   const ir::Program& program_;
   const ir::Control& control_;
-  bool tool_at_once_;          // T brings a tool in, without M6
-  bool changes_leads_;         // has a thread whose lead changes
-  std::vector<bool> shape_;    // by statement: run for a cycle alone
-  std::vector<bool> skipped_;  // … and left out after it
+  bool tool_at_once_;                  // T brings a tool in, without M6
+  bool changes_leads_;                 // has a thread whose lead changes
+  std::vector<bool> may_be_left_out_;  // by statement: a shape that something beside its cycle leads to
 };
 
 }  // namespace dripfeed::facts

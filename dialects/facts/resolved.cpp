@@ -52,6 +52,7 @@ Resolved::Resolved(const ir::Program& program, const ir::Control& control, ToolC
       control_(control),
       graph_(program),
       effects_(program, control, change),
+      shapes_(shapes_of(program)),
       part_of_call_(program.statements.size(), ir::kNoIndex),
       is_leader_(program.statements.size() + 1, false) {
   find_parts();
@@ -186,6 +187,8 @@ void Resolved::find_leaders() {
     for (const std::uint32_t to : next) is_leader_[to] = true;
     is_leader_[i + 1] = true;
   }
+  for (const Shape& shape : shapes_)
+    is_leader_[shape.first] = is_leader_[shape.end] = is_leader_[shape.cycle + 1] = true;
   for (const ir::Label& label : program_.labels)
     if (returns_to_blocks) is_leader_[label.statement] = true;
   for (std::uint32_t i = 0; i <= count; ++i)
@@ -263,9 +266,20 @@ void Resolved::run_from(std::uint32_t leader) {
     if (ends_part(i)) leave(i, facts);
     const std::vector<std::uint32_t>& next = graph_.after(i);
     if (next.size() == 1 && next.front() == i + 1 && !is_leader_[i + 1]) continue;
-    for (const std::uint32_t to : std::vector(next)) reach(to, facts);
+    for (const std::uint32_t to : std::vector(next)) go_on(i, to, facts);
     return;
   }
+}
+
+// A cycle runs its shape in what it finds; after roughing, what held before it does again.
+void Resolved::go_on(std::uint32_t from, std::uint32_t to, const Facts& facts) {
+  bool leaves_shape = false;
+  for (const Shape& shape : shapes_) {
+    if (from == shape.cycle) reach(shape.first, facts);
+    if (from == shape.cycle && shape.is_left_out) reach(shape.end, facts);
+    leaves_shape |= shape.is_left_out && from >= shape.first && from < shape.end && to == shape.end;
+  }
+  if (!leaves_shape) reach(to, facts);
 }
 
 // The run goes back to its caller after the statement: by a return, or at the end of its text.

@@ -11,6 +11,7 @@
 #include "dialects/facts/effects.h"
 #include "dialects/facts/flow_graph.h"
 #include "dialects/facts/modal_facts.h"
+#include "dialects/facts/shape_blocks.h"
 
 namespace dripfeed::facts {
 
@@ -51,6 +52,7 @@ class Resolved {
   [[nodiscard]] Facts start_of(const Part& part) const;
   void flow();
   void run_from(std::uint32_t leader);
+  void go_on(std::uint32_t from, std::uint32_t to, const Facts& facts);
   void reach(std::uint32_t statement, const Facts& facts);
   [[nodiscard]] std::uint32_t part_called_by(const ir::Statement& statement) const;
   [[nodiscard]] std::uint32_t part_at(std::uint32_t statement) const;
@@ -66,6 +68,7 @@ class Resolved {
   const ir::Control& control_;
   FlowGraph graph_;
   Effects effects_;
+  std::vector<Shape> shapes_;  // that G70 to G73 run
   std::vector<Part> parts_;
   std::vector<std::uint32_t> part_of_call_;       // by statement, kNoIndex for others
   std::vector<bool> is_leader_;                   // where states are kept

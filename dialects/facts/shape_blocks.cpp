@@ -32,14 +32,23 @@ std::uint32_t statement_of(const ir::Program& program, double number, std::uint3
   return found;
 }
 
-struct Shape {
-  std::uint32_t cycle = 0;
-  std::uint32_t first = 0;
-  std::uint32_t end = 0;  // behind its last statement
-  bool is_roughed = false;
-};
+bool stands_right_after(const ir::Program& program, const Shape& shape) {
+  if (shape.first <= shape.cycle || program.statements[shape.cycle].skip_level != 0) return false;
+  for (std::uint32_t i = shape.cycle + 1; i < shape.first; ++i)
+    if (program.statements[i].kind != ir::StatementKind::empty) return false;
+  return true;
+}
 
-std::vector<Shape> shapes(const ir::Program& program) {
+bool is_entered(const Shape& shape, const std::vector<bool>& is_target) {
+  for (std::uint32_t i = shape.first; i < shape.end; ++i)
+    if (is_target[i]) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<Shape> shapes_of(const ir::Program& program) {
+  std::vector<bool> is_target;
   std::vector<Shape> out;
   const auto count = static_cast<std::uint32_t>(program.statements.size());
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -56,37 +65,10 @@ std::vector<Shape> shapes(const ir::Program& program) {
     if (end == ir::kNoIndex || end < begin) continue;
     const std::uint32_t last_line = program.statements[end].line;
     while (end < count && program.statements[end].line <= last_line) ++end;
-    out.push_back({.cycle = i, .first = begin, .end = end, .is_roughed = cycle->argument != 0});
-  }
-  return out;
-}
-
-bool stands_right_after(const ir::Program& program, const Shape& shape) {
-  if (shape.first <= shape.cycle || program.statements[shape.cycle].skip_level != 0) return false;
-  for (std::uint32_t i = shape.cycle + 1; i < shape.first; ++i)
-    if (program.statements[i].kind != ir::StatementKind::empty) return false;
-  return true;
-}
-
-}  // namespace
-
-std::vector<bool> blocks_of_shapes(const ir::Program& program) {
-  std::vector<bool> out(program.statements.size());
-  for (const Shape& shape : shapes(program))
-    for (std::uint32_t i = shape.first; i < shape.end; ++i) out[i] = true;
-  return out;
-}
-
-std::vector<bool> blocks_left_out(const ir::Program& program) {
-  std::vector<bool> out(program.statements.size());
-  std::vector<bool> is_target;
-  for (const Shape& shape : shapes(program)) {
-    if (!shape.is_roughed || !stands_right_after(program, shape)) continue;
+    Shape shape{.cycle = i, .first = begin, .end = end};
     if (is_target.empty()) is_target = jump_targets(program);
-    bool is_entered = false;
-    for (std::uint32_t i = shape.first; i < shape.end; ++i) is_entered |= is_target[i];
-    if (is_entered) continue;
-    for (std::uint32_t i = shape.first; i < shape.end; ++i) out[i] = true;
+    shape.is_left_out = cycle->argument != 0 && stands_right_after(program, shape) && !is_entered(shape, is_target);
+    out.push_back(shape);
   }
   return out;
 }

@@ -2,16 +2,20 @@
 // them.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "dialects/ir/program.h"
 
 namespace dripfeed::facts {
 
-// By statement.
-std::vector<bool> blocks_of_shapes(const ir::Program& program);
-// Those that stand right after the roughing cycle that cuts them, and that nothing jumps into: behind its cycle the
-// program goes on after them.
-std::vector<bool> blocks_left_out(const ir::Program& program);
+struct Shape {
+  std::uint32_t cycle = 0;  // statements
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;  // after its last one
+  // It stands right after a roughing cycle, and nothing jumps into it: from the cycle the program goes on at `end`.
+  bool is_left_out = false;
+};
+std::vector<Shape> shapes_of(const ir::Program& program);
 
 }  // namespace dripfeed::facts

@@ -29,13 +29,14 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_variables(program, control, findings);
   check_words(program, control, findings);
   check_values(program, control, findings);
+  const facts::Resolved facts(program, control);
   for (const Section& section : sections) {
     check_loops(program, control, section, findings);
     check_jumps(program, section, findings);
-    check_modes(program, control, section, findings);
-    check_axes(program, control, section, findings);
+    check_modes(program, control, facts, section, findings);
+    check_axes(program, control, facts, section, findings);
     check_measuring(program, control, section, findings);
-    check_order(program, control, section, findings);
+    check_order(program, control, facts, section, findings);
     check_cycles(program, control, section, findings);
   }
   if (!grammar.condition_blocks) check_condition_blocks(program, findings);

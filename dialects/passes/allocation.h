@@ -25,7 +25,7 @@ struct AllocatedVariable {
 
 struct AllocationReport {
   std::vector<AllocatedVariable> variables;
-  std::vector<text::Diagnostic> diagnostics;  // not_enough_variables, cannot_translate (strings, frames)
+  std::vector<text::Diagnostic> diagnostics;  // not_enough_variables, refusals (strings, frames)
 };
 
 // What the program's surroundings ask for.

@@ -12,8 +12,9 @@ namespace dripfeed::passes {
 
 // Each polar position becomes its two coordinates, a number where radius, angle and pole are numbers and a calculation
 // otherwise; an arc round its pole gets that as its centre. Poles and the codes between which letters are polar go.
-// Only for mills. cannot_translate at the block: a pole, a radius or an angle that is not known there (ways meet, or it
-// counts from where the tool stands), a plane or a motion that is not known, G16 over jumps and calls.
+// Only for mills. Refused at the block (translation_…, see refusal.h): a pole, a radius or an angle that is not known
+// there (paths disagree, or it counts from where the tool stands), a plane or a motion that is not known, G16 over
+// jumps and calls.
 std::vector<text::Diagnostic> lower_polar_positions(ir::Program& program, const ir::Control& from,
                                                     const ir::Control& to);
 

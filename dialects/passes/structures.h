@@ -13,7 +13,7 @@ namespace dripfeed::passes {
 
 struct StructureReport {
   std::uint32_t changed = 0;                  // structures rewritten
-  std::vector<text::Diagnostic> diagnostics;  // cannot_translate; missing_end and end_without_begin are the reader's
+  std::vector<text::Diagnostic> diagnostics;  // refusals; missing_end and end_without_begin are the reader's
 };
 
 // REPEAT of a part of the program becomes jumps and a counter. To run before labels are numbered. A part that lies in
@@ -32,7 +32,7 @@ StructureReport lower_counted_loops(ir::Program& program, FreeNumbers& numbers);
 StructureReport lower_conditions(ir::Program& program, FreeNumbers& numbers);
 
 // Conditions of jumps and WHILE become single comparisons: AND, OR and NOT become several jumps, a value by itself is
-// compared with 0, a constant is decided here. XOR between conditions is cannot_translate.
+// compared with 0, a constant is decided here. XOR between conditions is refused.
 StructureReport lower_logic(ir::Program& program, FreeNumbers& numbers);
 
 // Loops nested deeper than `limit` become jumps, the outermost first: they repeat least often. The others get their

@@ -49,7 +49,7 @@ std::string_view standard_cycle(std::string_view name);
 
 // Makes a program of the control `from`, or a built one, legal for the SINUMERIK control `to`: variables become R
 // parameters or DEF names, codes are mapped by what they do, block numbers become labels. What cannot be said is the
-// error cannot_translate with its place.
+// error of passes/refusal.h (cannot_translate, translation_…) with its place.
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 // Canonical text of a raised program: no head line (the file name is the program's), one block a line, LF, axis words

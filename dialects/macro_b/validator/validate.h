@@ -2,6 +2,7 @@
 // them a control needs is its own choice. None of them runs the program: what depends on values is the interpreter's.
 #pragma once
 
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/ir/stage.h"
@@ -23,7 +24,8 @@ void check_words(const ir::Program& program, const ir::Control& control, Finding
 // Values that are refused wherever they stand, and M functions that the machine's list does not have.
 void check_values(const ir::Program& program, const ir::Control& control, Findings& findings);
 // What a program must state before it relies on it: unit, distance, plane and feed mode, motion code, feed.
-void check_modes(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
+void check_modes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                 const Section& section, Findings& findings);
 
 // Tape marks, program number, program end, block length.
 void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
@@ -33,9 +35,11 @@ void check_drip(const ir::Program& program, const ir::Control& control, const Gr
 // Drilling and turning cycles: pecks, taps, and the shapes that they name.
 void check_cycles(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
 // What depends on the blocks before: compensation, drilling cycles and modal calls that are in effect.
-void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
+void check_order(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                 const Section& section, Findings& findings);
 // How many axes a block moves, and which of them a plane, an arc or a code by number may have.
-void check_axes(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
+void check_axes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                const Section& section, Findings& findings);
 // Moves that a signal ends: measuring a tool, and skipping.
 void check_measuring(const ir::Program& program, const ir::Control& control, const Section& section,
                      Findings& findings);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <optional>
 #include <string>
 
 #include "dialects/ir/axis_letters.h"
+#include "dialects/macro_b/validator/in_effect.h"
 #include "dialects/macro_b/validator/validate.h"
 #include "dialects/text/number.h"
 
@@ -32,28 +34,32 @@ std::size_t outside(Function plane) { return plane == Function::plane_xy ? 2 : p
 
 class AxesCheck {
  public:
-  AxesCheck(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings)
-      : program_(program), control_(control), findings_(findings), ways_in_(program, section) {}
+  AxesCheck(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts, Findings& findings)
+      : program_(program), control_(control), findings_(findings), in_effect_(program, facts) {}
 
   void statement(std::uint32_t at) {
     const ir::Statement& s = program_.statements[at];
-    if (ways_in_.at(at)) forget();
-    if (s.kind == StatementKind::block)
-      block(program_.blocks[s.payload], s.span);
-    else if (s.kind == StatementKind::call || s.kind == StatementKind::native || s.kind == StatementKind::go_to)
-      forget();
+    if (s.kind != StatementKind::block) return;
+    load(at);
+    block(program_.blocks[s.payload], s.span);
   }
 
  private:
-  void forget() {
-    plane_ = Function::none;
-    arc_ = false;
+  // What the block finds in effect; its codes change it.
+  void load(std::uint32_t at) {
+    in_effect_.at(at);
+    const std::optional<facts::Setting> plane = in_effect_.stated(facts::Mode::plane);
+    plane_ = plane ? plane->function : Function::none;
+    plane_written_ = in_effect_.written(facts::Mode::plane);
+    const std::optional<facts::Setting> motion = in_effect_.certain(facts::Mode::motion);
+    arc_ = motion && (motion->function == Function::arc_cw || motion->function == Function::arc_ccw) &&
+           in_effect_.beside(facts::Mode::cycle, Function::cycle_off) == State::off;
   }
 
   void block(const ir::Block& block, text::Span span) {
     bool own_words = false;
     for (const ir::Code& code : program_.codes_of(block)) {
-      if (code.number != ir::ExpressionId::none) return forget();
+      if (code.number != ir::ExpressionId::none) return;
       own_words |= code.group == ModalGroup::frame || (code.group == ModalGroup::non_modal && !moves(code.function));
       if (code.group == ModalGroup::motion)
         arc_ = code.function == Function::arc_cw || code.function == Function::arc_ccw;
@@ -142,7 +148,7 @@ class AxesCheck {
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
-  WaysIn ways_in_;
+  InEffect in_effect_;
   Function plane_ = Function::none;  // none: not known
   std::string_view plane_written_;
   bool arc_ = false;
@@ -150,8 +156,9 @@ class AxesCheck {
 
 }  // namespace
 
-void check_axes(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
-  AxesCheck check(program, control, section, findings);
+void check_axes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                const Section& section, Findings& findings) {
+  AxesCheck check(program, control, facts, findings);
   for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
 }
 

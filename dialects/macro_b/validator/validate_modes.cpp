@@ -1,10 +1,12 @@
 // What the machine's power-on state would decide. The blocks are looked at in the order of the text: what is stated
 // further up counts as stated, and after a call or a block that is not understood everything does.
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
+#include "dialects/macro_b/validator/in_effect.h"
 #include "dialects/macro_b/validator/validate.h"
 #include "dialects/text/number.h"
 
@@ -34,17 +36,21 @@ ir::AlarmDetail detail_of(const ir::Code& code) {
 
 class ModeCheck {
  public:
-  ModeCheck(const ir::Program& program, const ir::Control& control, Findings& findings)
+  ModeCheck(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts, Findings& findings)
       : program_(program),
         control_(control),
         findings_(findings),
+        in_effect_(program, facts),
         has_distance_codes_(std::ranges::any_of(
             control.g_codes, [](const ir::CodeRow& r) { return r.function == Function::incremental; })),
         confirmed_(control.from_profile && control.semantics.power_on_known) {}
 
-  void statement(const ir::Statement& s) {
-    if (s.kind == StatementKind::block) block(program_.blocks[s.payload], s.span);
-    jumped_ |= s.kind == StatementKind::go_to;
+  void statement(std::uint32_t at) {
+    const ir::Statement& s = program_.statements[at];
+    if (s.kind == StatementKind::block) {
+      load(at);
+      block(program_.blocks[s.payload], s.span);
+    }
     const bool unknown = s.kind == StatementKind::native && !program_.natives[s.payload].effects_known;
     if (unknown || s.kind == StatementKind::call) assume_all();
   }
@@ -53,9 +59,12 @@ class ModeCheck {
   [[nodiscard]] bool has_word(const ir::Block& block, Address address) const {
     return std::ranges::find(program_.words_of(block), address, &ir::Word::address) != program_.words_of(block).end();
   }
-  void assume_all() {
-    inverse_time_ = false;
-    unit_ = distance_ = plane_ = feed_mode_ = motion_ = feed_ = limit_ = true;
+  void assume_all() { unit_ = distance_ = plane_ = feed_mode_ = motion_ = feed_ = limit_ = true; }
+
+  void load(std::uint32_t at) {
+    in_effect_.at(at);
+    const std::optional<facts::Setting> feed = in_effect_.certain(facts::Mode::feed);
+    inverse_time_ = feed && feed->function == Function::feed_inverse_time;
   }
 
   void block(const ir::Block& block, text::Span span) {
@@ -90,7 +99,7 @@ class ModeCheck {
     open(motion_, motion_without_code, span, {axes});
     if (cutting_ && inverse_time_ && !has_word(block, Address::f))
       findings_.add(no_feed, span, {}, ir::AlarmDetail::inverse_time);
-    if (cutting_ && !feed_ && !jumped_) {
+    if (cutting_ && !feed_ && in_effect_.lacks_feed()) {
       findings_.add(no_feed, span, {}, cut_);
       feed_ = true;
     }
@@ -147,6 +156,7 @@ class ModeCheck {
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
+  InEffect in_effect_;
   bool has_distance_codes_;
   bool confirmed_;
   bool unit_ = false;
@@ -159,15 +169,15 @@ class ModeCheck {
   bool cutting_ = false;
   ir::AlarmDetail cut_ = ir::AlarmDetail::none;  // what it is that cuts
   bool inverse_time_ = false;                    // F counts in its own block only
-  bool jumped_ = false;                          // what stands further up may not have been run
 };
 
 }  // namespace
 
-void check_modes(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
+void check_modes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                 const Section& section, Findings& findings) {
   if (section.is_subprogram) return;
-  ModeCheck check(program, control, findings);
-  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(program.statements[i]);
+  ModeCheck check(program, control, facts, findings);
+  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
 }
 
 }  // namespace dripfeed::macro_b

@@ -1,13 +1,18 @@
-// What is wrong only because of a block before. The blocks are looked at in the order of the text; behind a jump, a
-// label or a call nothing is taken for certain.
+// What is wrong only because of a block before. What is in effect is known on all paths; what waits for the block
+// behind it (a corner, M29, the start of compensation) is looked at in the order of the text, and given up after a
+// jump, a label or a call.
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "dialects/facts/transformation.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/reader/lower.h"
+#include "dialects/macro_b/validator/in_effect.h"
+#include "dialects/macro_b/validator/tap_order.h"
 #include "dialects/macro_b/validator/validate.h"
 
 namespace dripfeed::macro_b {
@@ -18,30 +23,27 @@ using ir::Function;
 using ir::StatementKind;
 using enum text::DiagnosticId;
 
-constexpr std::int16_t kRigidTap = 29;  // M29
-
-// Whether something is in effect.
-enum class State : std::uint8_t { off, on, uncertain };
-
 class OrderCheck {
  public:
-  OrderCheck(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings)
+  OrderCheck(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+             const Section& section, Findings& findings)
       : program_(program),
         control_(control),
         findings_(findings),
         ways_in_(program, section),
-        has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()),
+        in_effect_(program, facts),
+        taps_(program, control, findings),
         has_lathe_corners_(control.kind == ir::MachineKind::lathe) {
     if (section.is_subprogram) forget();  // what is in effect is its caller's
   }
 
   void statement(std::uint32_t at) {
     const ir::Statement& s = program_.statements[at];
-    if (s.kind == StatementKind::program_end && rigid_ == Rigid::waits)
-      add_rigid(s.span, "ends the program between M29 and its tapping cycle", ir::AlarmDetail::none);
+    if (s.kind == StatementKind::program_end) taps_.end(s.span);
     if (ways_in_.at(at)) forget();
     if (!corner_span_.empty() && s.kind != StatementKind::empty && s.kind != StatementKind::assign) corner(s);
     if (s.kind == StatementKind::block) {
+      load(at);
       block(program_.blocks[s.payload]);
     } else if (s.kind == StatementKind::modal_call) {
       modal_ = State::on;
@@ -58,16 +60,43 @@ class OrderCheck {
 
  private:
   void forget() {
-    modal_ = comp_ = cycle_ = rotation_ = data_ = State::uncertain;
-    sync_tap_ = inverse_time_ = false;
-    rigid_ = Rigid::off;
-    arc_ = starting_ = cuts_ = false;
-    moves_known_ = false;
-    extended_ = false;
-    plane_ = Function::none;
-    transformed_ = ir::kTransformationEnds;
+    modal_ = data_ = State::uncertain;
+    taps_.forget();
+    starting_ = false;
     number_known_ = true;
     corner_span_ = letter_corner_ = {};
+  }
+
+  // What the block finds in effect; its codes change it one after another.
+  void load(std::uint32_t at) {
+    using facts::Mode;
+    in_effect_.at(at);
+    comp_ = in_effect_.beside(Mode::compensation, Function::comp_off);
+    const std::optional<facts::Setting> cycle = in_effect_.certain(Mode::cycle);
+    cycle_ = !cycle ? State::uncertain : cycle->function == Function::drill ? State::on : State::off;
+    const std::optional<facts::Setting> frame = in_effect_.certain(Mode::frame);
+    rotation_ = !frame ? State::uncertain : frame->function == Function::rotate ? State::on : State::off;
+    const std::optional<facts::Setting> plane = in_effect_.stated(Mode::plane);
+    plane_ = plane ? plane->function : Function::none;
+    const std::optional<facts::Setting> moves = in_effect_.stated(Mode::motion);
+    take_motion(moves ? moves->function : Function::none);
+    moves_known_ = moves.has_value();
+    const std::optional<facts::Setting> offset = in_effect_.certain(Mode::work_offset);
+    extended_ = offset && (offset->function == Function::extended_offset ||
+                           (offset->function == Function::work_offset && offset->argument > kExtendedOffset));
+    const std::optional<facts::Setting> feed = in_effect_.certain(Mode::feed);
+    inverse_time_ = feed && feed->function == Function::feed_inverse_time;
+    inverse_time_by_ = in_effect_.written(Mode::feed);
+    load_transformation();
+  }
+  void load_transformation() {
+    transformed_ = ir::kTransformationEnds;
+    const std::optional<facts::Setting> begun = in_effect_.stated(facts::Mode::transformation);
+    if (!begun || begun->function == Function::none) return;
+    const ir::Statement& s = program_.statements[static_cast<std::uint32_t>(begun->argument)];
+    for (const ir::Code& code : program_.codes_of(program_.blocks[s.payload]))
+      if (code.function == Function::transformation) transformed_ = code.argument;
+    transformed_by_ = in_effect_.written(facts::Mode::transformation);
   }
 
   // An error where the control has an alarm for it.
@@ -102,8 +131,7 @@ class OrderCheck {
       if (f == Function::comp_left || f == Function::comp_right || f == Function::comp_off) comp = &code;
     }
     const bool moves = !own_words && moves_axes(block);
-    if (has_rigid_taps_) rigid_tap(block, moves);
-    speed_in_tap(block);
+    taps_.block(block, moves);
     if (comp != nullptr) take_comp(*comp);
     begin_corner(block, moves);
     if (has_lathe_corners_) lathe_corner(block, moves);
@@ -112,12 +140,15 @@ class OrderCheck {
     starting_ = false;
   }
 
+  void take_motion(Function f) {
+    arc_ = f == Function::arc_cw || f == Function::arc_ccw;
+    cuts_ = arc_ || f == Function::linear;
+    threads_ = f == Function::thread || f == Function::thread_changing;
+  }
   void motion(const ir::Code& code) {
     const Function f = code.function;
     if (code.group == ir::ModalGroup::motion) {
-      arc_ = f == Function::arc_cw || f == Function::arc_ccw;
-      cuts_ = arc_ || f == Function::linear;
-      threads_ = f == Function::thread || f == Function::thread_changing;
+      take_motion(f);
       moves_known_ = true;
     }
     if (code.group == ir::ModalGroup::motion || f == Function::cycle_off) cycle_ = State::off;
@@ -128,7 +159,7 @@ class OrderCheck {
   void transformation(const ir::Code& code, const ir::Block& block) {
     const Function f = code.function;
     if (f == Function::transformation) {
-      transformed_ = names_radius_zero(block) ? ir::kTransformationEnds : code.argument;
+      transformed_ = facts::ends_transformation(program_, block, code) ? ir::kTransformationEnds : code.argument;
       transformed_by_ = written(code);
       return;
     }
@@ -144,15 +175,6 @@ class OrderCheck {
     text::Diagnostic* finding =
         findings_.add(code_not_in_mode, code.span, {std::string(written(code)), std::string(transformed_by_)}, detail);
     if (finding != nullptr && finding->alarm.empty()) finding->severity = text::Severity::warning;
-  }
-
-  // G07.1 C0.
-  [[nodiscard]] bool names_radius_zero(const ir::Block& block) const {
-    return std::ranges::any_of(program_.words_of(block), [&](const ir::Word& w) {
-      const bool rotary = w.address == ir::Address::a || w.address == ir::Address::b || w.address == ir::Address::c;
-      return rotary && w.value != ir::ExpressionId::none && program_.at(w.value).op == ir::Operator::constant &&
-             program_.at(w.value).value == 0.0;
-    });
   }
 
   void plane(const ir::Code& code) {
@@ -195,65 +217,6 @@ class OrderCheck {
     if (code.function != Function::local_shift || !extended_ || !moves_axes(block)) return;
     if (!ir::alarm_of(control_, shift_in_extended_offset).empty())
       add(shift_in_extended_offset, code.span, written(code));
-  }
-
-  // M29 S500, then the tapping cycle: nothing that moves or turns the plane comes between.
-  void rigid_tap(const ir::Block& block, bool moves) {
-    const auto codes = program_.codes_of(block);
-    const auto m29 = std::ranges::find_if(
-        codes, [](const ir::Code& c) { return c.function == Function::machine_function && c.argument == kRigidTap; });
-    const auto cycle = std::ranges::find(codes, Function::drill, &ir::Code::function);
-    const auto plane = std::ranges::find(codes, ir::ModalGroup::plane, &ir::Code::group);
-    const bool taps = cycle != codes.end() && is_tap(*cycle);
-    if (plane != codes.end() && (rigid_ != Rigid::off))
-      add_rigid(plane->span, "changes the plane of a rigid tap", ir::AlarmDetail::plane_changes);
-    if (rigid_ == Rigid::waits && !taps) {
-      if (cycle != codes.end()) {
-        add_rigid(cycle->span, "stands between M29 and its tapping cycle", ir::AlarmDetail::none);
-      } else if (m29 != codes.end()) {
-        add_rigid(m29->span, "stands after another M29 without a tapping cycle", ir::AlarmDetail::none);
-      } else if (moves) {
-        add_rigid(program_.words_of(block).front().span, "moves between M29 and its tapping cycle",
-                  ir::AlarmDetail::axis_moves);
-        rigid_ = Rigid::off;
-      }
-    }
-    if (m29 != codes.end()) rigid_ = Rigid::waits;
-    if (taps && rigid_ == Rigid::waits) rigid_ = Rigid::taps;
-    const bool ends = std::ranges::any_of(codes, [](const ir::Code& c) {
-      return c.function == Function::cycle_off || c.group == ir::ModalGroup::motion;
-    });
-    if (rigid_ == Rigid::taps && ends && !taps) rigid_ = Rigid::off;
-  }
-  // G84 ,R1 and G84.2 couple the spindle to the axis until the cycle ends.
-  void speed_in_tap(const ir::Block& block) {
-    const auto codes = program_.codes_of(block);
-    const bool begins = std::ranges::any_of(codes, [&](const ir::Code& c) {
-      if (c.function != Function::drill || !is_tap(c)) return false;
-      const std::string_view name = written(c);
-      return name.ends_with(".2") || name.ends_with(".3") || names_synchronous(block);
-    });
-    const bool ends = std::ranges::any_of(codes, [](const ir::Code& c) {
-      return c.function == Function::cycle_off || c.function == Function::drill || c.group == ir::ModalGroup::motion;
-    });
-    if (ends) sync_tap_ = begins;
-    if (!sync_tap_ || begins || !has_own_alarm(rigid_tap_invalid, ir::AlarmDetail::speed_in_tap)) return;
-    for (const ir::Word& word : program_.words_of(block))
-      if (word.address == ir::Address::s && word.extension == 0)
-        add_rigid(word.span, "stands while a synchronous tap is in effect", ir::AlarmDetail::speed_in_tap);
-  }
-  [[nodiscard]] bool names_synchronous(const ir::Block& block) const {
-    return std::ranges::any_of(program_.words_of(block), [&](const ir::Word& w) {
-      return w.address == ir::Address::rounding && w.value != ir::ExpressionId::none &&
-             program_.at(w.value).op == ir::Operator::constant && program_.at(w.value).value == 1.0;
-    });
-  }
-  static bool is_tap(const ir::Code& code) {
-    const auto cycle = static_cast<ir::DrillCycle>(code.argument % ir::kDrillAlongZ);
-    return cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left;
-  }
-  void add_rigid(text::Span span, std::string_view what, ir::AlarmDetail detail) {
-    findings_.add(rigid_tap_invalid, span, {std::string(text_of(program_, span)) + " " + std::string(what)}, detail);
   }
 
   void take_comp(const ir::Code& code) {
@@ -352,17 +315,16 @@ class OrderCheck {
   const ir::Control& control_;
   Findings& findings_;
   WaysIn ways_in_;
-  bool has_rigid_taps_;
+  InEffect in_effect_;
+  TapOrder taps_;
   bool has_lathe_corners_;
-  enum class Rigid : std::uint8_t { off, waits, taps } rigid_ = Rigid::off;
   // At the start nothing is in effect.
   std::uint32_t modal_depth_ = 0;  // G66 within G66
   State modal_ = State::off;
   State comp_ = State::off;
   State cycle_ = State::off;
   State rotation_ = State::off;
-  State data_ = State::off;  // G10
-  bool sync_tap_ = false;
+  State data_ = State::off;    // G10
   bool inverse_time_ = false;  // G93
   std::string_view inverse_time_by_;
   bool threads_ = false;      // the motion code is that of a thread
@@ -396,9 +358,10 @@ void check_returns(const ir::Program& program, const Section& section, Findings&
 
 }  // namespace
 
-void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
+void check_order(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                 const Section& section, Findings& findings) {
   check_returns(program, section, findings);
-  OrderCheck check(program, control, section, findings);
+  OrderCheck check(program, control, facts, section, findings);
   for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
 }
 

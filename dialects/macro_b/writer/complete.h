@@ -9,7 +9,7 @@
 
 namespace dripfeed::macro_b {
 
-// One diagnostic (cannot_translate) a statement that is not whole.
+// One refusal a statement that is not whole.
 std::vector<text::Diagnostic> complete_statements(ir::Program& program, const std::string& target);
 
 }  // namespace dripfeed::macro_b

@@ -21,7 +21,7 @@ struct Raising {
   std::vector<text::Diagnostic>& diagnostics;
 
   text::Diagnostic& report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) const;
-  // cannot_translate: `what` has no counterpart here.
+  // `what` has no counterpart here; its kind is the diagnostic.
   void cannot(passes::Refusal what, text::Span span) const;
   [[nodiscard]] std::string_view text_of(text::Span span) const {
     return span.end <= program.source.text().size() ? span.in(program.source.text()) : std::string_view();

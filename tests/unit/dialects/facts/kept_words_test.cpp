@@ -120,6 +120,8 @@ TEST(KeptWords, BlocksOfAShapeAreLeftOutAfterTheirCycle) {
   const ir::Program& program = b.build();
   const ir::Control control = control_of(ir::MachineKind::lathe);
   const Resolved resolved(program, control);
+  EXPECT_TRUE((*resolved.before(3))[Number::x].is(30.0)) << "the cycle runs it";
+  EXPECT_EQ(resolved.certain(Mode::motion, 3)->function, Function::rapid);
   const auto end = static_cast<std::uint32_t>(program.statements.size()) - 1;
   EXPECT_TRUE((*resolved.before(end))[Number::x].is(50.0));
   EXPECT_EQ(resolved.certain(Mode::motion, end)->function, Function::linear);
