@@ -1,8 +1,9 @@
 // Which machine a text was written for, when nobody says. Rules, the first line that meets one decides:
-//   lathe: T with four digits and no M06, or with its own number as its offset (T0707 M06); U or W beside X or Z words;
-//          G50 S; G32; G70-G76 with P and Q or with U and R;
+//   lathe: T with four digits and no M06; U or W beside X or Z words; G50 S; G32; G70-G76 with P and Q or with U and R;
 //          H with a point, the increment of C, in a block that says no tool length
-//   mill:  a Y word; G43, G44 or G49; G17; M06; G81, G82 or G73 with R
+//   mill:  a Y word; G43, G44 or G49; G17; M06, unless its tool has its own offset (T0707 M06 may be either's); G81,
+//   G82 or
+//          G73 with R
 //   then:  X and Z in one block and no Y anywhere: lathe; otherwise mill, with no line.
 // G-code system of a lathe: A by G50 S, G32, U or W; B by G91, G95, G92 S, G33; C by G70 or G71 without words, G24.
 // Where none of these stand, A by G98 or G99 without drilling, B by G90 or G94 without words: programs of system A have
@@ -118,7 +119,7 @@ class BlockScan {
 
 bool is_lathe(const Block& b) {
   const bool turning_cycle = std::ranges::any_of(b.g10, [](std::int32_t g) { return g >= 700 && g <= 760; });
-  if (b.tool_digits == 4 && (!b.m(6) || b.tool_is_pair)) return true;
+  if (b.tool_digits == 4 && !b.m(6)) return true;
   const bool length = b.g(43) || b.g(44) || b.g(49) || b.has('D');
   if (b.h_has_point && !length && !b.is_call() && !b.has('Y')) return true;
   if (b.g(32) || (b.g(50) && b.has('S'))) return true;
@@ -129,7 +130,8 @@ bool is_lathe(const Block& b) {
 bool is_mill(const Block& b) {
   if (b.is_call()) return false;
   const bool drilling = (b.g(81) || b.g(82) || b.g(73)) && b.has('R');
-  return b.has('Y') || b.g(43) || b.g(44) || b.g(49) || b.g(17) || b.m(6) || drilling;
+  const bool changes = b.m(6) && !b.tool_is_pair;
+  return b.has('Y') || b.g(43) || b.g(44) || b.g(49) || b.g(17) || changes || drilling;
 }
 
 using SystemLines = std::array<ir::SystemEvidence, 3>;  // the first line for each system

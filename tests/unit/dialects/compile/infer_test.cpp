@@ -40,12 +40,13 @@ TEST(Infer, AnIntegrexHasCodesOfItsOwn) {
   EXPECT_EQ(mazak.infer_control(text::Source("x", "%\nO1\nT0101\nG00 X5. Z1.\nM30\n%\n")).kind, ir::MachineKind::lathe);
 }
 
-// Lathes of schools change the tool by T0707 M06.
-TEST(Infer, AToolWithItsOwnOffsetIsALathesBesideM06) {
+// Lathes of schools change the tool by T0707 M06: the lines after it decide.
+TEST(Infer, AToolWithItsOwnOffsetBesideM06IsEithers) {
   const Dialect& fanuc = *find_dialect("fanuc");
   const auto kind = [&](const std::string& text) { return fanuc.infer_control(text::Source("x", text)).kind; };
   EXPECT_EQ(kind("O1\nG28 G21\nT0707 M06\nG99 G96 S255 M03\nG00 X55. Z1.5\nG71 U1. R0.5\nM30\n"),
             ir::MachineKind::lathe);
+  EXPECT_EQ(kind("O1\nT0606 M06\nG00 X1. Y1.\nM30\n"), ir::MachineKind::mill);
   EXPECT_EQ(kind("O1\nT0108 M06\nG00 X55. Z1.5\nM30\n"), ir::MachineKind::mill);
   EXPECT_EQ(kind("O1\nT7 M06\nG00 X55. Z1.5\nM30\n"), ir::MachineKind::mill);
 }
