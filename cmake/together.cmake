@@ -1,7 +1,7 @@
 # Several files of a target compiled as one ("unity build"): what they all read is parsed and instantiated once, so a build
-# from nothing takes a third of the time. dev and release compile everything like this, asan-ubsan its tests; clang, tsan
-# and fuzz compile each file by itself and so find what it forgot to include.
-set(DRIPFEED_TOGETHER OFF CACHE STRING "compile several files as one: ON, TESTS or OFF")
+# from nothing takes a third of the time. dev, release and asan-ubsan do so; clang, tsan and fuzz compile each file by itself
+# and so find what it forgot to include.
+set(DRIPFEED_TOGETHER OFF CACHE BOOL "compile several files as one")
 
 # Files that name something as a neighbour of theirs does. When a new name collides, rename it or list its file here.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/apart.txt)
@@ -12,9 +12,9 @@ foreach(name IN LISTS DRIPFEED_APART)
   endif()
 endforeach()
 
-# dripfeed_together(TARGET library|test): to be called in the folder that made TARGET.
-function(dripfeed_together target kind)
-  if(NOT DRIPFEED_TOGETHER OR (DRIPFEED_TOGETHER STREQUAL "TESTS" AND NOT kind STREQUAL "test"))
+# dripfeed_together(TARGET): to be called in the folder that made TARGET.
+function(dripfeed_together target)
+  if(NOT DRIPFEED_TOGETHER)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)

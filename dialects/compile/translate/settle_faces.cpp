@@ -44,7 +44,6 @@ class Faces {
   Faces(ir::Program& program, const ir::Control& from, const ir::Control& to)
       : program_(program),
         from_(from),
-        to_(to),
         to_rotary_(has_rotary_forms(to)),
         facts_(program, from),
         out_(program),
@@ -247,7 +246,6 @@ class Faces {
 
   ir::Program& program_;
   const ir::Control& from_;
-  const ir::Control& to_;
   bool to_rotary_;  // the target names the coordinate across by the axis that turns
   LatheFacts facts_;
   passes::Rewrite out_;

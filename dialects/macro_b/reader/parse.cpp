@@ -27,7 +27,6 @@ constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 Parser::Parser(ir::Program& program, const ir::Control& control, const Grammar& grammar,
                std::vector<text::Diagnostic>& diagnostics)
     : program_(program),
-      control_(control),
       grammar_(grammar),
       keywords_(grammar.keywords),
       cursor_(program.source.text(), program.tokens),

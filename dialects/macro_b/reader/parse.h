@@ -73,7 +73,6 @@ class Parser {
   [[nodiscard]] BlockPlace place() const;
 
   ir::Program& program_;
-  const ir::Control& control_;
   const Grammar& grammar_;
   KeywordIndex keywords_;
   Cursor cursor_;
