@@ -28,16 +28,19 @@ chroot "$1/root" bash -e /tmp/scene
 
 SCENE = r"""
 cd /tmp
+set -o pipefail
 export DEBIAN_FRONTEND=noninteractive
 ask() { curl -sS --max-time 5 -o /dev/null -w '%{http_code}' "$@" http://127.0.0.1:8849/"$path"; }
+fails() { if "$@" >/dev/null 2>&1; then echo "not expected to do: $*"; exit 1; fi; }  # bash -e lets "! ..." and "... && ..." pass
 await() { for _ in $(seq 100); do [ "$(path=healthz ask || true)" = 200 ] && return; sleep 0.1; done; echo "no answer"; exit 1; }
 
 echo "== install"
 dpkg -i dripfeed_0.1.0_*.deb
 id -nG dripfeed | grep -qw dialout
 dripfeed serve --config /etc/dripfeed/dripfeed.json --check
-[ -s /usr/share/man/man1/dripfeed.1.gz ] && bash -n /usr/share/bash-completion/completions/dripfeed
-! pgrep -u dripfeed
+[ -s /usr/share/man/man1/dripfeed.1.gz ]
+bash -n /usr/share/bash-completion/completions/dripfeed
+fails curl -sS --max-time 5 http://127.0.0.1:8840/healthz
 
 echo "== serve as the unit does"
 install -d -o dripfeed -g dripfeed -m 0700 /var/lib/dripfeed
@@ -68,14 +71,18 @@ wait $server
 
 echo "== remove"
 dpkg -r dripfeed
-[ ! -e /usr/bin/dripfeed ] && [ ! -e /usr/share/dripfeed ] && [ -e /etc/dripfeed/dripfeed.json ] && [ -e /var/lib/dripfeed/data ]
+[ ! -e /usr/bin/dripfeed ]
+[ ! -e /usr/share/dripfeed ]
+[ -e /etc/dripfeed/dripfeed.json ]
+[ -e /var/lib/dripfeed/data ]
 dpkg -P dripfeed | tee said
 grep -q 'stay in /var/lib/dripfeed' said
-[ ! -e /etc/dripfeed ] && [ -e /var/lib/dripfeed/data ]
+[ ! -e /etc/dripfeed ]
+[ -e /var/lib/dripfeed/data ]
 rm -r /var/lib/dripfeed
 dpkg -i dripfeed_0.1.0_*.deb
 dpkg -P dripfeed
-! getent passwd dripfeed
+fails getent passwd dripfeed
 echo "== whole"
 """
 
@@ -106,7 +113,7 @@ def what_it_is(package):
     fields = run("dpkg-deb", "-f", package)
     for name in ("libboost", "-dev"):
         expect(name not in fields, f"{name} in {fields}")
-    for name in ("libc6", "libsqlite3-0", "libfmt9", "libssl3", "adduser"):
+    for name in ("libc6", "libpq5", "libsqlite3-0", "libfmt9", "libssl3", "adduser"):
         expect(name in fields, f"no {name} in {fields}")
     lines = run("dpkg-deb", "-c", package).splitlines()
     for line in lines:
