@@ -21,6 +21,22 @@ ir::ReadResult read(const text::Source& source, const ir::Control& control, cons
   return result;
 }
 
+namespace {
+
+void check_in_effect(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                     const Section& section, Findings& findings) {
+  StatementCheck modes = modes_check(program, control, facts, section, findings);
+  StatementCheck axes = axes_check(program, control, facts, findings);
+  StatementCheck order = order_check(program, control, facts, section, findings);
+  for (std::uint32_t i = section.first; i < section.last; ++i) {
+    modes(i);
+    axes(i);
+    order(i);
+  }
+}
+
+}  // namespace
+
 std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery,
                                        const Grammar& grammar) {
   Findings findings(control);
@@ -33,10 +49,8 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   for (const Section& section : sections) {
     check_loops(program, control, section, findings);
     check_jumps(program, section, findings);
-    check_modes(program, control, facts, section, findings);
-    check_axes(program, control, facts, section, findings);
+    check_in_effect(program, control, facts, section, findings);
     check_measuring(program, control, section, findings);
-    check_order(program, control, facts, section, findings);
     check_cycles(program, control, section, findings);
   }
   if (!grammar.condition_blocks) check_condition_blocks(program, findings);

@@ -18,7 +18,7 @@ class Findings {
 
   void at(text::Span span) { span_ = span; }
   void cannot(Refusal what) { diagnostics_.push_back(diagnose(std::move(what), span_, target_.title)); }
-  // It is said all the same, with a warning.
+  // It is written all the same, with a warning.
   void warn(Refusal what) {
     cannot(std::move(what));
     diagnostics_.back().severity = text::Severity::warning;

@@ -78,6 +78,15 @@ constexpr NumberRow kNumbers[] = {
 };
 constexpr Row<bool> kFlags[] = {{"--insecure", &ServerOptions::insecure, "listen beyond loopback without TLS"}};
 
+template <class Visit>
+void for_each_option(const Visit& visit) {
+  for (const auto& row : kTexts) visit(row);
+  for (const auto& row : kLists) visit(row);
+  for (const auto& row : kDelays) visit(row);
+  for (const auto& row : kNumbers) visit(row.row);
+  for (const auto& row : kFlags) visit(row);
+}
+
 // What the command line names wins.
 template <class Value>
 void lay_over(const CLI::App& command, const Row<Value>& row, const ServerOptions& given, ServerOptions& into) {
@@ -188,30 +197,18 @@ app::Result<ServerOptions> options_of(const CLI::App& command, const GivenOption
     error.text = fmt::format("{}: {}", given.config, error.text);
     return std::unexpected(std::move(error));
   }
-  for (const auto& row : kTexts) lay_over(command, row, given.options, options);
-  for (const auto& row : kLists) lay_over(command, row, given.options, options);
-  for (const auto& row : kDelays) lay_over(command, row, given.options, options);
-  for (const auto& row : kNumbers) lay_over(command, row.row, given.options, options);
-  for (const auto& row : kFlags) lay_over(command, row, given.options, options);
+  for_each_option([&](const auto& row) { lay_over(command, row, given.options, options); });
   return options;
 }
 
 ChangedOptions changed_options(const ServerOptions& before, const ServerOptions& after) {
   ChangedOptions changed;
-  for (const auto& row : kTexts) note_change(row, before, after, changed);
-  for (const auto& row : kLists) note_change(row, before, after, changed);
-  for (const auto& row : kDelays) note_change(row, before, after, changed);
-  for (const auto& row : kNumbers) note_change(row.row, before, after, changed);
-  for (const auto& row : kFlags) note_change(row, before, after, changed);
+  for_each_option([&](const auto& row) { note_change(row, before, after, changed); });
   return changed;
 }
 
 ServerOptions with_live(ServerOptions running, const ServerOptions& stated) {
-  for (const auto& row : kTexts) take_live(row, stated, running);
-  for (const auto& row : kLists) take_live(row, stated, running);
-  for (const auto& row : kDelays) take_live(row, stated, running);
-  for (const auto& row : kNumbers) take_live(row.row, stated, running);
-  for (const auto& row : kFlags) take_live(row, stated, running);
+  for_each_option([&](const auto& row) { take_live(row, stated, running); });
   return running;
 }
 

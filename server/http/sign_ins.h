@@ -18,15 +18,13 @@ class SignIns {
   // A place of one request; it is free again where this ends, on any thread.
   class Place {
    public:
-    Place(SignIns& all, boost::asio::ip::address from) : all_(&all), from_(std::move(from)) {}
-    Place(Place&& other) noexcept : all_(std::exchange(other.all_, nullptr)), from_(other.from_) {}
-    Place& operator=(Place&&) = delete;
-    ~Place() {
-      if (all_ != nullptr) all_->leave(from_);
-    }
+    Place(SignIns& all, boost::asio::ip::address from) : all_(all), from_(std::move(from)) {}
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+    ~Place() { all_.leave(from_); }
 
    private:
-    SignIns* all_;
+    SignIns& all_;
     boost::asio::ip::address from_;
   };
 

@@ -1,4 +1,4 @@
-// The list of migrations, and how a store is told from another program's database.
+// The list of migrations, and what marks a database as a store of ours.
 #include "store/postgresql/migrations.h"
 
 #include <array>

@@ -9,7 +9,7 @@ import sys
 from client import Client, expect, in_folder, shop
 
 PROXY = {"X-Forwarded-Proto": "https", "X-Forwarded-Host": "dnc.shop"}
-LONG = "%\nO7002\n#100=0\nWHILE[#100LT900000]DO1\n#1=SIN[#100]\n#100=#100+1\nEND1\nM30\n%\n"
+LONG = "%\nO7002\n#100=0\nWHILE[#100LT900000000]DO1\n#1=SIN[#100]\n#100=#100+1\nEND1\nM30\n%\n"
 
 
 class Served:
@@ -78,7 +78,7 @@ def what_is_taken_over(folder):
     expect(reads(served.modbus), "a PLC gets no answer any more")
 
     client.post("/machines", shop.preset("fanuc-0i-mill", url=f"pty:{folder}/mill") | {"name": "mill"})
-    program = client.post("/programs", {"name": "O7002", "dialect": "fanuc", "text": LONG.replace("900000", "900000000")})["id"]
+    program = client.post("/programs", {"name": "O7002", "dialect": "fanuc", "text": LONG})["id"]
     served.write(check_seconds=1, check_memory=512)
     served.reload("check_seconds, check_memory as the options state now")
     verdict = client.post("/checks", {"program": program, "machine": "mill"})
@@ -93,7 +93,7 @@ def what_waits(folder):
     expect("event_source" in said, said)
     # The command line wins over the file, so the address has not changed.
     expect("listen" not in said, said)
-    said = served.reload("used from the next start on")
+    served.reload("used from the next start on")  # as long as it has not been started
     served.client.server.stop()
 
 

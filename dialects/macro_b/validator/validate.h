@@ -2,6 +2,9 @@
 // them a control needs is its own choice. None of them runs the program: what depends on values is the interpreter's.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
@@ -23,9 +26,19 @@ void check_variables(const ir::Program& program, const ir::Control& control, Fin
 void check_words(const ir::Program& program, const ir::Control& control, Findings& findings);
 // Values that are refused wherever they stand, and M functions that the machine's list does not have.
 void check_values(const ir::Program& program, const ir::Control& control, Findings& findings);
+
+// Checks that ask what is in effect. They are called for each statement of a section in turn, one after the other, so
+// that facts walks over the text once for all of them. What they are made from must outlive them.
+using StatementCheck = std::move_only_function<void(std::uint32_t statement)>;
 // What a program must state before it relies on it: unit, distance, plane and feed mode, motion code, feed.
-void check_modes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
-                 const Section& section, Findings& findings);
+StatementCheck modes_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                           const Section& section, Findings& findings);
+// What depends on the blocks before: compensation, drilling cycles and modal calls that are in effect.
+StatementCheck order_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                           const Section& section, Findings& findings);
+// How many axes a block moves, and which of them a plane, an arc or a code by number may have.
+StatementCheck axes_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                          Findings& findings);
 
 // Tape marks, program number, program end, block length.
 void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
@@ -34,12 +47,6 @@ void check_frame(const ir::Program& program, const ir::Control& control, const s
 void check_drip(const ir::Program& program, const ir::Control& control, const Grammar& grammar, Findings& findings);
 // Drilling and turning cycles: pecks, taps, and the shapes that they name.
 void check_cycles(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
-// What depends on the blocks before: compensation, drilling cycles and modal calls that are in effect.
-void check_order(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
-                 const Section& section, Findings& findings);
-// How many axes a block moves, and which of them a plane, an arc or a code by number may have.
-void check_axes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
-                const Section& section, Findings& findings);
 // Moves that a signal ends: measuring a tool, and skipping.
 void check_measuring(const ir::Program& program, const ir::Control& control, const Section& section,
                      Findings& findings);

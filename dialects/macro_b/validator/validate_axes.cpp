@@ -156,10 +156,9 @@ class AxesCheck {
 
 }  // namespace
 
-void check_axes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
-                const Section& section, Findings& findings) {
-  AxesCheck check(program, control, facts, findings);
-  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
+StatementCheck axes_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                          Findings& findings) {
+  return [check = AxesCheck(program, control, facts, findings)](std::uint32_t i) mutable { check.statement(i); };
 }
 
 }  // namespace dripfeed::macro_b

@@ -173,11 +173,10 @@ class ModeCheck {
 
 }  // namespace
 
-void check_modes(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
-                 const Section& section, Findings& findings) {
-  if (section.is_subprogram) return;
-  ModeCheck check(program, control, facts, findings);
-  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
+StatementCheck modes_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                           const Section& section, Findings& findings) {
+  if (section.is_subprogram) return [](std::uint32_t) {};
+  return [check = ModeCheck(program, control, facts, findings)](std::uint32_t i) mutable { check.statement(i); };
 }
 
 }  // namespace dripfeed::macro_b

@@ -358,11 +358,11 @@ void check_returns(const ir::Program& program, const Section& section, Findings&
 
 }  // namespace
 
-void check_order(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
-                 const Section& section, Findings& findings) {
+StatementCheck order_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                           const Section& section, Findings& findings) {
   check_returns(program, section, findings);
-  OrderCheck check(program, control, facts, section, findings);
-  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
+  return
+      [check = OrderCheck(program, control, facts, section, findings)](std::uint32_t i) mutable { check.statement(i); };
 }
 
 }  // namespace dripfeed::macro_b
