@@ -66,6 +66,7 @@ Application::Application(const Environment& environment)
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_, CalledPrograms(store_, environment.library)),
       receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}),
+      maintenance_(environment.maintenance),
       event_source_(environment.event_source),
       links_(environment.links) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);

@@ -20,6 +20,7 @@
 #include "server/app/out/events.h"
 #include "server/app/out/observations.h"
 #include "server/app/out/webhooks.h"
+#include "server/app/ports/maintenance.h"
 #include "server/app/ports/ports.h"
 #include "server/app/receive/receiving.h"
 #include "server/app/shop/catalog.h"
@@ -60,7 +61,8 @@ class Application {
     store::Library* library = nullptr;  // without it nothing is searched for
     HttpSender* sender = nullptr;       // without it there are no webhooks
     WebhookSettings webhooks{};
-    std::string event_source{};  // who we are for other systems, a URI
+    Maintenance* maintenance = nullptr;  // of the store
+    std::string event_source{};          // who we are for other systems, a URI
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -115,6 +117,8 @@ class Application {
   // nullptr: there are none.
   Webhooks* webhooks() { return webhooks_ ? &*webhooks_ : nullptr; }
   // nullptr: there is none.
+  Maintenance* maintenance() { return maintenance_; }
+  // nullptr: there is none.
   LibraryKeeper* library() { return library_ ? &*library_ : nullptr; }
 
  private:
@@ -136,6 +140,7 @@ class Application {
   Receiving receiving_;
   std::optional<LibraryKeeper> library_;
   std::optional<Webhooks> webhooks_;
+  Maintenance* maintenance_;
   std::string event_source_;
   LinkThread& links_;
   std::once_flag observed_;

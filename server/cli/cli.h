@@ -57,6 +57,7 @@ void add_man(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_words(CLI::App& app, int& exit_code);
 void add_lsp(CLI::App& app, int& exit_code);
+void add_maintenance(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);
 
 }  // namespace dripfeed::cli

@@ -35,6 +35,7 @@
 #include "server/io/line_claim.h"
 #include "server/io/modbus_listener.h"
 #include "server/io/mqtt_broker.h"
+#include "server/io/store_maintenance.h"
 #include "server/io/thread_priority.h"
 #include "server/io/worker_desk.h"
 #include "server/json/cloud_events.h"
@@ -155,6 +156,10 @@ app::Result<std::unique_ptr<app::Broker>> connect_broker(const ServerOptions& op
   return std::move(*broker);
 }
 
+std::string backups_folder(const ServerOptions& options) {
+  return options.backups.empty() ? (fs::path(options.data) / "backups").string() : options.backups;
+}
+
 std::vector<double> webhook_retries(const ServerOptions& options) {
   return options.webhook_retry_s.empty() ? app::kWebhookRetries_s : options.webhook_retry_s;
 }
@@ -201,6 +206,11 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
     print_error(app::Error{app::ErrorCode::invalid, "--webhook-ca: " + sender.error(), {}});
     return kWrongUse;
   }
+  io::StoreMaintenance maintenance({.program = "/proc/self/exe",
+                                    .data = options.data,
+                                    .database = options.store,
+                                    .file = store_path(options.data),
+                                    .backups = backups_folder(options)});
   const app::WriteEvent write_event = [source = event_source(options)](const store::LoggedEvent& event) {
     return json::cloud_event(event, source);
   };
@@ -215,6 +225,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .library = books.library,
                                 .sender = sender->get(),
                                 .webhooks = {.write = write_event, .retries_s = webhook_retries(options)},
+                                .maintenance = &maintenance,
                                 .event_source = event_source(options)});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;

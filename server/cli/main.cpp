@@ -11,17 +11,18 @@ namespace {
 
 using AddCommand = void (*)(CLI::App&, int&);
 constexpr AddCommand kCommands[] = {
-    dripfeed::cli::add_serve,      dripfeed::cli::add_check,     dripfeed::cli::add_run,
-    dripfeed::cli::add_convert,    dripfeed::cli::add_render,    dripfeed::cli::add_time,
-    dripfeed::cli::add_accuracy,   dripfeed::cli::add_calibrate, dripfeed::cli::add_gouge,
-    dripfeed::cli::add_send,       dripfeed::cli::add_simulate,  dripfeed::cli::add_token,
-    dripfeed::cli::add_sweep,      dripfeed::cli::add_receive,   dripfeed::cli::add_link,
-    dripfeed::cli::add_ledger,     dripfeed::cli::add_wrap,      dripfeed::cli::add_worker,
-    dripfeed::cli::add_optimize,   dripfeed::cli::add_backup,    dripfeed::cli::add_restore,
-    dripfeed::cli::add_doctor,     dripfeed::cli::add_compare,   dripfeed::cli::add_openapi,
-    dripfeed::cli::add_completion, dripfeed::cli::add_man,       dripfeed::cli::add_user,
-    dripfeed::cli::add_audit,      dripfeed::cli::add_explain,   dripfeed::cli::add_words,
-    dripfeed::cli::add_restart,    dripfeed::cli::add_renumber,  dripfeed::cli::add_lsp,
+    dripfeed::cli::add_serve,       dripfeed::cli::add_check,      dripfeed::cli::add_run,
+    dripfeed::cli::add_convert,     dripfeed::cli::add_render,     dripfeed::cli::add_time,
+    dripfeed::cli::add_accuracy,    dripfeed::cli::add_calibrate,  dripfeed::cli::add_gouge,
+    dripfeed::cli::add_send,        dripfeed::cli::add_simulate,   dripfeed::cli::add_token,
+    dripfeed::cli::add_sweep,       dripfeed::cli::add_receive,    dripfeed::cli::add_link,
+    dripfeed::cli::add_ledger,      dripfeed::cli::add_wrap,       dripfeed::cli::add_worker,
+    dripfeed::cli::add_maintenance, dripfeed::cli::add_optimize,   dripfeed::cli::add_backup,
+    dripfeed::cli::add_restore,     dripfeed::cli::add_doctor,     dripfeed::cli::add_compare,
+    dripfeed::cli::add_openapi,     dripfeed::cli::add_completion, dripfeed::cli::add_man,
+    dripfeed::cli::add_user,        dripfeed::cli::add_audit,      dripfeed::cli::add_explain,
+    dripfeed::cli::add_words,       dripfeed::cli::add_restart,    dripfeed::cli::add_renumber,
+    dripfeed::cli::add_lsp,
 };
 
 }  // namespace

@@ -32,6 +32,8 @@ constexpr Row<std::string> kTexts[] = {
      "postgresql://USER@HOST/DATABASE: keep the store in this database of a PostgreSQL server, 14 or later; without "
      "it, "
      "in the folder"},
+    {"--backups", &ServerOptions::backups,
+     "folder of the backups that admins make on the page, best on another disk; DATA/backups by default"},
     {"--listen", &ServerOptions::listen, "ADDRESS:PORT, loopback by default"},
     {"--web", &ServerOptions::web, "folder of the built page"},
     {"--modbus-listen", &ServerOptions::modbus_listen,

@@ -117,6 +117,13 @@ Response sweep_family(const Call& call);
 Response preview_restart(const Call& call);
 Response make_restart(const Call& call);
 
+// handlers_store.cpp
+Response get_store(const Call& call);
+Response verify_store(const Call& call);
+Response list_backups(const Call& call);
+Response add_backup(const Call& call);
+Response remove_backup(const Call& call);
+
 // handlers_work.cpp
 Response list_work(const Call& call);
 Response cancel_work(const Call& call);

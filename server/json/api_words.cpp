@@ -24,7 +24,8 @@ constexpr std::array kTags = {
     ApiTag{"People", "Users, tokens and the audit."},
     ApiTag{"Session", "Sign-in of a browser."},
     ApiTag{"MTConnect", "Machines as MTConnect describes them, for monitoring systems."},
-    ApiTag{"Server", "Health, metrics, this description, the page and its documentation."},
+    ApiTag{"Server",
+           "Health, metrics, this description, the page and its documentation; the whole store and its backups."},
 };
 
 struct PathRow {
@@ -65,6 +66,8 @@ constexpr std::array kPaths = {
     PathRow{"/api/v1/users", "People"},
     PathRow{"/api/v1/tokens", "People"},
     PathRow{"/api/v1/audit", "People"},
+    PathRow{"/api/v1/store", "Server"},
+    PathRow{"/api/v1/backups", "Server"},
     PathRow{"/api/v1/session", "Session"},
     PathRow{"/mtconnect", "MTConnect"},
     PathRow{"/api/v1/", ""},
@@ -95,6 +98,7 @@ constexpr std::array kParameters = {
     ParameterRow{"/api/v1/machines", "name", "of the machine"},
     ParameterRow{"/api/v1/groups", "name", "of the group"},
     ParameterRow{"/api/v1/users", "name", "of the person"},
+    ParameterRow{"/api/v1/backups", "name", "of the backup"},
     ParameterRow{"/api/v1/families", "name", "of the family"},
     ParameterRow{"/api/v1/dialects", "name", "of the dialect"},
     ParameterRow{"/api/v1/programs", "name", "only programs with this name"},

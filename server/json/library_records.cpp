@@ -1,4 +1,4 @@
-// What was found by words, and where a program is used.
+// What was found by words, where a program is used, and the store that holds them all.
 #include "server/json/parse.h"
 #include "server/json/records.h"
 
@@ -95,6 +95,22 @@ std::string program_uses(const app::ProgramUses& uses) {
                {"calls_not_known", why_calls_may_be_missing(uses)},
                {"waiting", uses.waiting},
                {"unread", uses.unread}});
+}
+
+std::string store_room(const app::StoreRoom& room) {
+  const auto known = [](std::uint64_t bytes) { return bytes == 0 ? Document(nullptr) : Document(bytes); };
+  const auto given = [](const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); };
+  return dump({{"engine", room.engine},
+               {"folder", room.folder},
+               {"bytes", known(room.bytes)},
+               {"free_bytes", known(room.free_bytes)},
+               {"backups", given(room.backups)},
+               {"backups_free_bytes", known(room.backups_free_bytes)},
+               {"why_no_backups", given(room.why_no_backups)}});
+}
+
+std::string backup(const app::BackupFile& file) {
+  return dump({{"name", file.name}, {"bytes", file.bytes}, {"made_at_ms", file.made_at_ms}});
 }
 
 }  // namespace dripfeed::json

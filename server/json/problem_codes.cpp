@@ -29,7 +29,7 @@ constexpr std::array kCodes = {
     ProblemCode{"refused", 409, "refused", "the state of things does not allow it now"},
     ProblemCode{"exists", 409, "exists already", "the name or number is taken", 0, "store_exists"},
     ProblemCode{"in_progress", 409, "in progress", "the same is being done: ask again when it has ended", 0,
-                "being_answered sweep_runs"},
+                "being_answered sweep_runs maintenance_runs"},
     ProblemCode{"other_user", 409, "another user", "the page shows another person than the one who is signed in", 0,
                 "page_shows_other"},
     ProblemCode{"wrong_state", 409, "wrong state", "this cannot follow the present state", 0,

@@ -12,6 +12,7 @@
 #include "server/app/application.h"
 #include "server/app/jobs/utilisation.h"
 #include "server/app/library/program_uses.h"
+#include "server/app/ports/maintenance.h"
 #include "server/app/ports/workplace.h"
 #include "server/json/problem_codes.h"
 
@@ -59,6 +60,8 @@ std::string search_result(std::span<const SearchHit> hits, std::string_view next
                           std::uint64_t waiting);
 std::string program_uses(const app::ProgramUses& uses);
 std::string work(const app::Work& work);
+std::string store_room(const app::StoreRoom& room);
+std::string backup(const app::BackupFile& file);
 
 // The data line of a live event, and its name.
 std::string_view event_name(app::EventKind kind);

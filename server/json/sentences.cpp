@@ -39,6 +39,15 @@ constexpr std::array kRows = {
         "the other side floods the line: more than {limit} bytes a second came. It is read in pieces, and nothing is "
         "sent until it was heard"},
     Row{"more_alarms", "more alarms of this kind came within a second than are listed one by one"},
+    // the store
+    Row{"no_maintenance", "this server does not look after its store"},
+    Row{"maintenance_runs", "a backup or a verification runs: ask again when it has ended"},
+    Row{"no_backup_of_database", "the store is in a PostgreSQL database: back it up with that server's own tools"},
+    Row{"backup_no_room",
+        "the disk of {folder} has {free} MB free; a backup needs {needed} MB and leaves {rest} MB free"},
+    Row{"no_such_backup", "there is no backup {name}"},
+    Row{"store_has_faults", "the store has {count} faults and no backup was made; the first: {subject}: {why}"},
+    Row{"store_cannot_be_read", "the store cannot be read: {why}"},
     // lines
     Row{"block_torn_here", "a block broke off on this line"},
     Row{"line_tested", "the line is being tested by {name}"},

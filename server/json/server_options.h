@@ -13,7 +13,8 @@ namespace dripfeed::json {
 
 struct ServerOptions {
   std::string data = "data";
-  std::string store{};  // "": in the folder
+  std::string store{};    // "": in the folder
+  std::string backups{};  // "": DATA/backups
   std::string listen = "127.0.0.1:8840";
   std::string web{};
   bool insecure = false;

@@ -46,7 +46,7 @@ def the_schema(folder):
     schema = json.loads(serve("--config-schema", code=0))
     Draft202012Validator.check_schema(schema)
     validator = Draft202012Validator(schema)
-    whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
+    whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
              "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "check_seconds": 1, "check_memory": 64}
     expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")

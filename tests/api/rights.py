@@ -54,6 +54,11 @@ def rows(made):
         ("GET", "/api/v1/tokens/{id}", "admin", {"id": "new_token"}, None, {}),
         ("DELETE", "/api/v1/tokens/{id}", "admin", {"id": "new_token"}, None, {}),
         ("GET", "/api/v1/audit", "approver", {}, None, {}),
+        ("GET", "/api/v1/store", "admin", {}, None, {}),
+        ("POST", "/api/v1/store/verify", "admin", {}, None, {}),
+        ("POST", "/api/v1/backups", "admin", {}, None, {}),
+        ("GET", "/api/v1/backups", "admin", {}, None, {}),
+        ("DELETE", "/api/v1/backups/{name}", "admin", {"name": "backup"}, None, {"ready": "backed_up"}),
         ("GET", "/api/v1/families", "viewer", {}, None, {}),
         ("POST", "/api/v1/families", "programmer", {}, {"text": ROLL}, {}),
         ("GET", "/api/v1/families/{name}", "viewer", {"name": "hyperbolic-roll"}, None, {}),
@@ -195,6 +200,9 @@ class Stage:
 
     def alarmed(self):
         self.made["alarm"] = shop.wait_for("an alarm", lambda: next((one["id"] for one in self.client.get("/alarms")["items"] if one["kind"] == "quarantined"), None))
+
+    def backed_up(self):
+        self.made["backup"] = self.client.get("/backups")["items"][0]["name"]
 
     def olga(self):
         """The viewer is a person from now on."""

@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 
 export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'received' | 'badge' | DeskView | 'not_found';
 // The half of the page for who does not stand at a machine; its code is loaded when it is asked for.
-export const kDeskViews = ['orders', 'order', 'history', 'review', 'reviewed', 'library', 'program', 'families', 'family', 'part', 'people'] as const;
+export const kDeskViews = ['orders', 'order', 'history', 'review', 'reviewed', 'library', 'program', 'families', 'family', 'part', 'people', 'profile'] as const;
 export type DeskView = (typeof kDeskViews)[number];
 export const deskView = (view: ViewName): DeskView | undefined => kDeskViews.find((one) => one === view);
 
@@ -39,7 +39,9 @@ const kRows: Row[] = [
   { view: 'families', pattern: /^\/(?:families|parts)$/ },
   { view: 'family', pattern: /^\/families\/([^/]+)$/ },
   { view: 'part', pattern: /^\/parts\/([^/]+)$/ },
-  { view: 'people', pattern: /^\/people(?:\/(users|groups|tokens|audit))?$/ },
+  { view: 'people', pattern: /^\/people(?:\/(users|groups|tokens|audit|machines|store))?$/ },
+  { view: 'profile', pattern: /^\/machines\/([^/]+)\/profile$/ },
+  { view: 'profile', pattern: /^\/new-machine$/ },
   { view: 'badge', pattern: /^\/badge\/([^/]+)$/ },
 ];
 
@@ -87,10 +89,12 @@ export const hrefs = {
   families: '#/families',
   family: (name: string) => `#/families/${encodeURIComponent(name)}`,
   people: (place: PeoplePlace = 'users') => `#/people/${place}`,
+  profile: (name: string) => `#/machines/${encodeURIComponent(name)}/profile`,
+  newProfile: (of?: string) => `#/new-machine${of === undefined ? '' : `?of=${encodeURIComponent(of)}`}`,
   part: (number: string) => `#/parts/${encodeURIComponent(number)}`,
 };
 
-export const kPeoplePlaces = ['users', 'groups', 'tokens', 'audit'] as const;
+export const kPeoplePlaces = ['users', 'groups', 'tokens', 'machines', 'store', 'audit'] as const;
 export type PeoplePlace = (typeof kPeoplePlaces)[number];
 
 export const kProgramPlaces = ['text', 'revisions', 'compare', 'uses', 'checks', 'release'] as const;

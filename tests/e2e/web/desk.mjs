@@ -445,63 +445,7 @@ async function everyLook(page) {
   }
 }
 
-// An administrator's: a person with a PIN, a group of machines, a token, and what was done.
-async function administrator(page) {
-  await rig.machine('people-mill', { jobs: 0 });
-  await signIn(page, url, tokens.admin);
-  await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'People' }).click();
-  await page.getByText('There is no person yet').waitFor();
-  await page.getByRole('link', { name: 'Groups of machines' }).click();
-  await page.getByRole('button', { name: 'Add a group' }).click();
-  await dialog(page).getByLabel('Name').fill('people-mills');
-  await dialog(page).getByLabel('people-mill', { exact: true }).check();
-  await dialog(page).getByLabel(/may not approve it/).check();
-  await dialog(page).getByRole('button', { name: 'Save' }).click();
-  await page.getByRole('cell', { name: 'by another person than the author' }).waitFor();
-  await page.getByRole('link', { name: 'People', exact: true }).last().click();
-  await page.getByRole('button', { name: 'Add a person' }).click();
-  await dialog(page).getByLabel('Name').fill('olga');
-  await dialog(page).getByLabel(/^Role(?! on)/).selectOption('viewer');
-  await dialog(page).getByLabel('Role on people-mills').selectOption('operator');
-  await dialog(page).getByRole('button', { name: 'Save' }).click();
-  await page.getByRole('cell', { name: 'viewer, operator on people-mills' }).waitFor();
-  await page.getByRole('button', { name: 'PIN of olga' }).click();
-  await dialog(page).getByLabel('New PIN').fill('1234');
-  await dialog(page).getByRole('button', { name: 'Save' }).click();
-  await dialog(page).getByText(/digits in a row/).waitFor();
-  await dialog(page).getByLabel('New PIN').fill('2903');
-  await dialog(page).getByRole('button', { name: 'Save' }).click();
-  await dialog(page).waitFor({ state: 'detached' });
-  await page.getByRole('row').filter({ hasText: 'olga' }).getByRole('cell', { name: 'PIN', exact: true }).waitFor();
-  await accessible(page, 'people');
-  await shot(page, 'people');
-  await page.getByRole('link', { name: 'Tokens' }).click();
-  await page.getByRole('button', { name: 'Make a token' }).click();
-  await dialog(page).getByLabel('Name').fill('MES');
-  await dialog(page).getByLabel(/^Role(?! on)/).selectOption('operator');
-  await dialog(page).getByLabel('orders and the queue').check();
-  await dialog(page).getByRole('button', { name: 'Make it' }).click();
-  const secret = await dialog(page).locator('code').innerText();
-  expect(/^[\w-]{43}$/.test(secret), 'the secret is shown once');
-  await page.keyboard.press('Escape');
-  await dialog(page).waitFor({ state: 'detached' });
-  await page.getByRole('row').filter({ hasText: 'MES' }).getByRole('cell', { name: 'orders and the queue' }).waitFor();
-  expect(!(await page.content()).includes(secret), 'and not again');
-  await accessible(page, 'tokens');
-  await shot(page, 'tokens');
-  await page.getByRole('link', { name: 'Audit' }).click();
-  await page.getByLabel('About').fill('user/olga');
-  await page.getByRole('button', { name: 'Filter' }).click();
-  await page.getByRole('cell', { name: 'pin set' }).waitFor();
-  expect((await page.getByRole('row').count()) === 3, 'the audit has what was done to olga');
-  await accessible(page, 'the audit');
-  await shot(page, 'audit');
-  await page.setViewportSize(kPhone.viewport);
-  await shot(page, 'audit-phone');
-}
-
 await main([
-  ['an administrator', () => withPage(kDesk, administrator)],
   ['a programmer: upload, find, file, mend, conflict, compare, hand in', () => withPage(kDesk, day)],
   ['a part by its values', () => withPage(kDesk, part)],
   ['a translation', () => withPage(kDesk, translation)],

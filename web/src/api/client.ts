@@ -58,6 +58,13 @@ export async function request<T>(method: Method, path: string, options: Options 
   return parse(await answerOf(method, path, options)) as T;
 }
 
+// Outside of the API's version: its description.
+export async function requestRoot<T>(path: string): Promise<T> {
+  const response = await fetch(path, { credentials: 'same-origin' }).catch(() => null);
+  if (!response?.ok) throw new ApiError(response?.status ?? 0, noAnswer('GET'));
+  return (await response.json()) as T;
+}
+
 // An answer that is no JSON.
 export const requestText = (path: string, { method = 'GET', ...options }: Options & { method?: Method } = {}): Promise<string> => answerOf(method, path, options);
 

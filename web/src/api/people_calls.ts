@@ -1,7 +1,8 @@
-// The calls of whoever looks after people: users, tokens, groups of machines, the audit.
+// The calls of whoever looks after the server: users, tokens, groups of machines, the audit, profiles, the store.
 import { everything } from './calls';
-import { request } from './client';
-import type { AuditRow, MachineGroup, Page, Role, Token, TokenMade, User } from './types';
+import { request, requestRoot } from './client';
+import type { SchemaNode } from '../rules/profile_form';
+import type { AuditRow, Backup, BackupMade, MachineGroup, MachineWhole, Page, Role, StoreRoom, StoreVerification, Token, TokenMade, User } from './types';
 
 const enc = encodeURIComponent;
 
@@ -17,6 +18,9 @@ export interface NewToken {
   scope: string[];
   expires_at_ms: number | null;
 }
+
+// Reading the store through, or copying it, takes as long as it is large.
+const kLong_ms = 3_600_000;
 
 export type SecretKind = 'password' | 'pin';
 
@@ -38,6 +42,19 @@ export const peopleCalls = {
   tokens: () => everything<Token>('/tokens'),
   addToken: (token: NewToken) => request<TokenMade>('POST', '/tokens', { body: token }),
   revoke: (id: number, key: string) => request<null>('DELETE', `/tokens/${id}`, { key }),
+
+  // The API's own description of a profile.
+  profileSchema: () => requestRoot<{ components: { schemas: Record<string, SchemaNode> } }>('/api/openapi.json').then(({ components }) => components.schemas['Profile'] ?? {}),
+  machine: (name: string) => request<MachineWhole>('GET', `/machines/${enc(name)}`),
+  addMachine: (profile: unknown, key: string) => request<MachineWhole>('POST', '/machines', { body: profile, key }),
+  changeMachine: (machine: MachineWhole, profile: unknown, key: string) =>
+    request<MachineWhole>('PUT', `/machines/${enc(machine.name)}`, { body: profile, ifMatch: machine.revision, key }),
+
+  store: () => request<StoreRoom>('GET', '/store'),
+  verifyStore: (key: string) => request<StoreVerification>('POST', '/store/verify', { key, timeoutMs: kLong_ms }),
+  backups: () => request<Page<Backup>>('GET', '/backups').then((page) => page.items),
+  addBackup: (key: string) => request<BackupMade>('POST', '/backups', { key, timeoutMs: kLong_ms }),
+  removeBackup: (name: string, key: string) => request<null>('DELETE', `/backups/${enc(name)}`, { key }),
 
   audit: (filter: Record<string, string>, after: string | null) => {
     const query = new URLSearchParams({ limit: '50' });

@@ -46,6 +46,11 @@ export type Receipt = Schemas['Receipt'];
 export type ReceiptState = Receipt['state'];
 export type StoredLikeness = NonNullable<Receipt['stored']>;
 
+export type StoreRoom = Schemas['StoreRoom'];
+export type StoreVerification = Schemas['StoreVerification'];
+export type Backup = Schemas['Backup'];
+export type BackupMade = Schemas['BackupMade'];
+
 export type Problem = Schemas['Problem'];
 export type Said = Schemas['Said'];
 

@@ -1,5 +1,6 @@
 // The half of the page for who does not stand at a machine: orders, reviews, library, programs, families and parts. It is loaded when one
 // of its addresses is asked for.
+import type { VNode } from 'preact';
 import { kPeoplePlaces, kProgramPlaces, type DeskView, type PeoplePlace, type ProgramPlace } from '../router';
 import { FamiliesView } from './families/families_view';
 import { FamilyView } from './families/family_view';
@@ -9,6 +10,7 @@ import { HistoryView } from './orders/history_view';
 import { OrderView } from './orders/order_view';
 import { OrdersView } from './orders/orders_view';
 import { PeopleView } from './people/people_view';
+import { ProfileView } from './people/profile_view';
 import { ProgramView } from './program/program_view';
 import { ReviewView } from './review/review_view';
 import { ReviewedView } from './review/reviewed_view';
@@ -23,30 +25,21 @@ const peoplePlaceOf = (text: string): PeoplePlace => kPeoplePlaces.find((one) =>
 
 const placeOf = (text: string): ProgramPlace => kProgramPlaces.find((one) => one === text) ?? 'text';
 
-export function DeskHalf({ view, parameters, query }: Props) {
-  const [first = '', second = ''] = parameters;
-  switch (view) {
-    case 'orders':
-      return <OrdersView query={query} />;
-    case 'order':
-      return <OrderView key={first} id={Number(first)} />;
-    case 'history':
-      return <HistoryView query={query} />;
-    case 'review':
-      return <ReviewView />;
-    case 'reviewed':
-      return <ReviewedView key={first} id={Number(first)} />;
-    case 'library':
-      return <LibraryView />;
-    case 'program':
-      return <ProgramView key={first} id={Number(first)} place={placeOf(second)} query={query} />;
-    case 'families':
-      return <FamiliesView />;
-    case 'family':
-      return <FamilyView key={first} name={first} />;
-    case 'people':
-      return <PeopleView place={peoplePlaceOf(first)} />;
-    case 'part':
-      return <PartView key={first} number={first} />;
-  }
-}
+type Draw = (first: string, second: string, query: URLSearchParams) => VNode;
+
+const kViews: Record<DeskView, Draw> = {
+  orders: (_first, _second, query) => <OrdersView query={query} />,
+  order: (id) => <OrderView key={id} id={Number(id)} />,
+  history: (_first, _second, query) => <HistoryView query={query} />,
+  review: () => <ReviewView />,
+  reviewed: (release) => <ReviewedView key={release} id={Number(release)} />,
+  library: () => <LibraryView />,
+  program: (id, place, query) => <ProgramView key={id} id={Number(id)} place={placeOf(place)} query={query} />,
+  families: () => <FamiliesView />,
+  family: (name) => <FamilyView key={name} name={name} />,
+  people: (place) => <PeopleView place={peoplePlaceOf(place)} />,
+  profile: (name, _second, query) => <ProfileView key={`${name} ${query.get('of') ?? ''}`} name={name === '' ? null : name} copyOf={query.get('of')} />,
+  part: (number) => <PartView key={number} number={number} />,
+};
+
+export const DeskHalf = ({ view, parameters: [first = '', second = ''], query }: Props) => kViews[view](first, second, query);

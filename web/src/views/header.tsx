@@ -20,7 +20,7 @@ const kPlaces: { views: ViewName[]; href: string; label: string; from?: Role }[]
   { views: ['families', 'family', 'part'], href: hrefs.families, label: 'nav.parts' },
   { views: ['received'], href: hrefs.received, label: 'nav.received' },
   { views: ['alarms'], href: hrefs.alarms, label: 'nav.alarms' },
-  { views: ['people'], href: hrefs.people(), label: 'nav.people', from: 'approver' },
+  { views: ['people', 'profile'], href: hrefs.people(), label: 'nav.people', from: 'approver' },
 ];
 
 export function Header() {

@@ -3,14 +3,12 @@
 // needs a person since then stands in the strip above, at once.
 import { useComputed, useSignal } from '@preact/signals';
 import { t } from '../../i18n/i18n';
-import { showDialog } from '../../parts/dialog';
 import { Empty } from '../../parts/empty';
 import { Icon } from '../../parts/icon';
 import { atLeast } from '../../rules/roles';
 import { kNeedsPerson } from '../../rules/standing';
 import { changeQuery, hrefs, route } from '../../router';
 import { machines, person, type Machine } from '../../state/shop';
-import { AddMachineDialog } from './add_machine';
 import { MachineCard } from './machine_card';
 import { MachineTile } from './machine_tile';
 import { wordsOf } from './words';
@@ -114,9 +112,9 @@ function NoMachine() {
       <Empty
         action={
           may && (
-            <button type="button" class="button button-main" onClick={() => showDialog(<AddMachineDialog />)}>
+            <a class="button button-main" href={hrefs.newProfile()}>
               {t('machine.add')}
-            </button>
+            </a>
           )
         }
       >

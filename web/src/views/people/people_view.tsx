@@ -1,10 +1,13 @@
-// Who may do what: people, groups of machines, tokens, and what everybody did. Admins change it; approvers see the audit.
+// What an administrator looks after: people, groups of machines, tokens, profiles, the store, and what everybody did.
+// Approvers see the audit.
 import { t } from '../../i18n/i18n';
 import { hrefs, kPeoplePlaces, type PeoplePlace } from '../../router';
 import { atLeast } from '../../rules/roles';
 import { person } from '../../state/shop';
 import { Audit } from './audit';
 import { Groups } from './groups';
+import { Machines } from './machines';
+import { Store } from './store';
 import { Tokens } from './tokens';
 import { Users } from './users';
 
@@ -15,7 +18,7 @@ export function PeopleView({ place }: { place: PeoplePlace }) {
   if (!atLeast(person().role, 'approver')) return <p class="notice tone-waiting">{t('people.not_allowed')}</p>;
   return (
     <>
-      <h1 tabIndex={-1}>{t('nav.people')}</h1>
+      <h1 tabIndex={-1}>{t('title.people')}</h1>
       <nav class="tabs" aria-label={t('people.places')}>
         {places.map((one) => (
           <a key={one} href={hrefs.people(one)} aria-current={one === here ? 'page' : undefined}>
@@ -26,6 +29,8 @@ export function PeopleView({ place }: { place: PeoplePlace }) {
       {here === 'users' && <Users />}
       {here === 'groups' && <Groups />}
       {here === 'tokens' && <Tokens />}
+      {here === 'machines' && <Machines />}
+      {here === 'store' && <Store />}
       {here === 'audit' && <Audit />}
     </>
   );
