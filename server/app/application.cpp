@@ -59,9 +59,9 @@ Application::Application(const Environment& environment)
       alarms_(store_, events_, clock_),
       lines_(
           environment.links, environment.take_seat, [this] { line_changed(); }, history_of(store_, environment.claim)),
-      books_(store_, lines_, events_, alarms_, clock_, environment.ballast),
+      books_(store_, lines_, events_, alarms_, clock_, environment.disk_reserve),
       catalog_(store_, lines_, events_, clock_, documents_),
-      programs_(store_, clock_, documents_, environment.ballast, environment.workers),
+      programs_(store_, clock_, documents_, environment.disk_reserve, environment.workers),
       line_reading_(store_),
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_, CalledPrograms(store_, environment.library)),

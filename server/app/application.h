@@ -11,7 +11,7 @@
 #include "server/app/checks/checking.h"
 #include "server/app/jobs/books.h"
 #include "server/app/jobs/jobs.h"
-#include "server/app/library/library_keeper.h"
+#include "server/app/library/library_indexer.h"
 #include "server/app/library/program_lines.h"
 #include "server/app/library/programs.h"
 #include "server/app/lines/lines.h"
@@ -55,7 +55,7 @@ class Application {
     BusSeatMaker take_seat;
     const Clock& clock;
     const Documents& documents;
-    Ballast* ballast = nullptr;
+    DiskReserve* disk_reserve = nullptr;
     ClaimLine claim{};                  // takes lines for this process; empty: they are not claimed
     Workers* workers = nullptr;         // without them checks and renders are done in this process
     store::Library* library = nullptr;  // without it nothing is searched for
@@ -119,7 +119,7 @@ class Application {
   // nullptr: there is none.
   Maintenance* maintenance() { return maintenance_; }
   // nullptr: there is none.
-  LibraryKeeper* library() { return library_ ? &*library_ : nullptr; }
+  LibraryIndexer* library() { return library_ ? &*library_ : nullptr; }
 
  private:
   void cancel_all();
@@ -138,7 +138,7 @@ class Application {
   Checking checking_;
   Jobs jobs_;
   Receiving receiving_;
-  std::optional<LibraryKeeper> library_;
+  std::optional<LibraryIndexer> library_;
   std::optional<Webhooks> webhooks_;
   Maintenance* maintenance_;
   std::string event_source_;

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "protocol/tape_code/character_set.h"
-#include "server/app/lines/drop_line.h"
+#include "server/app/lines/folder_line.h"
 #include "server/app/receive/read_back.h"
 #include "server/cli/claimed_line.h"
 #include "server/cli/cli.h"
@@ -76,7 +76,7 @@ WireHashes hashes_of(const std::string& text, const machine::Profile& profile, s
     return {.wire_sha256 = hash::sha256_hex(text), .text_sha256 = hash::sha256_hex(text)};
   const bool whole_file = profile.line.link.kind == machine::LinkKind::dir;
   const tape_code::WireFormat format =
-      whole_file ? app::drop_format(profile.line) : machine::wire_format_of(profile.line);
+      whole_file ? app::folder_format(profile.line) : machine::wire_format_of(profile.line);
   WireHasher hasher(whole_file ? tape_code::DecodeFormat{.eighth_bit = format.eighth_bit, .eob = format.eob}
                                : machine::decode_format_of(profile.line));
   std::array<std::byte, 4096> wire{};

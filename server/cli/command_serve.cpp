@@ -197,7 +197,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   const json::JsonDocuments documents;
   const auto links = io::start_link_thread();
   links->run([] { spdlog::info("the lines are served {}", io::how_scheduled()); });
-  app::Ballast ballast(fs::path(options.data) / "ballast");
+  app::DiskReserve disk_reserve(fs::path(options.data) / "ballast");
   io::WorkerDesk desk(desk_settings(options));
   json::DocumentWorkers workers(desk, options.check_seconds, app::CalledPrograms(store, books.library));
   const auto sender = io::make_http_sender(
@@ -219,7 +219,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .take_seat = io::take_modbus_seat,
                                 .clock = clock,
                                 .documents = documents,
-                                .ballast = &ballast,
+                                .disk_reserve = &disk_reserve,
                                 .claim = io::claim_line,
                                 .workers = &workers,
                                 .library = books.library,

@@ -9,7 +9,7 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
-#include "server/app/base/ballast.h"
+#include "server/app/base/disk_reserve.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/doctor.h"
 #include "server/io/lock_holder.h"
@@ -40,7 +40,7 @@ void look_at_file_system(const std::string& data, Findings& found) {
 }
 
 void look_at_room(const std::string& data, Findings& found) {
-  const std::uint64_t room = app::Ballast::room_of_disk(data);
+  const std::uint64_t room = app::DiskReserve::room_of_disk(data);
   const std::string text = fmt::format("{} MiB are free for {}", room >> 20U, data);
   if (room < kFaultBelow_bytes) {
     found.push_back({Health::fault, "disk", text,

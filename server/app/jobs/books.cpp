@@ -12,10 +12,11 @@ constexpr std::chrono::milliseconds kPatience{5'000};  // a person waits for an 
 
 }  // namespace
 
-Books::Books(store::Store& store, Lines& lines, Events& events, Alarms& alarms, const Clock& clock, Ballast* ballast)
-    : ballast_(ballast),
+Books::Books(store::Store& store, Lines& lines, Events& events, Alarms& alarms, const Clock& clock,
+             DiskReserve* disk_reserve)
+    : disk_reserve_(disk_reserve),
       follower_(store, events, alarms, texts_, clock),
-      ledger_(store, lines, clock, ballast, [this](std::vector<Booked> booked, const std::string& complaint) {
+      ledger_(store, lines, clock, disk_reserve, [this](std::vector<Booked> booked, const std::string& complaint) {
         follower_.take(std::move(booked), complaint);
       }) {}
 

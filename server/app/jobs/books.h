@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/app/base/ballast.h"
+#include "server/app/base/disk_reserve.h"
 #include "server/app/jobs/job_follower.h"
 #include "server/app/jobs/ledger_writer.h"
 #include "server/app/lines/text_reader.h"
@@ -18,7 +18,7 @@ namespace dripfeed::app {
 class Books {
  public:
   Books(store::Store& store, Lines& lines, Events& events, Alarms& alarms, const Clock& clock,
-        Ballast* ballast = nullptr);
+        DiskReserve* disk_reserve = nullptr);
   // All that the lines did is booked and followed first.
   ~Books();
   Books(const Books&) = delete;
@@ -43,10 +43,10 @@ class Books {
   // See JobFollower.
   [[nodiscard]] Asks asks_of(const std::string& machine) const { return follower_.asks_of(machine); }
   [[nodiscard]] const LineTotals& totals() const { return follower_.totals(); }
-  [[nodiscard]] const Ballast* ballast() const { return ballast_; }
+  [[nodiscard]] const DiskReserve* disk_reserve() const { return disk_reserve_; }
 
  private:
-  Ballast* ballast_;
+  DiskReserve* disk_reserve_;
   TextReader texts_;
   JobFollower follower_;
   LedgerWriter ledger_;

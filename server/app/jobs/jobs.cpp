@@ -14,7 +14,7 @@
 #include "protocol/receive/program_name.h"
 #include "protocol/tape_code/wire_encoder.h"
 #include "server/app/lines/content_source.h"
-#include "server/app/lines/drop_line.h"
+#include "server/app/lines/folder_line.h"
 #include "server/machine/file_drop.h"
 #include "server/machine/line_protocol.h"
 #include "store/hash/hash.h"
@@ -41,7 +41,7 @@ Result<void> refuse_drip_into_folder(const machine::Profile& profile, store::Del
 Result<std::uint64_t> wire_bytes(const machine::Profile& profile, const feed::ProgramFacts& facts) {
   const machine::LinkKind kind = profile.line.link.kind;
   if (kind == machine::LinkKind::dir)
-    return tape_code::wire_length(drop_format(profile.line), facts.text_bytes(), facts.eobs(), facts.odd_blocks());
+    return tape_code::wire_length(folder_format(profile.line), facts.text_bytes(), facts.eobs(), facts.odd_blocks());
   if (!machine::feeds_characters(kind)) return facts.text_bytes();
   const auto line = machine::effective_line(profile.line);
   if (!line) return fail(ErrorCode::refused, line.error());
@@ -141,7 +141,7 @@ struct Jobs::Wanted {
 };
 
 Result<Jobs::Wanted> Jobs::find_wanted(store::Id id) {
-  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
+  if (auto room = refuse_on_full_disk(books_.disk_reserve()); !room) return std::unexpected(room.error());
   auto release = lift(store_.releases().get(id));
   if (!release) return std::unexpected(release.error());
   auto machine = lift(store_.machines().get(release->of.machine));
@@ -194,7 +194,7 @@ struct Jobs::Arming {
 };
 
 Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
-  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
+  if (auto room = refuse_on_full_disk(books_.disk_reserve()); !room) return std::unexpected(room.error());
   const auto job = lift(store_.jobs().get(id));
   if (!job) return std::unexpected(job.error());
   const auto machine = lift(store_.machines().get(job->machine));

@@ -39,11 +39,11 @@ std::uint64_t reserve_window(const LineReport& report) {
   return std::max(kReserveAtLeast, static_cast<std::uint64_t>(kReserveAhead_s / report.char_s));
 }
 
-LedgerWriter::LedgerWriter(store::Store& store, Lines& lines, const Clock& clock, Ballast* ballast, Take take)
+LedgerWriter::LedgerWriter(store::Store& store, Lines& lines, const Clock& clock, DiskReserve* disk_reserve, Take take)
     : store_(store),
       lines_(lines),
       clock_(clock),
-      ballast_(ballast),
+      disk_reserve_(disk_reserve),
       take_(std::move(take)),
       thread_("ledger", kRound, Urgency::before_others, [this] { round(); }) {}
 
@@ -66,9 +66,9 @@ void LedgerWriter::reset_confirmed(const std::string& machine, std::string_view 
 
 void LedgerWriter::round() {
   take_(write_books(), complaint_);
-  if (ballast_ != nullptr && clock_.now() >= restore_at_) {
+  if (disk_reserve_ != nullptr && clock_.now() >= restore_at_) {
     restore_at_ = clock_.now() + kRestoreEvery;
-    ballast_->restore();
+    disk_reserve_->restore();
   }
 }
 
@@ -266,13 +266,13 @@ bool LedgerWriter::commit_rows(const std::vector<Due>& all) {
   return true;
 }
 
-// On a full disk the ballast makes room, once.
+// On a full disk the reserve makes room, once.
 store::Result<std::vector<store::LedgerFault>> LedgerWriter::append(std::span<const store::NewLedgerRow> rows) {
   const auto begun = std::chrono::steady_clock::now();
   auto faults = store_.ledger().append(rows, clock_.wall_ms());
   report_slow_commit(std::chrono::steady_clock::now() - begun);
   const bool full = !faults && faults.error().code == store::ErrorCode::disk_full;
-  if (full && ballast_ != nullptr && ballast_->give_up()) {
+  if (full && disk_reserve_ != nullptr && disk_reserve_->give_up()) {
     restore_at_ = clock_.now() + kRestoreEvery;
     faults = store_.ledger().append(rows, clock_.wall_ms());
   }

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/app/base/ballast.h"
+#include "server/app/base/disk_reserve.h"
 #include "server/app/base/round_thread.h"
 #include "server/app/lines/lines.h"
 #include "server/app/ports/clock.h"
@@ -45,8 +45,8 @@ class LedgerWriter {
   // only keep them and wake a thread.
   using Take = std::function<void(std::vector<Booked> lines, const std::string& complaint)>;
 
-  // Without a ballast a full disk stops the feeds at what is reserved for them.
-  LedgerWriter(store::Store& store, Lines& lines, const Clock& clock, Ballast* ballast, Take take);
+  // Without a reserve a full disk stops the feeds at what is reserved for them.
+  LedgerWriter(store::Store& store, Lines& lines, const Clock& clock, DiskReserve* disk_reserve, Take take);
 
   // A job that is about to be armed: what its line reports under this session is booked for it. From any thread.
   void expect(store::Id job, std::uint64_t session, std::string_view machine);
@@ -106,7 +106,7 @@ class LedgerWriter {
   store::Store& store_;
   Lines& lines_;
   const Clock& clock_;
-  Ballast* ballast_;
+  DiskReserve* disk_reserve_;
   Take take_;
   feed::Time restore_at_{};
   feed::Time slow_again_at_{};

@@ -45,8 +45,8 @@ Result<void> add_work(store::Store& store, store::Id program, ProgramUses& into)
   return {};
 }
 
-Result<void> add_calls(store::Store& store, LibraryKeeper& keeper, const store::Program& program, ProgramUses& into) {
-  store::Library& library = keeper.library();
+Result<void> add_calls(store::Store& store, LibraryIndexer& indexer, const store::Program& program, ProgramUses& into) {
+  store::Library& library = indexer.library();
   const auto callers = lift(library.callers_of(program.id));
   if (!callers) return std::unexpected(callers.error());
   for (const store::Caller& one : *callers) {
@@ -74,16 +74,16 @@ Result<void> add_calls(store::Store& store, LibraryKeeper& keeper, const store::
 
 }  // namespace
 
-Result<ProgramUses> uses_of(store::Store& store, LibraryKeeper& keeper, store::Id program) {
+Result<ProgramUses> uses_of(store::Store& store, LibraryIndexer& indexer, store::Id program) {
   const auto stored = lift(store.programs().get(program));
   if (!stored) return std::unexpected(stored.error());
   ProgramUses uses;
   if (auto added = add_parts(store, program, uses); !added) return std::unexpected(added.error());
   if (auto added = add_work(store, program, uses); !added) return std::unexpected(added.error());
-  if (auto added = add_calls(store, keeper, *stored, uses); !added) return std::unexpected(added.error());
-  const auto state = lift(keeper.library().state());
+  if (auto added = add_calls(store, indexer, *stored, uses); !added) return std::unexpected(added.error());
+  const auto state = lift(indexer.library().state());
   if (!state) return std::unexpected(state.error());
-  const auto waiting = keeper.waiting();
+  const auto waiting = indexer.waiting();
   if (!waiting) return std::unexpected(waiting.error());
   uses.unread = state->not_read;
   uses.waiting = *waiting;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "server/app/base/error.h"
-#include "server/app/library/library_keeper.h"
+#include "server/app/library/library_indexer.h"
 
 namespace dripfeed::app {
 
@@ -43,6 +43,6 @@ struct ProgramUses {
 };
 
 // Errors: not_found.
-Result<ProgramUses> uses_of(store::Store& store, LibraryKeeper& keeper, store::Id program);
+Result<ProgramUses> uses_of(store::Store& store, LibraryIndexer& indexer, store::Id program);
 
 }  // namespace dripfeed::app

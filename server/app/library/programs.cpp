@@ -50,9 +50,9 @@ std::uint64_t count_blocks(std::string_view text) {
   return count;
 }
 
-Programs::Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast,
+Programs::Programs(store::Store& store, const Clock& clock, const Documents& documents, const DiskReserve* disk_reserve,
                    Workers* workers)
-    : store_(store), clock_(clock), documents_(documents), ballast_(ballast), workers_(workers) {}
+    : store_(store), clock_(clock), documents_(documents), disk_reserve_(disk_reserve), workers_(workers) {}
 
 store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -67,7 +67,7 @@ Result<store::NewProgramText> Programs::keep_text(std::string_view dialect, std:
 Result<store::NewProgramText> Programs::keep_text(std::string_view text) {
   if (text.empty())
     return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
-  if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
+  if (auto room = refuse_on_full_disk(disk_reserve_); !room) return std::unexpected(room.error());
   const auto content = put_in_slices(store_.contents(), text);
   if (!content) return std::unexpected(content.error());
   return store::NewProgramText{
@@ -192,7 +192,7 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
   if (!done) return std::unexpected(done.error());
   Rendered rendered{.program = {}, .result = std::move(done->result)};
 
-  if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
+  if (auto room = refuse_on_full_disk(disk_reserve_); !room) return std::unexpected(room.error());
   const auto content = put_in_slices(store_.contents(), rendered.result.text);
   if (!content) return std::unexpected(content.error());
   store::NewProgramText text{.sha256 = content->sha256,

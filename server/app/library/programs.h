@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "dialects/compile/render/render.h"
-#include "server/app/base/ballast.h"
+#include "server/app/base/disk_reserve.h"
 #include "server/app/base/documents.h"
 #include "server/app/base/error.h"
 #include "server/app/checks/workers.h"
@@ -42,8 +42,8 @@ struct Preview {
 
 class Programs {
  public:
-  Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast = nullptr,
-           Workers* workers = nullptr);
+  Programs(store::Store& store, const Clock& clock, const Documents& documents,
+           const DiskReserve* disk_reserve = nullptr, Workers* workers = nullptr);
 
   // Texts are large, so none is taken while the room for the ledger is given up: all have the error unavailable, too.
   //
@@ -76,7 +76,7 @@ class Programs {
   store::Store& store_;
   const Clock& clock_;
   const Documents& documents_;
-  const Ballast* ballast_;
+  const DiskReserve* disk_reserve_;
   Workers* workers_;
 };
 

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "server/app/lines/drop_line.h"
 #include "server/app/lines/feed_line.h"
-#include "server/app/lines/mailbox_line.h"
+#include "server/app/lines/folder_line.h"
+#include "server/app/lines/modbus_line.h"
 #include "server/app/lines/packet_line.h"
-#include "server/app/lines/punch_line.h"
+#include "server/app/lines/packet_receive_line.h"
 #include "server/machine/bus_settings.h"
 
 namespace dripfeed::app {
@@ -228,7 +228,7 @@ Result<std::unique_ptr<Line>> make_receiving_line(const machine::LineSettings& s
   const bool has_characters = machine::feeds_characters(settings.link.kind);
   if (!has_characters || !machine::packet_protocol_of(effective->protocol))
     return make_line(settings, thread, take_seat, std::move(changed));
-  auto line = make_punch_line(settings, thread, std::move(changed));
+  auto line = make_packet_receive_line(settings, thread, std::move(changed));
   if (!line) return fail(ErrorCode::invalid, line.error());
   return std::move(*line);
 }
@@ -239,13 +239,13 @@ Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, L
     const auto bus = machine::bus_settings_of(settings.link);
     if (!bus) return fail(ErrorCode::invalid, bus.error());
     auto line =
-        make_mailbox_line({.link = settings.link, .idle_poll = std::chrono::milliseconds(bus->poll_ms), .left = left},
-                          take_seat, thread.clock(), std::move(changed));
+        make_modbus_line({.link = settings.link, .idle_poll = std::chrono::milliseconds(bus->poll_ms), .left = left},
+                         take_seat, thread.clock(), std::move(changed));
     if (!line) return fail(ErrorCode::refused, line.error());
     return std::move(*line);
   }
   if (settings.link.kind == machine::LinkKind::dir) {
-    auto line = make_drop_line(settings, std::move(changed), left);
+    auto line = make_folder_line(settings, std::move(changed), left);
     if (!line) return fail(ErrorCode::invalid, line.error());
     return std::move(*line);
   }

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "server/app/lines/mailbox_line.h"
+#include "server/app/lines/modbus_line.h"
 #include "server/app/receive/receiving.h"
 #include "tests/unit/server/app/register_plc.h"
 #include "tests/unit/server/app/whole_shop.h"

@@ -70,13 +70,13 @@ std::string killed_copy(const std::string& database) {
   return database + "-killed";
 }
 
-Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast, ClaimLine claim)
+Shop::Shop(const std::string& database, BusSeatMaker take_seat, DiskReserve* disk_reserve, ClaimLine claim)
     : sqlite_(must(sqlite::open(database, {.own = true}))),
       store(*sqlite_),
       alarms(store, events, links.clock()),
       lines(
           links, take_seat, [this] { books.wake(); }, history_of(store, std::move(claim))),
-      books(store, lines, events, alarms, links.clock(), ballast),
+      books(store, lines, events, alarms, links.clock(), disk_reserve),
       catalog(store, lines, events, links.clock(), documents),
       jobs(store, lines, books, events, links.clock(), documents, CalledPrograms(store, nullptr)) {}
 

@@ -62,7 +62,7 @@ store::Release release_text(store::Store& store, const std::string& machine, con
 // The use cases without the object that holds them together in a server: so that a test can end them as kill -9 would.
 class Shop {
  public:
-  explicit Shop(const std::string& database, BusSeatMaker take_seat = nullptr, Ballast* ballast = nullptr,
+  explicit Shop(const std::string& database, BusSeatMaker take_seat = nullptr, DiskReserve* disk_reserve = nullptr,
                 ClaimLine claim = {});
   ~Shop();
   Shop(const Shop&) = delete;

@@ -15,11 +15,11 @@ namespace dripfeed::app {
 
 // The line of a dir: link; or which setting is wrong. A folder that is not there (yet) makes a disconnected line;
 // one that was left torn takes no job before a person confirms.
-std::expected<std::unique_ptr<Line>, std::string> make_drop_line(const machine::LineSettings& settings,
-                                                                 LineChanged changed,
-                                                                 feed::LeftAs left = feed::LeftAs::whole);
+std::expected<std::unique_ptr<Line>, std::string> make_folder_line(const machine::LineSettings& settings,
+                                                                   LineChanged changed,
+                                                                   feed::LeftAs left = feed::LeftAs::whole);
 
 // How a text is written to a file: plain characters, the machine's EOB, no leader and no trailer.
-tape_code::WireFormat drop_format(const machine::LineSettings& settings);
+tape_code::WireFormat folder_format(const machine::LineSettings& settings);
 
 }  // namespace dripfeed::app

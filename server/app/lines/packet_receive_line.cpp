@@ -1,6 +1,6 @@
 // Everything but report() and take_receptions() runs on the links' thread. One text, then the line rests; while nothing
 // of it has come, a transfer that broke is begun anew.
-#include "server/app/lines/punch_line.h"
+#include "server/app/lines/packet_receive_line.h"
 
 #include <algorithm>
 #include <array>
@@ -22,12 +22,12 @@ namespace {
 constexpr feed::Time kAnewAfter = std::chrono::seconds(1);
 constexpr std::uint8_t kFilling = 0x1A;  // SUB, behind the text in XMODEM's last block
 
-class PunchLine final : public Line, private LinkListener, private Ticker, private packet::Sink {
+class PacketReceiveLine final : public Line, private LinkListener, private Ticker, private packet::Sink {
  public:
-  PunchLine(const packet::Settings& settings, const machine::LineSettings& line, LinkThread& thread,
-            LineChanged changed)
+  PacketReceiveLine(const packet::Settings& settings, const machine::LineSettings& line, LinkThread& thread,
+                    LineChanged changed)
       : protocol_(settings.protocol),
-        // make_punch_line() validated them.
+        // make_packet_receive_line() validated them.
         receiver_(*packet::Receiver::make(settings, *this)),
         judged_by_(machine::receive_settings_of(line)),
         thread_(thread),
@@ -40,7 +40,7 @@ class PunchLine final : public Line, private LinkListener, private Ticker, priva
     });
   }
 
-  ~PunchLine() override {
+  ~PacketReceiveLine() override {
     thread_.run([this] {
       thread_.remove(*this);
       link_.close();
@@ -220,13 +220,13 @@ class PunchLine final : public Line, private LinkListener, private Ticker, priva
 
 }  // namespace
 
-std::expected<std::unique_ptr<Line>, std::string> make_punch_line(const machine::LineSettings& settings,
-                                                                  LinkThread& thread, LineChanged changed) {
+std::expected<std::unique_ptr<Line>, std::string> make_packet_receive_line(const machine::LineSettings& settings,
+                                                                           LinkThread& thread, LineChanged changed) {
   const auto effective = machine::effective_line(settings);
   if (!effective) return std::unexpected(effective.error());
   const auto packet_settings = machine::packet_settings_of(*effective);
   if (!packet_settings) return std::unexpected(packet_settings.error());
-  return std::make_unique<PunchLine>(*packet_settings, *effective, thread, std::move(changed));
+  return std::make_unique<PacketReceiveLine>(*packet_settings, *effective, thread, std::move(changed));
 }
 
 }  // namespace dripfeed::app

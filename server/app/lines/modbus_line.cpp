@@ -1,6 +1,6 @@
 // A turn does what the sender asks for, one request at a time, and says when the next one is wanted. Commands take the
 // lock between two requests, never during one.
-#include "server/app/lines/mailbox_line.h"
+#include "server/app/lines/modbus_line.h"
 
 #include <algorithm>
 #include <array>
@@ -80,9 +80,9 @@ bool differs(const std::optional<MachineReport>& one, const std::optional<Machin
   return one->state != other->state || one->alarm != other->alarm;
 }
 
-class MailboxLine final : public Line, private BusUser {
+class ModbusLine final : public Line, private BusUser {
  public:
-  MailboxLine(const MailboxSettings& settings, const Clock& clock, LineChanged changed)
+  ModbusLine(const ModbusLineSettings& settings, const Clock& clock, LineChanged changed)
       : clock_(clock),
         changed_(std::move(changed)),
         idle_poll_(settings.idle_poll),
@@ -382,10 +382,10 @@ class MailboxLine final : public Line, private BusUser {
 
 }  // namespace
 
-std::expected<std::unique_ptr<Line>, std::string> make_mailbox_line(const MailboxSettings& settings,
-                                                                    BusSeatMaker take_seat, const Clock& clock,
-                                                                    LineChanged changed) {
-  auto line = std::make_unique<MailboxLine>(settings, clock, std::move(changed));
+std::expected<std::unique_ptr<Line>, std::string> make_modbus_line(const ModbusLineSettings& settings,
+                                                                   BusSeatMaker take_seat, const Clock& clock,
+                                                                   LineChanged changed) {
+  auto line = std::make_unique<ModbusLine>(settings, clock, std::move(changed));
   if (auto seated = line->sit(settings.link, take_seat); !seated) return std::unexpected(seated.error());
   return line;
 }

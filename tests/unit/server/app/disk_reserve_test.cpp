@@ -1,6 +1,6 @@
 // A full disk: what runs is booked to its end in the room that was kept for it, nothing new begins, and with room again
-// all is as before. The disk is full here as long as the ballast lies on it.
-#include "server/app/base/ballast.h"
+// all is as before. The disk is full here as long as the reserve lies on it.
+#include "server/app/base/disk_reserve.h"
 
 #include <chrono>
 
@@ -17,63 +17,63 @@ using store::JobState;
 
 constexpr std::uint64_t kSmall = std::uint64_t{1} << 20U;
 
-class BallastTest : public ShopTest {
+class DiskReserveTest : public ShopTest {
  protected:
   [[nodiscard]] std::string path() const { return folder_.file("ballast"); }
   [[nodiscard]] bool is_there() const { return std::filesystem::exists(path()); }
 };
 
-TEST_F(BallastTest, HoldsItsRoomAndGivesItOnce) {
-  Ballast ballast(path(), kSmall);
-  ASSERT_TRUE(ballast.is_whole());
+TEST_F(DiskReserveTest, HoldsItsRoomAndGivesItOnce) {
+  DiskReserve disk_reserve(path(), kSmall);
+  ASSERT_TRUE(disk_reserve.is_whole());
   struct stat file{};
   ASSERT_EQ(::stat(path().c_str(), &file), 0);
   EXPECT_GE(static_cast<std::uint64_t>(file.st_blocks) * 512, kSmall) << "blocks of its own, not only a length";
-  EXPECT_TRUE(refuse_on_full_disk(&ballast));
+  EXPECT_TRUE(refuse_on_full_disk(&disk_reserve));
   EXPECT_TRUE(refuse_on_full_disk(nullptr));
-  EXPECT_TRUE(ballast.give_up());
+  EXPECT_TRUE(disk_reserve.give_up());
   EXPECT_FALSE(is_there());
-  EXPECT_FALSE(ballast.is_whole());
-  EXPECT_FALSE(ballast.give_up()) << "there is nothing left to give";
-  EXPECT_EQ(refusal(refuse_on_full_disk(&ballast)).code, ErrorCode::unavailable);
-  ballast.restore();
-  EXPECT_TRUE(ballast.is_whole());
+  EXPECT_FALSE(disk_reserve.is_whole());
+  EXPECT_FALSE(disk_reserve.give_up()) << "there is nothing left to give";
+  EXPECT_EQ(refusal(refuse_on_full_disk(&disk_reserve)).code, ErrorCode::unavailable);
+  disk_reserve.restore();
+  EXPECT_TRUE(disk_reserve.is_whole());
   EXPECT_TRUE(is_there());
 }
 
-TEST_F(BallastTest, ADiskWithoutRoomHasNone) {
-  const Ballast ballast(path(), std::uint64_t{1} << 50U);
-  EXPECT_FALSE(ballast.is_whole());
+TEST_F(DiskReserveTest, ADiskWithoutRoomHasNone) {
+  const DiskReserve disk_reserve(path(), std::uint64_t{1} << 50U);
+  EXPECT_FALSE(disk_reserve.is_whole());
   EXPECT_FALSE(is_there()) << "no half one is left";
-  const Ballast nowhere(folder_.file("no/such/folder"), kSmall);
+  const DiskReserve nowhere(folder_.file("no/such/folder"), kSmall);
   EXPECT_FALSE(nowhere.is_whole());
 }
 
-TEST_F(BallastTest, IsTakenBackOnlyWhereThereIsRoomBesideIt) {
+TEST_F(DiskReserveTest, IsTakenBackOnlyWhereThereIsRoomBesideIt) {
   std::uint64_t room = 2 * kSmall - 1;
-  Ballast ballast(path(), kSmall, [&](const std::filesystem::path& folder) {
+  DiskReserve disk_reserve(path(), kSmall, [&](const std::filesystem::path& folder) {
     EXPECT_EQ(folder, folder_.path());
     return room;
   });
-  ASSERT_TRUE(ballast.give_up());
-  ballast.restore();
-  EXPECT_FALSE(ballast.is_whole());
+  ASSERT_TRUE(disk_reserve.give_up());
+  disk_reserve.restore();
+  EXPECT_FALSE(disk_reserve.is_whole());
   EXPECT_FALSE(is_there());
   room = 2 * kSmall;
-  ballast.restore();
-  EXPECT_TRUE(ballast.is_whole());
+  disk_reserve.restore();
+  EXPECT_TRUE(disk_reserve.is_whole());
   EXPECT_TRUE(is_there());
 }
 
-TEST_F(BallastTest, KnowsTheRoomOfItsDisk) {
-  EXPECT_GT(Ballast::room_of_disk(folder_.path()), 0U);
-  EXPECT_EQ(Ballast::room_of_disk(folder_.file("no/such/folder")), 0U);
+TEST_F(DiskReserveTest, KnowsTheRoomOfItsDisk) {
+  EXPECT_GT(DiskReserve::room_of_disk(folder_.path()), 0U);
+  EXPECT_EQ(DiskReserve::room_of_disk(folder_.file("no/such/folder")), 0U);
 }
 
-TEST_F(BallastTest, WhatRunsIsFinishedAndNothingNewBegins) {
-  Ballast ballast(path(), kSmall);
-  Shop shop(database(), nullptr, &ballast);
-  Programs programs(shop.store, shop.links.clock(), shop.documents, &ballast);
+TEST_F(DiskReserveTest, WhatRunsIsFinishedAndNothingNewBegins) {
+  DiskReserve disk_reserve(path(), kSmall);
+  Shop shop(database(), nullptr, &disk_reserve);
+  Programs programs(shop.store, shop.links.clock(), shop.documents, &disk_reserve);
   shop.add_machine(kLathe);
   shop.add_machine("mill");
   const std::string text = program(100);
@@ -106,9 +106,9 @@ TEST_F(BallastTest, WhatRunsIsFinishedAndNothingNewBegins) {
 }
 
 // The second time the disk is full there is nothing left: the feed stops at what is booked, and the ledger stays true.
-TEST_F(BallastTest, WithNothingLeftAFeedStopsAtItsReserve) {
-  Ballast ballast(path(), kSmall);
-  Shop shop(database(), nullptr, &ballast);
+TEST_F(DiskReserveTest, WithNothingLeftAFeedStopsAtItsReserve) {
+  DiskReserve disk_reserve(path(), kSmall);
+  Shop shop(database(), nullptr, &disk_reserve);
   shop.add_machine(kLathe);
   const store::Job job = shop.start_job(kLathe, program(200));
   shop.run(200ms);

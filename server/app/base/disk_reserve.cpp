@@ -1,5 +1,5 @@
 // The blocks must be the file's own, so they are allocated and not only counted in its length.
-#include "server/app/base/ballast.h"
+#include "server/app/base/disk_reserve.h"
 
 #include <system_error>
 #include <utility>
@@ -24,13 +24,13 @@ bool allocate(const std::filesystem::path& path, std::uint64_t bytes) {
 
 }  // namespace
 
-Ballast::Ballast(std::filesystem::path path, std::uint64_t bytes, Room room)
+DiskReserve::DiskReserve(std::filesystem::path path, std::uint64_t bytes, Room room)
     : path_(std::move(path)), bytes_(bytes), room_(std::move(room)) {
   is_whole_ = allocate(path_, bytes_);
   if (!is_whole_) spdlog::error("{}: no room for {} bytes: the disk is full", path_.string(), bytes_);
 }
 
-bool Ballast::give_up() {
+bool DiskReserve::give_up() {
   if (!is_whole_.exchange(false)) return false;
   std::error_code failed;
   std::filesystem::remove(path_, failed);
@@ -38,21 +38,21 @@ bool Ballast::give_up() {
   return !failed;
 }
 
-void Ballast::restore() {
+void DiskReserve::restore() {
   if (is_whole_.load()) return;
   if (room_(path_.parent_path()) < 2 * bytes_ || !allocate(path_, bytes_)) return;
   spdlog::info("the disk has room again: {} is whole", path_.string());
   is_whole_ = true;
 }
 
-std::uint64_t Ballast::room_of_disk(const std::filesystem::path& folder) {
+std::uint64_t DiskReserve::room_of_disk(const std::filesystem::path& folder) {
   std::error_code unknown;
   const std::filesystem::space_info space = std::filesystem::space(folder, unknown);
   return unknown ? 0 : space.available;
 }
 
-Result<void> refuse_on_full_disk(const Ballast* ballast) {
-  if (ballast == nullptr || ballast->is_whole()) return {};
+Result<void> refuse_on_full_disk(const DiskReserve* disk_reserve) {
+  if (disk_reserve == nullptr || disk_reserve->is_whole()) return {};
   return fail(ErrorCode::unavailable, "the disk is full: what runs is brought to its end, nothing new begins");
 }
 

@@ -12,7 +12,7 @@
 
 namespace dripfeed::app {
 
-class Ballast {
+class DiskReserve {
  public:
   // A ledger of one line grows by about 2 kB a second, of 100 lines by about 100 kB: at least ten minutes.
   static constexpr std::uint64_t kBytes = std::uint64_t{64} << 20U;
@@ -20,7 +20,7 @@ class Ballast {
   // Bytes that the disk of a folder has left.
   using Room = std::function<std::uint64_t(const std::filesystem::path& folder)>;
   // Makes the file if there is room for it.
-  explicit Ballast(std::filesystem::path path, std::uint64_t bytes = kBytes, Room room = room_of_disk);
+  explicit DiskReserve(std::filesystem::path path, std::uint64_t bytes = kBytes, Room room = room_of_disk);
   // From any thread.
   [[nodiscard]] bool is_whole() const { return is_whole_.load(); }
   // Leaves its room to the store. False when there is none left to give. From one thread, as restore().
@@ -38,7 +38,7 @@ class Ballast {
   std::atomic<bool> is_whole_{false};
 };
 
-// `unavailable` while the ballast is given up; nullptr is a store without one.
-Result<void> refuse_on_full_disk(const Ballast* ballast);
+// `unavailable` while the reserve is given up; nullptr is a store without one.
+Result<void> refuse_on_full_disk(const DiskReserve* disk_reserve);
 
 }  // namespace dripfeed::app

@@ -1,6 +1,6 @@
 // Block transfer through the use cases: armed by a person, every byte exactly once whatever is lost, the ledger's
 // counts confirmed, and a job that ends leaves the PLC told.
-#include "server/app/lines/mailbox_line.h"
+#include "server/app/lines/modbus_line.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,9 +19,9 @@ using store::JobState;
 
 constexpr const char* kPlcUrl = "modbus-tcp://plc:502/1";
 
-class MailboxLineTest : public ShopTest {
+class ModbusLineTest : public ShopTest {
  protected:
-  MailboxLineTest() : shop_(make(), take_plc_seat) { shop_.add_machine("press", kPlcUrl); }
+  ModbusLineTest() : shop_(make(), take_plc_seat) { shop_.add_machine("press", kPlcUrl); }
 
   store::Job arm(const std::string& text) {
     const store::Job job = shop_.add_job("press", text);
@@ -52,7 +52,7 @@ class MailboxLineTest : public ShopTest {
   }
 };
 
-TEST_F(MailboxLineTest, ArmedTextArrivesOnceAndIsConfirmed) {
+TEST_F(ModbusLineTest, ArmedTextArrivesOnceAndIsConfirmed) {
   const std::string text = program(200);
   const store::Job queued = shop_.add_job("press", text);
   EXPECT_EQ(queued.bytes_total, text.size());
@@ -74,7 +74,7 @@ TEST_F(MailboxLineTest, ArmedTextArrivesOnceAndIsConfirmed) {
   EXPECT_EQ(plc_.text(), text) << "a new session begins with an empty text";
 }
 
-TEST_F(MailboxLineTest, LostCallsLoseAndRepeatNothing) {
+TEST_F(ModbusLineTest, LostCallsLoseAndRepeatNothing) {
   plc_.lose_calls(4);
   const std::string text = program(100);
   const store::Job job = arm(text);
@@ -82,7 +82,7 @@ TEST_F(MailboxLineTest, LostCallsLoseAndRepeatNothing) {
   EXPECT_EQ(plc_.text(), text);
 }
 
-TEST_F(MailboxLineTest, HandsNothingBeyondItsReserve) {
+TEST_F(ModbusLineTest, HandsNothingBeyondItsReserve) {
   const std::string text = program(5000);
   ASSERT_GT(text.size(), kReserveOfBlocks + 20'000);
   plc_.give_credit(false);
@@ -98,7 +98,7 @@ TEST_F(MailboxLineTest, HandsNothingBeyondItsReserve) {
   EXPECT_EQ(plc_.text(), text);
 }
 
-TEST_F(MailboxLineTest, APlcThatIsGoneEndsTheJobAndNotTheLine) {
+TEST_F(ModbusLineTest, APlcThatIsGoneEndsTheJobAndNotTheLine) {
   plc_.give_credit(false);
   const std::string text = program(20);
   const store::Job job = arm(text);
@@ -118,7 +118,7 @@ TEST_F(MailboxLineTest, APlcThatIsGoneEndsTheJobAndNotTheLine) {
 }
 
 // What a transfer that broke off left at the PLC is never taken away by the next job alone.
-TEST_F(MailboxLineTest, ASessionThatIsLeftOpenNeedsAPersonsWord) {
+TEST_F(ModbusLineTest, ASessionThatIsLeftOpenNeedsAPersonsWord) {
   plc_.give_credit(false);
   const std::string text = program(20);
   const store::Job job = arm(text);
@@ -142,7 +142,7 @@ TEST_F(MailboxLineTest, ASessionThatIsLeftOpenNeedsAPersonsWord) {
   EXPECT_EQ(plc_.text(), text);
 }
 
-TEST_F(MailboxLineTest, AnArmingThatFindsNoPlcExpires) {
+TEST_F(ModbusLineTest, AnArmingThatFindsNoPlcExpires) {
   plc_.go_away(true);
   const store::Job queued = shop_.add_job("press", program(20));
   const store::Job armed = must(shop_.jobs.arm(queued.id, 0.05, "olga"));
@@ -156,7 +156,7 @@ TEST_F(MailboxLineTest, AnArmingThatFindsNoPlcExpires) {
   ASSERT_TRUE(comes_to(queued.id, JobState::done));
 }
 
-TEST_F(MailboxLineTest, StopHoldsAtABlockEndAndResumeGoesOn) {
+TEST_F(ModbusLineTest, StopHoldsAtABlockEndAndResumeGoesOn) {
   const std::string text = program(2000);
   plc_.give_credit(false);
   const store::Job job = arm(text);
@@ -175,7 +175,7 @@ TEST_F(MailboxLineTest, StopHoldsAtABlockEndAndResumeGoesOn) {
   EXPECT_EQ(plc_.text(), text);
 }
 
-TEST_F(MailboxLineTest, CancelTellsThePlc) {
+TEST_F(ModbusLineTest, CancelTellsThePlc) {
   plc_.give_credit(false);
   const store::Job job = arm(program(50));
   ASSERT_TRUE(comes_to(job.id, JobState::feeding));
@@ -186,7 +186,7 @@ TEST_F(MailboxLineTest, CancelTellsThePlc) {
 }
 
 // The bus works without the line's lock: what a person does meanwhile must not change the registers under it.
-TEST_F(MailboxLineTest, ACommandDoesNotTouchTheRegistersThatAreBeingWritten) {
+TEST_F(ModbusLineTest, ACommandDoesNotTouchTheRegistersThatAreBeingWritten) {
   Gate gate;
   std::atomic<bool> unchanged = false;
   std::atomic<bool> seen = false;
@@ -208,7 +208,7 @@ TEST_F(MailboxLineTest, ACommandDoesNotTouchTheRegistersThatAreBeingWritten) {
   EXPECT_TRUE(unchanged);
 }
 
-TEST_F(MailboxLineTest, CommandsWithoutAMeaningAreRefused) {
+TEST_F(ModbusLineTest, CommandsWithoutAMeaningAreRefused) {
   const auto line = shop_.lines.find("press");
   EXPECT_FALSE(line->command(feed::Command::resume_as_if_dc1));
   EXPECT_FALSE(line->command(feed::Command::stop)) << "no job is on it";

@@ -13,15 +13,15 @@
 
 namespace dripfeed::app {
 
-struct MailboxSettings {
+struct ModbusLineSettings {
   machine::LinkUrl link;
   std::chrono::nanoseconds idle_poll = std::chrono::milliseconds(500);
   feed::LeftAs left = feed::LeftAs::whole;  // torn: no job before a person confirms the reset
 };
 
 // Or one sentence that says why the bus has no seat for it.
-std::expected<std::unique_ptr<Line>, std::string> make_mailbox_line(const MailboxSettings& settings,
-                                                                    BusSeatMaker take_seat, const Clock& clock,
-                                                                    LineChanged changed);
+std::expected<std::unique_ptr<Line>, std::string> make_modbus_line(const ModbusLineSettings& settings,
+                                                                   BusSeatMaker take_seat, const Clock& clock,
+                                                                   LineChanged changed);
 
 }  // namespace dripfeed::app

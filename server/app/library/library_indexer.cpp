@@ -1,6 +1,6 @@
 // A few programs at a time: read, digested by a worker, put into the library, which then says up to which change it
 // goes.
-#include "server/app/library/library_keeper.h"
+#include "server/app/library/library_indexer.h"
 
 #include <algorithm>
 #include <set>
@@ -79,24 +79,24 @@ store::LibraryEntry entry_of(const store::Program& program, ProgramDigest digest
 
 }  // namespace
 
-LibraryKeeper::LibraryKeeper(store::Store& store, store::Library& library, Workers* workers)
+LibraryIndexer::LibraryIndexer(store::Store& store, store::Library& library, Workers* workers)
     : store_(store),
       library_(library),
       workers_(workers),
       thread_("library", kLookEvery, Urgency::usual, [this] { round(); }) {}
 
-void LibraryKeeper::stop() {
+void LibraryIndexer::stop() {
   ends_.request_stop();
   thread_.stop();
 }
 
-Result<std::uint64_t> LibraryKeeper::waiting() {
+Result<std::uint64_t> LibraryIndexer::waiting() {
   const auto state = lift(library_.state());
   if (!state) return std::unexpected(state.error());
   return lift(store_.programs().count_changed_after(state->change));
 }
 
-void LibraryKeeper::round() {
+void LibraryIndexer::round() {
   if (ends_.stop_requested()) return;
   const auto version = store_.version();
   if (version && seen_ == *version) return;
@@ -119,7 +119,7 @@ void LibraryKeeper::round() {
 }
 
 // A store that was restored from a backup may be older than what the library has.
-Result<void> LibraryKeeper::drop_another_store_s() {
+Result<void> LibraryIndexer::drop_another_store_s() {
   const auto state = lift(library_.state());
   if (!state) return std::unexpected(state.error());
   if (state->change == 0) return {};
@@ -128,7 +128,7 @@ Result<void> LibraryKeeper::drop_another_store_s() {
   return *newer > 0 ? Result<void>{} : lift(library_.clear());
 }
 
-Result<bool> LibraryKeeper::step() {
+Result<bool> LibraryIndexer::step() {
   const auto state = lift(library_.state());
   if (!state) return std::unexpected(state.error());
   const auto changed = lift(store_.programs().changed_after(state->change, kAtOnce));
@@ -163,7 +163,7 @@ Result<bool> LibraryKeeper::step() {
 }
 
 // One text that no worker comes through with is put in as it stands; nobody knows what it calls then.
-Result<std::vector<ProgramDigest>> LibraryKeeper::digests_of(const std::vector<DigestOrder>& orders) {
+Result<std::vector<ProgramDigest>> LibraryIndexer::digests_of(const std::vector<DigestOrder>& orders) {
   const Waiter waiter{.stop = ends_.get_token(),
                       .peer = -1,
                       .work = {.kind = "index", .subject = "programs", .machine = {}, .actor = "dripfeed"}};

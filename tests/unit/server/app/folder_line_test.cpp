@@ -1,6 +1,6 @@
 // A folder as a line: the whole file or none, under the control's name, never over another program; and what a text
 // becomes in it.
-#include "server/app/lines/drop_line.h"
+#include "server/app/lines/folder_line.h"
 
 #include <chrono>
 #include <filesystem>
@@ -35,7 +35,7 @@ machine::Profile profile_of(const std::string& dialect, const std::string& url) 
   return profile;
 }
 
-class DropLineTest : public ::testing::Test {
+class FolderLineTest : public ::testing::Test {
  protected:
   static constexpr std::string_view kText = "%\nO0042\nG1X1.\nM30\n%\n";
 
@@ -43,7 +43,7 @@ class DropLineTest : public ::testing::Test {
     machine::LineSettings settings;
     settings.link = machine::parse_link_url("dir:" + folder().string() + options).value();
     settings.eob = tape_code::Eob::cr_lf;
-    line_ = make_drop_line(settings, [] {}).value();
+    line_ = make_folder_line(settings, [] {}).value();
     ASSERT_TRUE(until([](const LineReport& r) { return !r.link_error.ends_with("not looked at yet"); }));
   }
   [[nodiscard]] fs::path folder() const { return fs::path(temp_.path()) / "drop"; }
@@ -78,11 +78,11 @@ class DropLineTest : public ::testing::Test {
   std::uint64_t job_ = 0;
 };
 
-TEST_F(DropLineTest, AFolderThatWasLeftTornTakesNoJobBeforeAPersonConfirms) {
+TEST_F(FolderLineTest, AFolderThatWasLeftTornTakesNoJobBeforeAPersonConfirms) {
   fs::create_directory(folder());
   machine::LineSettings settings;
   settings.link = machine::parse_link_url("dir:" + folder().string()).value();
-  line_ = make_drop_line(settings, [] {}, feed::LeftAs::torn).value();
+  line_ = make_folder_line(settings, [] {}, feed::LeftAs::torn).value();
   EXPECT_EQ(line_->report().state, LineState::torn);
   ASSERT_TRUE(until([](const LineReport& r) { return r.link_error.empty(); }));
   EXPECT_EQ(line_->report().state, LineState::torn) << "after a look, too";
@@ -92,7 +92,7 @@ TEST_F(DropLineTest, AFolderThatWasLeftTornTakesNoJobBeforeAPersonConfirms) {
   EXPECT_TRUE(arm(kText));
 }
 
-TEST_F(DropLineTest, TheFileLiesThereWhole) {
+TEST_F(FolderLineTest, TheFileLiesThereWhole) {
   fs::create_directory(folder());
   open();
   ASSERT_TRUE(arm(kText));
@@ -108,7 +108,7 @@ TEST_F(DropLineTest, TheFileLiesThereWhole) {
   EXPECT_TRUE(ended(JobEnd::done)) << "the same text may be put there again";
 }
 
-TEST_F(DropLineTest, AnotherProgramIsNotReplaced) {
+TEST_F(FolderLineTest, AnotherProgramIsNotReplaced) {
   fs::create_directory(folder());
   write(folder() / "O0042", "the shop's own");
   open();
@@ -119,7 +119,7 @@ TEST_F(DropLineTest, AnotherProgramIsNotReplaced) {
   EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(DropLineTest, UnlessTheLinkSaysSo) {
+TEST_F(FolderLineTest, UnlessTheLinkSaysSo) {
   fs::create_directory(folder());
   write(folder() / "O0042", "old");
   open("?overwrite=yes&eob=lf");
@@ -128,7 +128,7 @@ TEST_F(DropLineTest, UnlessTheLinkSaysSo) {
   EXPECT_EQ(contents(folder() / "O0042"), kText);
 }
 
-TEST_F(DropLineTest, NobodySeesAFileBeforeItIsWhole) {
+TEST_F(FolderLineTest, NobodySeesAFileBeforeItIsWhole) {
   fs::create_directory(folder());
   open();
   ASSERT_TRUE(arm(kText, 10));
@@ -144,7 +144,7 @@ TEST_F(DropLineTest, NobodySeesAFileBeforeItIsWhole) {
   EXPECT_TRUE(ended(JobEnd::done));
 }
 
-TEST_F(DropLineTest, AFolderThatIsNotThereIsNamed) {
+TEST_F(FolderLineTest, AFolderThatIsNotThereIsNamed) {
   open();
   EXPECT_EQ(line_->report().state, LineState::disconnected);
   EXPECT_EQ(line_->report().link_error, folder().string() + ": No such file or directory");
@@ -154,7 +154,7 @@ TEST_F(DropLineTest, AFolderThatIsNotThereIsNamed) {
   EXPECT_FALSE(line_->command(feed::Command::stop));
 }
 
-TEST_F(DropLineTest, AJobThatFindsNoPlaceForItsFileGoesBack) {
+TEST_F(FolderLineTest, AJobThatFindsNoPlaceForItsFileGoesBack) {
   fs::create_directory(folder());
   open();
   fs::remove(folder());
@@ -165,7 +165,7 @@ TEST_F(DropLineTest, AJobThatFindsNoPlaceForItsFileGoesBack) {
   EXPECT_EQ(line_->report().handed, 0U);
 }
 
-TEST_F(DropLineTest, OnlyWhatWasLongAbandonedIsRemoved) {
+TEST_F(FolderLineTest, OnlyWhatWasLongAbandonedIsRemoved) {
   fs::create_directory(folder());
   write(folder() / ".dripfeed-7", "of another line that writes now");
   write(folder() / ".dripfeed-3", "of a lost power");

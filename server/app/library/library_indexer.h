@@ -12,13 +12,13 @@
 
 namespace dripfeed::app {
 
-class LibraryKeeper {
+class LibraryIndexer {
  public:
   // Without `workers` texts are read here.
-  LibraryKeeper(store::Store& store, store::Library& library, Workers* workers);
-  ~LibraryKeeper() { stop(); }
-  LibraryKeeper(const LibraryKeeper&) = delete;
-  LibraryKeeper& operator=(const LibraryKeeper&) = delete;
+  LibraryIndexer(store::Store& store, store::Library& library, Workers* workers);
+  ~LibraryIndexer() { stop(); }
+  LibraryIndexer(const LibraryIndexer&) = delete;
+  LibraryIndexer& operator=(const LibraryIndexer&) = delete;
 
   store::Library& library() { return library_; }
   // Programs whose last change is not in it yet.

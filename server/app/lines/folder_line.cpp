@@ -2,7 +2,7 @@
 // touches the folder and holds no lock meanwhile; whoever asks the line something is answered from its state. Line and
 // thread share that state: a thread that hangs outlives its line, and finds on its return that nobody wants it any
 // more.
-#include "server/app/lines/drop_line.h"
+#include "server/app/lines/folder_line.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ class Folder {
  public:
   Folder(const machine::LineSettings& settings, LineChanged changed, feed::LeftAs left)
       : path_(settings.link.path),
-        format_(drop_format(settings)),
+        format_(folder_format(settings)),
         changed_(std::move(changed)),
         left_torn_(left == feed::LeftAs::torn) {
     if (left_torn_) report_.state = LineState::torn;
@@ -305,12 +305,12 @@ class Folder {
   std::condition_variable_any woken_;
 };
 
-class DropLine final : public Line {
+class FolderLine final : public Line {
  public:
-  explicit DropLine(std::shared_ptr<Folder> folder) : folder_(std::move(folder)) {
+  explicit FolderLine(std::shared_ptr<Folder> folder) : folder_(std::move(folder)) {
     std::thread([shared = folder_] { shared->run(); }).detach();
   }
-  ~DropLine() override { folder_->close(); }
+  ~FolderLine() override { folder_->close(); }
 
   std::expected<void, std::string> arm(LineOrder order) override { return folder_->arm(std::move(order)); }
   std::expected<void, std::string> command(feed::Command command) override { return folder_->command(command); }
@@ -325,19 +325,19 @@ class DropLine final : public Line {
 
 }  // namespace
 
-tape_code::WireFormat drop_format(const machine::LineSettings& settings) {
+tape_code::WireFormat folder_format(const machine::LineSettings& settings) {
   tape_code::WireFormat format;
   format.eighth_bit = tape_code::EighthBit::data;
   format.eob = settings.eob;
   return format;
 }
 
-std::expected<std::unique_ptr<Line>, std::string> make_drop_line(const machine::LineSettings& settings,
-                                                                 LineChanged changed, feed::LeftAs left) {
+std::expected<std::unique_ptr<Line>, std::string> make_folder_line(const machine::LineSettings& settings,
+                                                                   LineChanged changed, feed::LeftAs left) {
   const auto effective = machine::effective_line(settings);
   if (!effective) return std::unexpected(effective.error());
   try {
-    return std::make_unique<DropLine>(std::make_shared<Folder>(*effective, std::move(changed), left));
+    return std::make_unique<FolderLine>(std::make_shared<Folder>(*effective, std::move(changed), left));
   } catch (const std::system_error& error) {
     return std::unexpected(fmt::format("{}: no thread for the folder: {}", settings.link.text, error.what()));
   }

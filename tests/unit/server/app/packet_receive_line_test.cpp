@@ -1,6 +1,6 @@
 // A line on which a control punches in packets, over a link without a system, in virtual time, with a packet sender at
 // the other end.
-#include "server/app/lines/punch_line.h"
+#include "server/app/lines/packet_receive_line.h"
 
 #include <chrono>
 
@@ -76,7 +76,7 @@ struct Rig {
   std::unique_ptr<Line> line;
 };
 
-TEST(PunchLine, TakesOneTextOfEachProtocolAsItWasPunched) {
+TEST(PacketReceiveLine, TakesOneTextOfEachProtocolAsItWasPunched) {
   for (std::size_t i = 0; i < packet::kProtocols; ++i) {
     const auto protocol = static_cast<packet::Protocol>(i);
     Rig rig(protocol);
@@ -94,7 +94,7 @@ TEST(PunchLine, TakesOneTextOfEachProtocolAsItWasPunched) {
   }
 }
 
-TEST(PunchLine, ALostLinkIsABrokenReceptionByName) {
+TEST(PacketReceiveLine, ALostLinkIsABrokenReceptionByName) {
   Rig rig(packet::Protocol::xmodem);
   rig.peer.punch(rig.links.now());
   rig.pass_until_inside();
@@ -106,7 +106,7 @@ TEST(PunchLine, ALostLinkIsABrokenReceptionByName) {
   EXPECT_EQ(rig.line->report().cause, "link lost");
 }
 
-TEST(PunchLine, AnAbortTellsTheSenderAndKeepsWhatCame) {
+TEST(PacketReceiveLine, AnAbortTellsTheSenderAndKeepsWhatCame) {
   Rig rig(packet::Protocol::ymodem);
   rig.peer.punch(rig.links.now());
   rig.pass_until_inside();
@@ -123,7 +123,7 @@ TEST(PunchLine, AnAbortTellsTheSenderAndKeepsWhatCame) {
             receive::Fault::none);
 }
 
-TEST(PunchLine, ASenderThatTakesLeaveBeforeItsTextIsWaitedForAnew) {
+TEST(PacketReceiveLine, ASenderThatTakesLeaveBeforeItsTextIsWaitedForAnew) {
   Rig rig(packet::Protocol::xmodem_crc);
   rig.links.receive(rig.url, "\x18\x18");
   EXPECT_TRUE(rig.line->take_receptions().empty());
@@ -133,9 +133,9 @@ TEST(PunchLine, ASenderThatTakesLeaveBeforeItsTextIsWaitedForAnew) {
   EXPECT_EQ(rig.line->take_receptions().size(), 1U);
 }
 
-TEST(PunchLine, SettingsThatCannotBeKeptAreASentence) {
+TEST(PacketReceiveLine, SettingsThatCannotBeKeptAreASentence) {
   FakeLinkThread links;
-  const auto line = make_punch_line(line_settings("pty:/m?protocol=xmodem&framing=7E2"), links, [] {});
+  const auto line = make_packet_receive_line(line_settings("pty:/m?protocol=xmodem&framing=7E2"), links, [] {});
   ASSERT_FALSE(line);
   EXPECT_NE(line.error().find("8 data bits"), std::string::npos);
 }
