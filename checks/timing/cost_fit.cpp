@@ -55,8 +55,8 @@ std::vector<double> descent(std::span<const double> a, std::span<const double> b
 }
 
 // Moves x towards the solution over the passive set until all of that is above zero. False: the set is dependent.
-bool settle(std::span<const double> a, std::span<const double> b, std::vector<double>& x,
-            std::vector<std::size_t>& passive) {
+bool solve_passive(std::span<const double> a, std::span<const double> b, std::vector<double>& x,
+                   std::vector<std::size_t>& passive) {
   for (;;) {
     const std::vector<double> s = solve(a, b, x.size(), passive);
     if (s.size() != passive.size()) return false;
@@ -102,7 +102,7 @@ std::vector<double> non_negative_least_squares(std::span<const double> a, std::s
     if (best == columns) break;
     const auto before = passive;
     passive.push_back(best);
-    if (!settle(scaled, b, x, passive)) {
+    if (!solve_passive(scaled, b, x, passive)) {
       refused[best] = true;
       passive = before;
     }

@@ -44,7 +44,7 @@ class PathPlan {
         parts_(parts_of(pieces.size(), look_ahead)) {
     plan_.speed2.resize(pieces.size() + 1);
     plan_.duration_s.resize(pieces.size());
-    plan_.settled = 0;
+    plan_.reswept = 0;
     plan_.speed2.back() = 0.0;
     sums_s_.resize((pieces.size() + kSummed - 1) / kSummed);
   }
@@ -54,7 +54,7 @@ class PathPlan {
     std::barrier prepared(count, [this]() noexcept {
       if (blocks_ > 0) change_sums(pieces_, sums_);
     });
-    std::barrier limited(count, [this]() noexcept { settle_backward(); });
+    std::barrier limited(count, [this]() noexcept { resweep_backward(); });
     const auto work = [&](const Range& part) {
       if (prepare_) prepare_(part);
       prepared.arrive_and_wait();
@@ -66,7 +66,7 @@ class PathPlan {
     for (const Range& part : std::span(parts_).subspan(1)) others.emplace_back([&work, &part] { work(part); });
     work(parts_.front());
     others.clear();  // joins
-    settle_forward();
+    resweep_forward();
     plan_.total_s = 0.0;
     for (const double sum_s : sums_s_) plan_.total_s += sum_s;
   }
@@ -109,18 +109,18 @@ class PathPlan {
       sums_s_[i / kSummed] = sum_of(std::span(plan_.duration_s).subspan(i, std::min(kSummed, range.end - i)));
   }
 
-  void settle_backward() {
+  void resweep_backward() {
     for (std::size_t k = parts_.size() - 1; k-- > 0;) {
-      plan_.settled += settle_back(pieces_, parts_[k], plan_.speed2[parts_[k].end], plan_.speed2.data());
+      plan_.reswept += resweep_back(pieces_, parts_[k], plan_.speed2[parts_[k].end], plan_.speed2.data());
     }
   }
-  void settle_forward() {
+  void resweep_forward() {
     for (std::size_t k = 1; k < parts_.size(); ++k) {
       const std::size_t i = parts_[k].begin;
       if (i == 0 || i == parts_[k].end) continue;
       const double first = std::min(plan_.speed2[i], plan_.speed2[i - 1] + change2(pieces_, i - 1));
-      const std::size_t changed = settle_ahead(pieces_, parts_[k], first, plan_.speed2.data());
-      plan_.settled += changed;
+      const std::size_t changed = resweep_ahead(pieces_, parts_[k], first, plan_.speed2.data());
+      plan_.reswept += changed;
       const std::size_t last = std::min(i + changed + 1, pieces_.size());
       take_time({(i - 1) / kSummed * kSummed, std::min((last + kSummed - 1) / kSummed * kSummed, pieces_.size())});
     }

@@ -20,7 +20,7 @@ struct SpeedPlan {
   std::vector<double> speed2;      // (mm/s)² at each junction: pieces + 1, at rest first and last
   std::vector<double> duration_s;  // of each piece
   double total_s = 0.0;
-  std::size_t settled = 0;  // junctions that had been speculated wrongly and were swept again
+  std::size_t reswept = 0;  // junctions that had been speculated wrongly and were swept again
 };
 
 // Path from rest to rest. `plan` is overwritten; its memory is used again.

@@ -43,7 +43,7 @@ void sweep_back(const PieceArrays& pieces, Range range, double after, double* sp
   }
 }
 
-std::size_t settle_back(const PieceArrays& pieces, Range range, double after, double* speed2) {
+std::size_t resweep_back(const PieceArrays& pieces, Range range, double after, double* speed2) {
   std::size_t changed = 0;
   for (std::size_t i = range.end; i-- > range.begin; ++changed) {
     after = std::min(speed2[i], after + change2(pieces, i));
@@ -64,7 +64,7 @@ void sweep_ahead(const PieceArrays& pieces, Range range, double* speed2) {
   }
 }
 
-std::size_t settle_ahead(const PieceArrays& pieces, Range range, double first, double* speed2) {
+std::size_t resweep_ahead(const PieceArrays& pieces, Range range, double first, double* speed2) {
   std::size_t changed = 0;
   for (std::size_t i = range.begin; i < range.end; ++i, ++changed) {
     if (first == speed2[i]) break;

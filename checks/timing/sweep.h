@@ -30,12 +30,12 @@ void horizon_limits(const double* sums, std::size_t size, std::size_t blocks, Ra
 void sweep_back(const PieceArrays& pieces, Range range, double after, double* speed2);
 // As sweep_back of a range that was swept with a higher `after`: ends at the first junction that stays the same to the
 // last bit, because all before it then stay, too. Returns how many changed.
-std::size_t settle_back(const PieceArrays& pieces, Range range, double after, double* speed2);
+std::size_t resweep_back(const PieceArrays& pieces, Range range, double after, double* speed2);
 
 // speed2[i+1] = min(speed2[i+1], speed2[i] + change2[i]) for all but the last of the range: junctions of it alone.
 void sweep_ahead(const PieceArrays& pieces, Range range, double* speed2);
-// The first junction of a range that was swept from a higher square becomes `first`; ends as settle_back.
-std::size_t settle_ahead(const PieceArrays& pieces, Range range, double first, double* speed2);
+// The first junction of a range that was swept from a higher square becomes `first`; ends as resweep_back.
+std::size_t resweep_ahead(const PieceArrays& pieces, Range range, double first, double* speed2);
 
 // Seconds of each piece: a trapezoid of speed between its two junctions.
 void durations(const PieceArrays& pieces, Range range, const double* speed2, double* duration_s);

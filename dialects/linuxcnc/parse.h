@@ -53,7 +53,7 @@ class Parser {
   void emit_words();
   void emit_around_dwell();
   bool emit_data_setting();
-  void settle_words(std::size_t first_code, std::uint32_t first_word);
+  void interpret_words(std::size_t first_code, std::uint32_t first_word);
   ir::ExpressionId scaled(ir::ExpressionId id, double factor, double added);
   void comments();
   void message(std::string_view text, bool has_values, bool stops);

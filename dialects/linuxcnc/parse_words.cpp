@@ -157,7 +157,7 @@ void Parser::emit_words() {
     if (code.function != Function::skip_move && moves(code)) probes_ = false;
     if (code.function == Function::skip_move) probes_ = true;
   }
-  settle_words(first_code, first_word);
+  interpret_words(first_code, first_word);
 }
 
 // A dwell beside other words: what switches acts before it, what moves after it.
@@ -202,7 +202,7 @@ bool Parser::emit_data_setting() {
 }
 
 // Words that mean something else beside the codes of their block, or in the motion in effect.
-void Parser::settle_words(std::size_t first_code, std::uint32_t first_word) {
+void Parser::interpret_words(std::size_t first_code, std::uint32_t first_word) {
   const auto codes = std::span(program_.codes).subspan(first_code);
   const auto has = [&](Function function) {
     return std::ranges::find(codes, function, &ir::Code::function) != codes.end();

@@ -119,7 +119,7 @@ class Centers {
 
 }  // namespace
 
-std::vector<text::Diagnostic> settle_centers(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<text::Diagnostic> translate_centers(ir::Program& program, const ir::Control& from, const ir::Control& to) {
   if (from.dialect == to.dialect || to.semantics.arc_radius_is_r == from.semantics.arc_radius_is_r) return {};
   const bool any = std::ranges::any_of(program.words, [](const ir::Word& w) { return center_of(w).has_value(); });
   return any && to.semantics.arc_radius_is_r ? Centers(program, from, to).run() : std::vector<text::Diagnostic>();

@@ -13,6 +13,6 @@ namespace dripfeed::passes {
 // the blocks before it, otherwise calculated from the control's own end of the last block (#5001, workpiece
 // coordinates: B-64604EN, system variables of positions). Errors at their blocks: on lathes, whose places are
 // diameters, and in rotated, scaled or mirrored coordinates, where #5001 is another place.
-std::vector<text::Diagnostic> settle_centers(ir::Program& program, const ir::Control& from, const ir::Control& to);
+std::vector<text::Diagnostic> translate_centers(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 }  // namespace dripfeed::passes

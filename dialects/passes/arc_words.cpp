@@ -93,7 +93,7 @@ class ArcWords {
 
 }  // namespace
 
-std::vector<text::Diagnostic> settle_arcs(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<text::Diagnostic> translate_arcs(ir::Program& program, const ir::Control& from, const ir::Control& to) {
   if (from.dialect == to.dialect) return {};
   return ArcWords(program, from, to).run();
 }

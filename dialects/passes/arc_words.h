@@ -13,6 +13,6 @@ namespace dripfeed::passes {
 // (Fanuc 3403#5), or always stops: an error at the block. Both, on controls of '#' variables: the radius counts
 // (B-64604EN, circular interpolation), so the centre's words go. A centre's word that is left out is 0 everywhere and
 // stays so. Those controls' blocks are followed in the order of the text, SINUMERIK's on all ways.
-std::vector<text::Diagnostic> settle_arcs(ir::Program& program, const ir::Control& from, const ir::Control& to);
+std::vector<text::Diagnostic> translate_arcs(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 }  // namespace dripfeed::passes

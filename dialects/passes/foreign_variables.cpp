@@ -40,7 +40,8 @@ bool is_foreign_variable(const ir::Variable& v, const ir::Control& from) {
   return is_system(ir::find_variable(from, ir::Bank::hash, v.number));
 }
 
-std::vector<text::Diagnostic> settle_variables(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<text::Diagnostic> translate_variables(ir::Program& program, const ir::Control& from,
+                                                  const ir::Control& to) {
   std::vector<text::Diagnostic> out;
   std::set<ir::VariableId> seen;
   for (const ir::Statement& s : program.statements) {

@@ -6,7 +6,7 @@
 
 #include "dialects/facts/calls.h"
 #include "dialects/ir/sections.h"
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 
 namespace dripfeed::passes {
 

@@ -5,10 +5,10 @@
 
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/arc_words.h"
+#include "dialects/passes/explicit_modes.h"
 #include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/machine_functions.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/safe_start.h"
-#include "dialects/passes/settle_modes.h"
 #include "dialects/passes/structures.h"

@@ -280,7 +280,7 @@ void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::
   out.emit_block({m29}, {});
 }
 
-std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<text::Diagnostic> translate_taps(ir::Program& program, const ir::Control& from, const ir::Control& to) {
   if (from.dialect == to.dialect) return {};
   const bool any = std::ranges::any_of(program.codes, is_tap);
   return any ? Taps(program, from, to).run() : std::vector<text::Diagnostic>();

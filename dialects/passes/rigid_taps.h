@@ -13,7 +13,7 @@
 namespace dripfeed::passes {
 
 // Says rigid taps as `to` says them. Between controls of one dialect nothing changes.
-std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Control& from, const ir::Control& to);
+std::vector<text::Diagnostic> translate_taps(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 // G84 or G74, of a lathe along either axis.
 bool is_tap(const ir::Code& code);

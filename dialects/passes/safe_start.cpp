@@ -56,8 +56,8 @@ constexpr WarningRow kWarnings[] = {
 
 }  // namespace
 
-UnsaidModes unsaid_modes(const ir::Program& program, const ir::Control& from, bool diameter) {
-  UnsaidModes out;
+UnstatedModes unstated_modes(const ir::Program& program, const ir::Control& from, bool diameter) {
+  UnstatedModes out;
   const std::optional<Start> start = start_of(program);
   if (!start) return out;
   const ir::Semantics& s = from.semantics;

@@ -11,20 +11,20 @@
 
 namespace dripfeed::passes {
 
-struct UnsaidMode {
+struct UnstatedMode {
   ir::ModalGroup group;
   ir::Function function;  // what the program's own control wakes up with
 };
 
-struct UnsaidModes {
-  std::vector<UnsaidMode> modes;  // motion, plane, unit, distance, feed, diameter
+struct UnstatedModes {
+  std::vector<UnstatedMode> modes;  // motion, plane, unit, distance, feed, diameter
   std::vector<text::Diagnostic>
       diagnostics;  // those of them that no profile has confirmed: warnings; of the unit: an error
 };
 
 // Modes that the program relies on and does not say before it first moves, in the order of the text. None for a
 // subprogram or where a called program may say them. `diameter`: whether the translation has that mode at all.
-UnsaidModes unsaid_modes(const ir::Program& program, const ir::Control& from, bool diameter);
+UnstatedModes unstated_modes(const ir::Program& program, const ir::Control& from, bool diameter);
 
 // A block of these codes in front of everything else. Nothing without codes.
 void insert_first(ir::Program& program, std::span<const ir::Code> codes);

@@ -188,15 +188,15 @@ void Feed::step_to(Time now) {
     now_ = now;
   }
   if (has_job(state_)) counters_.clocked = certain_by_now();
-  settle_progress();
+  update_progress();
 }
 
 // After a change: move on where conditions hold, take text, allow what may go out, name the stall.
 void Feed::advance() {
-  settle_progress();
+  update_progress();
   if (may_hand(state_)) {
     fill();
-    settle_progress();
+    update_progress();
   }
   credit_ = clock_.credit(now_);
   const Stall stall = present_stall();
@@ -205,7 +205,7 @@ void Feed::advance() {
   emit({.kind = EventKind::stall_changed, .stall = stall});
 }
 
-void Feed::settle_progress() {
+void Feed::update_progress() {
   const std::span<const Progress> rows = progress();
   for (std::size_t i = 0; i < rows.size();) {
     const Progress& row = rows[i];

@@ -140,7 +140,7 @@ class Feed {
   };
 
   void step_to(Time now);
-  void settle_progress();
+  void update_progress();
   bool holds(Condition condition) const;
   bool holds(Guard guard) const;
   std::expected<void, Refusal> react(Input input, Trigger trigger);

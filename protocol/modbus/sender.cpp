@@ -85,11 +85,11 @@ std::expected<void, SenderRefusal> Sender::begin(const SenderJob& job, SenderInp
 }
 
 std::expected<void, SenderRefusal> Sender::command(SenderCommand command, Time now) {
-  settle(now);
+  update(now);
   for (const auto& [key, input] : kCommands) {
     if (key != command) continue;
     const auto taken = react(input);
-    settle(now);
+    update(now);
     return taken;
   }
   return std::unexpected(SenderRefusal::not_in_this_state);
@@ -97,11 +97,11 @@ std::expected<void, SenderRefusal> Sender::command(SenderCommand command, Time n
 
 void Sender::extend_reserve(std::uint64_t text_offset, Time now) {
   job_.reserve = std::max(job_.reserve, text_offset);
-  settle(now);
+  update(now);
 }
 
 std::optional<Request> Sender::next_request(Time now) {
-  settle(now);
+  update(now);
   if (in_flight_ || !polls(state_)) return std::nullopt;
   if (must_write_ && now_ < write_at_) return std::nullopt;
   if (must_write_) {
@@ -126,7 +126,7 @@ void Sender::written(Time now) {
     write_uncertain_ = false;
     next_poll_ = std::max(now_, now);
   }
-  settle(now);
+  update(now);
 }
 
 void Sender::request_failed(Time now) {
@@ -139,7 +139,7 @@ void Sender::request_failed(Time now) {
     peer_silent_ = true;
     static_cast<void>(react(SenderInput::failed));
   }
-  settle(now);
+  update(now);
 }
 
 void Sender::status_read(std::span<const std::uint16_t> registers, Time now) {
@@ -160,7 +160,7 @@ void Sender::status_read(std::span<const std::uint16_t> registers, Time now) {
       static_cast<void>(react(contradict(StopReason::foreign_registers)));
     }
   }
-  settle(now);
+  update(now);
 }
 
 void Sender::exchanged(std::span<const std::uint16_t> registers, Time now) {
@@ -172,9 +172,9 @@ void Sender::exchanged(std::span<const std::uint16_t> registers, Time now) {
   status_read(registers, now);
 }
 
-void Sender::tick(Time now) { settle(now); }
+void Sender::tick(Time now) { update(now); }
 
-void Sender::settle(Time now) {
+void Sender::update(Time now) {
   now_ = std::max(now_, now);
   if (polls(state_) && now_ - answered_at_ >= settings_.gone_after) {
     reason_ = StopReason::peer_gone;

@@ -127,7 +127,7 @@ class Sender {
   std::expected<void, SenderRefusal> react(SenderInput input);
   void perform(SenderAction action);
   void enter(SenderState to);
-  void settle(Time now);
+  void update(Time now);
   void look_for_work();
   void read_again();
   void write_again();

@@ -28,14 +28,14 @@ void Receiver::step_to(Time now) { now_ = std::max(now_, now); }
 std::expected<void, feed::Refusal> Receiver::start(Time now) {
   step_to(now);
   const auto taken = react(ReceiveInput::start);
-  settle();
+  update();
   return taken;
 }
 
 std::expected<void, feed::Refusal> Receiver::stop(Time now) {
   step_to(now);
   const auto taken = react(ReceiveInput::stop, Cause::person);
-  settle();
+  update();
   return taken;
 }
 
@@ -51,33 +51,33 @@ void Receiver::link(bool up, Time now) {
     static_cast<void>(react(ReceiveInput::lost, Cause::link_lost));
     out_begin_ = out_end_ = 0;
   }
-  settle();
+  update();
 }
 
 void Receiver::receive(std::span<const std::byte> bytes, Time now) {
   step_to(now);
-  settle();  // what was over before these bytes came
+  update();  // what was over before these bytes came
   for (const std::byte byte : bytes) {
     const Received received = rules_->hear(static_cast<std::uint8_t>(byte), state_);
     if (state_ == ReceiveState::framing || state_ == ReceiveState::purging) quiet_since_ = now_;
     if (received.input) static_cast<void>(react(*received.input, received.cause));
     answer(rules_->reply(out_));
   }
-  settle();
+  update();
 }
 
 void Receiver::tick(Time now) {
   step_to(now);
-  settle();
+  update();
 }
 
 void Receiver::mark_sent(std::size_t n, Time now) {
   step_to(now);
   out_begin_ += std::min(n, out_end_ - out_begin_);
-  settle();
+  update();
 }
 
-void Receiver::settle() {
+void Receiver::update() {
   if (is_resting(state_)) return;
   if (state_ == ReceiveState::full) {
     if (has_room()) static_cast<void>(react(ReceiveInput::room));

@@ -79,7 +79,7 @@ class Receiver {
   void step_to(Time now);
   std::expected<void, feed::Refusal> react(ReceiveInput input, Cause cause = Cause::none);
   void perform(ReceiveAction action, Cause cause);
-  void settle();
+  void update();
   void listen();
   void emit(ReceiveEvent event);
   void answer(std::size_t size);

@@ -43,7 +43,7 @@ std::expected<void, feed::Refusal> Sender::arm(const feed::Job& job, Time now, s
     arming_name_ = name;
   }
   const auto taken = react(Input::arm, Cause::person);
-  settle();
+  update();
   return taken;
 }
 
@@ -52,14 +52,14 @@ std::expected<void, feed::Refusal> Sender::command(feed::Command command, Time n
   const auto known = std::ranges::find(kCommands, command, &std::pair<feed::Command, Input>::first);
   if (known == kCommands.end()) return std::unexpected(feed::Refusal::not_in_this_state);
   const auto taken = react(known->second, Cause::person);
-  settle();
+  update();
   return taken;
 }
 
 void Sender::extend_reserve(std::uint64_t offset, Time now) {
   step_to(now);
   reserve_ = std::max(reserve_, offset);
-  settle();
+  update();
 }
 
 void Sender::receive(std::span<const std::byte> bytes, Time now) {
@@ -67,7 +67,7 @@ void Sender::receive(std::span<const std::byte> bytes, Time now) {
   for (const std::byte byte : bytes) {
     const auto value = static_cast<std::uint8_t>(byte);
     heard(rules_->hear(value, state_), value);
-    settle();
+    update();
     if (out_begin_ == out_end_ && link_up_) put_small(rules_->reply(small_), false);
   }
 }
@@ -116,7 +116,7 @@ void Sender::link(bool up, Time now) {
     static_cast<void>(react(Input::broken, Cause::link_lost));
     out_begin_ = out_end_ = 0;
   }
-  settle();
+  update();
 }
 
 void Sender::tick(Time now) {
@@ -126,7 +126,7 @@ void Sender::tick(Time now) {
     heard(rules_->late(state_), 0);
     if (out_begin_ == out_end_ && link_up_) put_small(rules_->reply(small_), false);
   }
-  settle();
+  update();
 }
 
 void Sender::step_to(Time now) {
@@ -150,7 +150,7 @@ void Sender::mark_sent(std::size_t n, Time now) {
   clock_.handed(n, now_);
   if (n > 0 && is_on_the_line(state_)) counters_.line_time += settings_.char_time * static_cast<std::int64_t>(n);
   if (n > 0 && out_begin_ == out_end_ && std::exchange(out_awaited_, false)) static_cast<void>(react(Input::frame_out));
-  settle();
+  update();
 }
 
 void Sender::put_frame() {
@@ -298,7 +298,7 @@ feed::Interval Sender::interval() const {
   return known;
 }
 
-void Sender::settle() {
+void Sender::update() {
   while (advance()) {
   }
   credit_ = clock_.credit(now_);

@@ -81,7 +81,7 @@ class Sender {
   void enter(State to, Cause cause);
   void heard(Heard heard, std::uint8_t byte);
   void hear_telegram();
-  void settle();
+  void update();
   bool advance();
   bool advance_ready();
   void call();

@@ -120,7 +120,7 @@ Input Receiver::classify(std::uint8_t byte) const {
 }
 
 std::size_t Receiver::receive(std::span<const std::byte> bytes, Time now) {
-  if (settle(now)) return 0;
+  if (update(now)) return 0;
   std::size_t taken = 0;
   while (taken < bytes.size() && piece_size_ < kMaxPiece && !ended_) {
     const auto byte = std::to_integer<std::uint8_t>(bytes[taken++]);
@@ -192,16 +192,16 @@ void Receiver::end(EndedBy by) {
 std::optional<Ending> Receiver::ended() { return std::exchange(ended_, std::nullopt); }
 
 void Receiver::link_lost(Time now) {
-  if (settle(now)) return;
+  if (update(now)) return;
   react(Input::link_lost, 0);
   holding_ = false;
   out_size_ = 0;
 }
 
-void Receiver::tick(Time now) { settle(now); }
+void Receiver::tick(Time now) { update(now); }
 
 // True where a reception ended by time and waits to be taken: nothing may come before that.
-bool Receiver::settle(Time now) {
+bool Receiver::update(Time now) {
   now_ = std::max(now_, now);
   if (ended_) return true;
   return progress_by(Condition::quiet) || progress_by(Condition::short_quiet);
@@ -242,7 +242,7 @@ std::optional<Time> Receiver::deadline() const {
 }
 
 void Receiver::can_take(bool more, Time now) {
-  static_cast<void>(settle(now));
+  static_cast<void>(update(now));
   const bool on = state_ != State::idle;
   const bool hold = !more && on && settings_.hold != Hold::none;
   if (hold == holding_) return;

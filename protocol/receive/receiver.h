@@ -124,7 +124,7 @@ class Receiver {
   void keep(Input input, std::uint8_t byte);
   void end(EndedBy by);
   void put_out(std::uint8_t character);
-  bool settle(Time now);
+  bool update(Time now);
   bool progress_by(Condition condition);
   bool holds(Condition condition) const;
   std::optional<Time> ends_at(Condition condition) const;

@@ -84,7 +84,7 @@ void throughput(std::size_t count, unsigned most_threads) {
     const auto text = [](double value) { return dripfeed::text::format_fixed(value, 2); };
     fmt::print("{:>10} {:>12} {:>12} {:>10} {:>10} {:>8} {:>8} {:>9}\n", acceleration, text(rate(small)),
                text(rate(large)), text(rate(one)), text(rate(more)), text(rate(one) / rate(small)),
-               text(one.s / more.s), other.settled);
+               text(one.s / more.s), other.reswept);
   }
 }
 

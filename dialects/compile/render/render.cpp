@@ -171,7 +171,7 @@ class Renderer {
     try_lists();
     if (text::has_error(result_.diagnostics)) return;
     ir::RaiseResult raised = raise(built_, control_);
-    settle_cones(raised);
+    raise_cone_leads(raised);
     if (request_.delivery == ir::Delivery::drip && jumps(raised.program)) {
       raised.diagnostics.push_back(ir::diagnose(request_.target, text::DiagnosticId::not_in_drip_mode, {}, {"a loop"}));
     }
@@ -193,7 +193,7 @@ class Renderer {
                          {std::to_string(longest), std::to_string(most)})});
   }
 
-  void settle_cones(ir::RaiseResult& raised) {
+  void raise_cone_leads(ir::RaiseResult& raised) {
     const auto threads = [](const family::Step& one) { return one.kind == family::StepKind::thread; };
     const bool has_threads =
         std::ranges::any_of(family_->steps, threads) || std::ranges::any_of(family_->subprograms, [&](const auto& sub) {
@@ -235,7 +235,7 @@ class Renderer {
 
   // Of a program that is written for `from`.
   ir::RaiseResult raise(ir::Program program, const ir::Control& from) {
-    std::vector<text::Diagnostic> taps = passes::settle_taps(program, from, request_.target);
+    std::vector<text::Diagnostic> taps = passes::translate_taps(program, from, request_.target);
     ir::RaiseResult raised = dialect_.raise(program, from, request_.target);
     raised.diagnostics.insert(raised.diagnostics.begin(), taps.begin(), taps.end());
     return raised;

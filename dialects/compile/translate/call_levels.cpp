@@ -7,7 +7,7 @@
 
 #include "dialects/compile/translate/several_programs.h"
 #include "dialects/passes/macro_arguments.h"
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 
 namespace dripfeed::compile {
 

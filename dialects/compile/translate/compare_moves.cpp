@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/dialect/describe_move.h"
 #include "dialects/compile/dialect/motion_codes.h"
-#include "dialects/compile/dialect/say_move.h"
 #include "dialects/compile/plain/lost_writes.h"
-#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/inline_moves.h"
 #include "dialects/compile/translate/recorded_run.h"
 #include "dialects/ir/sections.h"
 #include "dialects/passes/walk.h"
@@ -230,7 +230,7 @@ bool has_diameters(const ir::Control& control) {
 std::string said(const Step* one, const Step* other) {
   if (one == nullptr) return "nothing more";
   if (!one->words.empty()) return one->words;
-  return say_move(one->motion, other != nullptr && other->words.empty() ? other->motion : one->motion);
+  return describe_move(one->motion, other != nullptr && other->words.empty() ? other->motion : one->motion);
 }
 
 void say_first(const Step* a, const Step* b, MovesAnswer& out) {

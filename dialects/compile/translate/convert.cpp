@@ -167,8 +167,8 @@ void Converter::proofread() {
     result_.diagnostics.push_back(std::move(one));
   }
   if (!text::has_error(result_.diagnostics)) {
-    add(in_place_.compare(read.program, result_.origin_lines));
-    result_.not_verified = in_place_.not_compared();
+    add(inline_moves_.compare(read.program, result_.origin_lines));
+    result_.not_verified = inline_moves_.not_compared();
   }
   if (text::has_error(result_.diagnostics)) result_.text.clear();
 }

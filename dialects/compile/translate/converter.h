@@ -10,7 +10,7 @@
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/compile/translate/common_numbers.h"
 #include "dialects/compile/translate/convert.h"
-#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/inline_moves.h"
 
 namespace dripfeed::compile {
 
@@ -24,7 +24,10 @@ struct TranslationPass {
 class Converter {
  public:
   Converter(const ConvertRequest& request, const Dialect& from, const Dialect& to)
-      : request_(request), from_(from), to_(to), in_place_(request.from, request.to, request.library, request.limits) {}
+      : request_(request),
+        from_(from),
+        to_(to),
+        inline_moves_(request.from, request.to, request.library, request.limits) {}
 
   ConvertResult convert();
 
@@ -41,16 +44,16 @@ class Converter {
   static std::span<const TranslationPass> passes_of(ConvertMode mode);
   bool refuse_unlike_axes(ir::Program& program);
   bool refuse_own_cycles(ir::Program& program);
-  bool settle_main_returns(ir::Program& program);
+  bool translate_main_returns(ir::Program& program);
   bool splice_iso(ir::Program& program);
   bool write_as_moves(ir::Program& program);
-  bool settle_thread_leads(ir::Program& program);
+  bool translate_thread_leads(ir::Program& program);
   bool lower_turning_cycles(ir::Program& program);
-  bool settle_faces_and_cylinders(ir::Program& program);
-  bool settle_rigid_taps(ir::Program& program);
+  bool translate_faces_and_cylinders(ir::Program& program);
+  bool translate_rigid_taps(ir::Program& program);
   bool refuse_machine_functions(ir::Program& program);
   bool lower_flow(ir::Program& program);
-  bool settle_what_is_in_effect(ir::Program& program);
+  bool make_modes_explicit(ir::Program& program);
   bool call_as_macros(ir::Program& program);
   bool print_programs(ir::Program& program);
   bool carry_all_comments(ir::Program& program);
@@ -69,8 +72,8 @@ class Converter {
   const ConvertRequest& request_;
   const Dialect& from_;
   const Dialect& to_;
-  MovesInPlace in_place_;
-  std::size_t told_ = 0;  // diagnostics up to those of in_place_
+  InlineMoves inline_moves_;
+  std::size_t told_ = 0;  // diagnostics up to those of inline_moves_
   std::optional<CommonNumbers> common_;
   ConvertResult result_;
 };

@@ -62,7 +62,7 @@ class Increments {
     for (std::uint32_t i = block.first_word; i < block.first_word + block.word_count; ++i) {
       const ir::Word w = program_.words[i];
       if (w.value != ExpressionId::none && lacks_point(w.value))
-        program_.words[i].value = settled(w.value, counts(block, w.address), w.span);
+        program_.words[i].value = translated(w.value, counts(block, w.address), w.span);
     }
   }
 
@@ -71,7 +71,7 @@ class Increments {
       const ir::Argument argument = program_.arguments[i];
       if (argument.value == ExpressionId::none || !lacks_point(argument.value)) continue;
       const Counts kind = kLengthLetters.contains(argument.letter) ? Counts::length : Counts::nothing;
-      program_.arguments[i].value = settled(argument.value, kind, program_.statements[index_].span);
+      program_.arguments[i].value = translated(argument.value, kind, program_.statements[index_].span);
     }
   }
 
@@ -97,7 +97,7 @@ class Increments {
   }
 
   // The value with its point.
-  ExpressionId settled(ExpressionId id, Counts kind, text::Span span) {
+  ExpressionId translated(ExpressionId id, Counts kind, text::Span span) {
     const double value = number(id);
     if (kind == Counts::nothing) return id;
     if (kind == Counts::angle) return constant(value * deg_, id);
@@ -160,8 +160,8 @@ class Increments {
 
 }  // namespace
 
-std::vector<text::Diagnostic> settle_iso_increments(ir::Program& program, const ir::Control& from,
-                                                    const ir::Control& iso, const ir::Control& to) {
+std::vector<text::Diagnostic> translate_iso_increments(ir::Program& program, const ir::Control& from,
+                                                       const ir::Control& iso, const ir::Control& to) {
   if (iso.semantics.decimal_mode != ir::DecimalMode::least_increment) return {};
   return Increments(program, from, iso, to).run();
 }

@@ -63,12 +63,13 @@ std::string_view IsoWords::in_effect() const {
   return state_.polar ? "G16 of ISO mode, which is in effect," : "";
 }
 
-std::vector<ir::Word> IsoWords::settle(std::span<const ir::Code> codes, std::span<const ir::Word> words, bool skipped) {
+std::vector<ir::Word> IsoWords::translate(std::span<const ir::Code> codes, std::span<const ir::Word> words,
+                                          bool skipped) {
   const State before = state_;
   follow(codes);
   std::vector<ir::Word> out;
   if (std::ranges::any_of(codes, dwells)) {
-    settle_dwell(words, out);
+    translate_dwell(words, out);
   } else {
     const bool radius = state_.bends && !state_.drills && !state_.turns && std::ranges::none_of(codes, has_own_r);
     const bool letters = iso_.semantics.incremental_letters_uvw && std::ranges::none_of(codes, has_own_letters);
@@ -77,7 +78,7 @@ std::vector<ir::Word> IsoWords::settle(std::span<const ir::Code> codes, std::spa
       if (w.address == Address::r && state_.unsure)
         cannot(passes::at_switch("R after a motion code that a switch may leave out"), w.span);
       if (w.address == Address::q && state_.drills) w.value = with_point(w.value);
-      if (letters) settle_increment(w);
+      if (letters) translate_increment(w);
       out.push_back(w);
     }
   }
@@ -91,7 +92,7 @@ std::vector<ir::Word> IsoWords::settle(std::span<const ir::Code> codes, std::spa
   return out;
 }
 
-ir::Argument IsoWords::settle(ir::Argument argument) {
+ir::Argument IsoWords::translate(ir::Argument argument) {
   constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";
   if (argument.value != ExpressionId::none && kLengths.contains(argument.letter))
     argument.value = with_point(argument.value);
@@ -104,7 +105,7 @@ ExpressionId IsoWords::with_point(ExpressionId value) {
   return program_.add_constant(*number(value), program_.at(value).span);
 }
 
-void IsoWords::settle_increment(ir::Word& word) const {
+void IsoWords::translate_increment(ir::Word& word) const {
   const auto* const row = std::ranges::find(kIncrements, word.address, &IncrementRow::letter);
   if (row == std::end(kIncrements)) return;
   word.address = row->axis;
@@ -112,7 +113,7 @@ void IsoWords::settle_increment(ir::Word& word) const {
 }
 
 // P milliseconds, X and U seconds: G4 F in Siemens mode.
-void IsoWords::settle_dwell(std::span<const ir::Word> words, std::vector<ir::Word>& out) {
+void IsoWords::translate_dwell(std::span<const ir::Word> words, std::vector<ir::Word>& out) {
   bool timed = false;
   for (const ir::Word& w : words) {
     const bool by_axis = w.address == Address::x || w.address == Address::u;

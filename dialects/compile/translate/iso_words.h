@@ -29,9 +29,9 @@ class IsoWords {
   // The codes of a block, of either mode.
   void follow(std::span<const ir::Code> codes);
   // The words of a block of ISO mode, with its codes; `skipped`: a switch may leave it out.
-  std::vector<ir::Word> settle(std::span<const ir::Code> codes, std::span<const ir::Word> words, bool skipped);
+  std::vector<ir::Word> translate(std::span<const ir::Code> codes, std::span<const ir::Word> words, bool skipped);
   // An argument of G65 or G66.
-  ir::Argument settle(ir::Argument argument);
+  ir::Argument translate(ir::Argument argument);
   // A cycle or positions by radius and angle, which would act on blocks that follow; empty: neither.
   [[nodiscard]] std::string_view in_effect() const;
 
@@ -45,8 +45,8 @@ class IsoWords {
     bool bends = false;
     bool unsure = false;  // … as a switch decides
   };
-  void settle_dwell(std::span<const ir::Word> words, std::vector<ir::Word>& out);
-  void settle_increment(ir::Word& word) const;
+  void translate_dwell(std::span<const ir::Word> words, std::vector<ir::Word>& out);
+  void translate_increment(ir::Word& word) const;
   [[nodiscard]] ir::ExpressionId with_point(ir::ExpressionId value);
   [[nodiscard]] std::optional<double> number(ir::ExpressionId value) const;
   [[nodiscard]] bool lacks_point(ir::ExpressionId value) const;

@@ -112,7 +112,7 @@ class Lowering {
 
   void pass(const LatheState& before, const ir::Block& block, std::int16_t cycle, bool begins) {
     if (block.rest_level != 0) return findings_.cannot(passes::at_switch("block skip inside a block"));
-    if (!settle_distance()) return;
+    if (!find_distance()) return;
     std::vector<ir::Code> rest_codes;
     std::vector<ir::Word> rest;
     for (const ir::Code& c : program_.codes_of(block))
@@ -218,7 +218,7 @@ class Lowering {
 
   void repetitive(const LatheState& before, const ir::Block& block) {
     if (block.rest_level != 0) return findings_.cannot(passes::at_switch("block skip inside a block"));
-    if (!settle_distance()) return;
+    if (!find_distance()) return;
     first_codes_.clear();
     first_words_.clear();
     LatheState here = before;
@@ -339,7 +339,7 @@ class Lowering {
   }
 
   // The words that are written are absolute: where increments have no letters of their own, under G91 each says so.
-  bool settle_distance() {
+  bool find_distance() {
     mode_ = ir::WordMode::as_modal;
     if (from_.semantics.incremental_letters_uvw) return true;
     const std::optional<Function> distance = facts_.mode(facts::Mode::distance, index_);

@@ -8,7 +8,7 @@
 
 #include "dialects/facts/calls.h"
 #include "dialects/ir/frame_use.h"
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::compile {

@@ -114,7 +114,7 @@ class Splicing {
     for (ir::Call& call : program_.calls) call.in_other_language = false;
     std::ranges::move(words_.take_diagnostics(), std::back_inserter(diagnostics_));
     if (text::has_error(diagnostics_)) return std::move(diagnostics_);
-    std::ranges::move(settle_iso_increments(program_, from_, iso_control_, to_), std::back_inserter(diagnostics_));
+    std::ranges::move(translate_iso_increments(program_, from_, iso_control_, to_), std::back_inserter(diagnostics_));
     return std::move(diagnostics_);
   }
 
@@ -231,7 +231,7 @@ class Splicing {
     std::vector<ir::Word> words;
     for (const ir::Code& c : iso_.codes_of(old)) codes.push_back(copy_.code(c));
     for (const ir::Word& w : iso_.words_of(old)) words.push_back(copy_.word(w));
-    words = words_.settle(codes, words, s.skip_level != 0 || old.rest_level != 0);
+    words = words_.translate(codes, words, s.skip_level != 0 || old.rest_level != 0);
     if (own_.frames && std::ranges::any_of(codes, is_frame))
       cannot(passes::together("a frame of ISO mode together with one of Siemens mode"), s.span);
     if (own_.poles && std::ranges::any_of(codes, names_polar))
@@ -272,7 +272,7 @@ class Splicing {
     const auto first = static_cast<std::uint32_t>(program_.arguments.size());
     for (ir::Argument argument : iso_.arguments_of(iso_.calls[s.payload])) {
       argument.value = copy_.expression(argument.value);
-      program_.arguments.push_back(words_.settle(argument));
+      program_.arguments.push_back(words_.translate(argument));
     }
     made.first_argument = first;
     return add(program_.calls, made);

@@ -231,7 +231,7 @@ class Leads {
 
 bool leads_by_letters(const ir::Control& control) { return !control.semantics.arc_radius_is_r; }
 
-std::vector<text::Diagnostic> settle_leads(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<text::Diagnostic> translate_leads(ir::Program& program, const ir::Control& from, const ir::Control& to) {
   const bool threads = std::ranges::any_of(program.codes, [](const ir::Code& code) {
     return code.function == Function::thread || code.function == Function::thread_changing;
   });

@@ -12,6 +12,6 @@ namespace dripfeed::compile {
 
 bool leads_by_letters(const ir::Control& control);
 // What is not known is an error at its block.
-std::vector<text::Diagnostic> settle_leads(ir::Program& program, const ir::Control& from, const ir::Control& to);
+std::vector<text::Diagnostic> translate_leads(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 }  // namespace dripfeed::compile

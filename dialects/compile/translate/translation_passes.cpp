@@ -18,19 +18,19 @@
 #include "dialects/compile/translate/lower_turning.h"
 #include "dialects/compile/translate/own_cycles.h"
 #include "dialects/compile/translate/parameter_calls.h"
-#include "dialects/compile/translate/settle_faces.h"
 #include "dialects/compile/translate/several_programs.h"
 #include "dialects/compile/translate/splice_iso.h"
 #include "dialects/compile/translate/thread_leads.h"
+#include "dialects/compile/translate/translate_faces.h"
 #include "dialects/passes/absolute_centers.h"
 #include "dialects/passes/arc_words.h"
+#include "dialects/passes/explicit_modes.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/machine_functions.h"
 #include "dialects/passes/main_return.h"
 #include "dialects/passes/polar_positions.h"
 #include "dialects/passes/rigid_taps.h"
 #include "dialects/passes/safe_start.h"
-#include "dialects/passes/settle_modes.h"
 #include "dialects/passes/structures.h"
 
 namespace dripfeed::compile {
@@ -66,22 +66,22 @@ std::span<const TranslationPass> Converter::passes_of(ConvertMode mode) {
       TranslationPass{"axes that only one of the machines has", "on the program as written", &C::refuse_unlike_axes},
       TranslationPass{"cycles of the shop's own", "a program that is named like a standard cycle is none",
                       &C::refuse_own_cycles},
-      TranslationPass{"M99 of a main program", "later passes see jumps alone", &C::settle_main_returns},
+      TranslationPass{"M99 of a main program", "later passes see jumps alone", &C::translate_main_returns},
       TranslationPass{"parts in ISO mode", "from here on the program has one language", &C::splice_iso},
       TranslationPass{"statements without an equal, as their moves",
                       "the source is run: no pass before it has changed what it does", &C::write_as_moves},
       TranslationPass{"leads of threads", "cycles are lowered with the leads that they then have",
-                      &C::settle_thread_leads},
+                      &C::translate_thread_leads},
       TranslationPass{"turning and thread cycles", "their blocks have modes, which are settled below",
                       &C::lower_turning_cycles},
       TranslationPass{"moves on a face or a cylinder", "before the modes: it begins and ends with some",
-                      &C::settle_faces_and_cylinders},
-      TranslationPass{"rigid taps", "before the modes: a tap changes the feed in effect", &C::settle_rigid_taps},
+                      &C::translate_faces_and_cylinders},
+      TranslationPass{"rigid taps", "before the modes: a tap changes the feed in effect", &C::translate_rigid_taps},
       TranslationPass{"M functions of the machine", "what is left of them is the program's own",
                       &C::refuse_machine_functions},
       TranslationPass{"computed jumps, repeated parts, polar positions",
                       "before anything is asked of the paths through the program", &C::lower_flow},
-      TranslationPass{"modes, arcs and centres", "on the paths as they will be", &C::settle_what_is_in_effect},
+      TranslationPass{"modes, arcs and centres", "on the paths as they will be", &C::make_modes_explicit},
       TranslationPass{"calls with parameters", "the letters of a macro are taken last: all uses are known",
                       &C::call_as_macros},
       TranslationPass{"raise and print", "nothing but spelling is left", &C::print_programs},
@@ -105,27 +105,27 @@ bool Converter::refuse_own_cycles(ir::Program& program) {
   return true;
 }
 
-bool Converter::settle_main_returns(ir::Program& program) {
+bool Converter::translate_main_returns(ir::Program& program) {
   if (!ir::has_numbered_variables(request_.to)) passes::returns_of_main_as_jumps(program);
   return true;
 }
 
 bool Converter::splice_iso(ir::Program& program) {
   if (!uses_iso_mode(program)) return true;
-  in_place_.run_as(program);
+  inline_moves_.run_as(program);
   add(splice_iso_parts(program, request_.from, request_.to));
   return !has_error();
 }
 
 // A contour is entered from its cycle, which the later passes of a text of several programs do not know.
 bool Converter::write_as_moves(ir::Program& program) {
-  add(in_place_.lower(program));
+  add(inline_moves_.lower(program));
   told_ = result_.diagnostics.size();
   return program.sections.size() <= 1 || !has_error();
 }
 
-bool Converter::settle_thread_leads(ir::Program& program) {
-  add(settle_leads(program, request_.from, request_.to));
+bool Converter::translate_thread_leads(ir::Program& program) {
+  add(translate_leads(program, request_.from, request_.to));
   return true;
 }
 
@@ -134,13 +134,13 @@ bool Converter::lower_turning_cycles(ir::Program& program) {
   return true;
 }
 
-bool Converter::settle_faces_and_cylinders(ir::Program& program) {
-  add(settle_faces(program, request_.from, request_.to));
+bool Converter::translate_faces_and_cylinders(ir::Program& program) {
+  add(translate_faces(program, request_.from, request_.to));
   return true;
 }
 
-bool Converter::settle_rigid_taps(ir::Program& program) {
-  add(passes::settle_taps(program, request_.from, request_.to));
+bool Converter::translate_rigid_taps(ir::Program& program) {
+  add(passes::translate_taps(program, request_.from, request_.to));
   return true;
 }
 
@@ -157,10 +157,10 @@ bool Converter::lower_flow(ir::Program& program) {
 }
 
 // What the other control would take otherwise, if it were only printed.
-bool Converter::settle_what_is_in_effect(ir::Program& program) {
-  add(passes::settle_modes(program, request_.from, request_.to));
-  add(passes::settle_arcs(program, request_.from, request_.to));
-  add(passes::settle_centers(program, request_.from, request_.to));
+bool Converter::make_modes_explicit(ir::Program& program) {
+  add(passes::make_modes_explicit(program, request_.from, request_.to));
+  add(passes::translate_arcs(program, request_.from, request_.to));
+  add(passes::translate_centers(program, request_.from, request_.to));
   return true;
 }
 
@@ -189,7 +189,7 @@ bool Converter::carry_all_comments(ir::Program& program) {
 }
 
 bool Converter::watch_run(ir::Program& program) {
-  in_place_.watch(program, true);
+  inline_moves_.watch(program, true);
   return true;
 }
 
@@ -278,7 +278,7 @@ bool Converter::print_run(ir::Program& program) {
   add(run_faults(made, texts));
   say_skip_decided(program);
   add(passes::assumed_modes(program, request_.from));
-  add(passes::unsaid_modes(program, request_.from, false).diagnostics);
+  add(passes::unstated_modes(program, request_.from, false).diagnostics);
   if (text::has_error(result_.diagnostics)) return false;
   number_blocks(program, made);
   print(made.program, made.control);

@@ -202,7 +202,7 @@ void FlowCompiler::compile_return_jump(const ir::Jump& jump, text::Span span) {
                 to.is_string() ? std::uint8_t{1} : std::uint8_t{0});
 }
 
-void FlowCompiler::settle(std::span<const StatementCode> code, std::uint32_t first) {
+void FlowCompiler::resolve(std::span<const StatementCode> code, std::uint32_t first) {
   CompiledProgram& out = builder_.out();
   const auto& labels = builder_.source().labels;
   const auto all = static_cast<std::uint32_t>(builder_.source().statements.size());
@@ -221,11 +221,11 @@ void FlowCompiler::settle(std::span<const StatementCode> code, std::uint32_t fir
   }
   for (auto& entry : out.numbers) std::ranges::sort(entry.second);
   for (auto& entry : out.labels) std::ranges::sort(entry.second);
-  for (const Branch& branch : branches_) settle_branch(branch, code, first);
-  for (const LabelJump& jump : jumps_) settle_jump(jump);
+  for (const Branch& branch : branches_) resolve_branch(branch, code, first);
+  for (const LabelJump& jump : jumps_) resolve_jump(jump);
 }
 
-void FlowCompiler::settle_branch(const Branch& branch, std::span<const StatementCode> code, std::uint32_t first) {
+void FlowCompiler::resolve_branch(const Branch& branch, std::span<const StatementCode> code, std::uint32_t first) {
   Instruction& instruction = builder_.at(branch.instruction);
   const bool is_here = branch.statement >= first && branch.statement - first < code.size();
   const StatementCode range = is_here ? code[branch.statement - first] : StatementCode{};
@@ -243,7 +243,7 @@ const std::vector<std::uint32_t>* FlowCompiler::targets_of(const ir::Jump& jump)
   return found == out.labels.end() ? nullptr : &found->second;
 }
 
-void FlowCompiler::settle_jump(const LabelJump& pending) {
+void FlowCompiler::resolve_jump(const LabelJump& pending) {
   const ir::Jump& jump = *pending.jump;
   Instruction& instruction = builder_.at(pending.instruction);
   const std::uint32_t to = find_target(targets_of(jump), pending.instruction, jump.search);

@@ -27,7 +27,7 @@ class FlowCompiler {
   void compile_section_begin(std::uint32_t first, Operand times, std::uint32_t section, text::Span span);
   void compile_section_end(std::uint32_t repeat, std::uint32_t section);
   // Sets all targets; `code` has the statements that were compiled, from `first` on. Fills the program's labels.
-  void settle(std::span<const StatementCode> code, std::uint32_t first);
+  void resolve(std::span<const StatementCode> code, std::uint32_t first);
 
  private:
   using Compile = void (FlowCompiler::*)(std::uint32_t);
@@ -68,8 +68,8 @@ class FlowCompiler {
   void branch_unless(ir::ExpressionId condition, text::Span span, std::uint32_t to, Edge edge);
   void jump_to(Opcode op, text::Span span, std::uint32_t to, Edge edge);
   Operand compile_for_test(const ir::Structure& loop, text::Span span);
-  void settle_branch(const Branch& branch, std::span<const StatementCode> code, std::uint32_t first);
-  void settle_jump(const LabelJump& jump);
+  void resolve_branch(const Branch& branch, std::span<const StatementCode> code, std::uint32_t first);
+  void resolve_jump(const LabelJump& jump);
   [[nodiscard]] const std::vector<std::uint32_t>* targets_of(const ir::Jump& jump) const;
 
   CodeBuilder& builder_;

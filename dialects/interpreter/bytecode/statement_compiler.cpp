@@ -42,13 +42,13 @@ void StatementCompiler::compile(std::uint32_t returns_behind) {
       whole ? static_cast<std::uint32_t>(program.statements.size()) : program.sections[builder_.out().section].last;
   compile_statements(first, last, returns_behind);
   builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));
-  flow_.settle(code_, first);
+  flow_.resolve(code_, first);
 }
 
 void StatementCompiler::compile_part(std::uint32_t first, std::uint32_t last) {
   compile_statements(first, last, ir::kNoIndex);
   builder_.emit(Opcode::back, ir::span_of_last(builder_.source(), first, last), 0, 1);
-  flow_.settle(code_, first);
+  flow_.resolve(code_, first);
 }
 
 void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_behind) {

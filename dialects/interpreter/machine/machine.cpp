@@ -285,10 +285,10 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   CompiledProgram& program = stack_.program();
   const auto reg = [this](std::uint32_t operand) -> double& { return storage_.reg(operand); };
   if (i.op == Opcode::integer_quotient)
-    return settle(i, arithmetic_.integer_quotient(reg(i.b), reg(i.c)), "the quotient", reg(i.b));
+    return take_outcome(i, arithmetic_.integer_quotient(reg(i.b), reg(i.c)), "the quotient", reg(i.b));
   if (i.op == Opcode::bound)
-    return settle(i, arithmetic_.bound(reg(i.b), reg(next_register(i.b)), reg(next_register(next_register(i.b)))),
-                  "the bound", reg(i.b));
+    return take_outcome(i, arithmetic_.bound(reg(i.b), reg(next_register(i.b)), reg(next_register(next_register(i.b)))),
+                        "the bound", reg(i.b));
   if (i.op == Opcode::refer_number) return access_.refer_number(i);
   if (i.op == Opcode::refer_element) return access_.refer_element(i, program);
   if (i.op == Opcode::load_system) return access_.load_system(i);
@@ -353,15 +353,15 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
 
 bool Machine::unary(const Instruction& i, Operator op) {
   const double a = storage_.reg(i.b);
-  return settle(i, arithmetic_.unary(op, a), describe(op), a);
+  return take_outcome(i, arithmetic_.unary(op, a), describe(op), a);
 }
 
 bool Machine::binary(const Instruction& i, Operator op) {
   const double a = storage_.reg(i.b);
-  return settle(i, arithmetic_.binary(op, a, storage_.reg(i.c)), describe(op), a);
+  return take_outcome(i, arithmetic_.binary(op, a, storage_.reg(i.c)), describe(op), a);
 }
 
-bool Machine::settle(const Instruction& i, Outcome outcome, std::string_view function, double argument) {
+bool Machine::take_outcome(const Instruction& i, Outcome outcome, std::string_view function, double argument) {
   switch (outcome.fault) {
     case Fault::none: storage_.reg(i.a) = outcome.value; return true;
     case Fault::division_by_zero: return report_.fail(i, DiagnosticId::division_by_zero);
@@ -379,7 +379,7 @@ bool Machine::convert(const Instruction& i) {
   const Outcome outcome = arithmetic_.convert(static_cast<ir::ValueType>(i.extra), value);
   if (outcome.fault == Fault::result_overflow)
     return report_.fail(i, DiagnosticId::result_overflow, {}, ir::AlarmDetail::whole_numbers);
-  return settle(i, outcome, "the type", value);
+  return take_outcome(i, outcome, "the type", value);
 }
 
 // --- flow

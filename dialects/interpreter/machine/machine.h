@@ -46,7 +46,7 @@ class Machine {
   // Arithmetic the long way: vacant operands, faults.
   bool unary(const Instruction& i, ir::Operator op);
   bool binary(const Instruction& i, ir::Operator op);
-  bool settle(const Instruction& i, Outcome outcome, std::string_view function, double argument);
+  bool take_outcome(const Instruction& i, Outcome outcome, std::string_view function, double argument);
   bool convert(const Instruction& i);
 
   // Field by field into both: a copy of the whole would wait for the fields that were just written.

@@ -14,7 +14,7 @@ namespace {
 
 // After a move in machine coordinates the place in the work offset is not known; an increment from an unknown place
 // ends at one.
-void settle(const Target& target, const MoveOptions& options, ModalState& state, BlockResult& result) {
+void take_position(const Target& target, const MoveOptions& options, ModalState& state, BlockResult& result) {
   if (options.machine_coordinates) {
     state.unknown |= target.commanded;
     return;
@@ -82,7 +82,7 @@ ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const 
     result.notes |= kNoteCompInFrame;
   const bool stands = kind == MotionKind::thread ? feed == 0.0 : feed <= 0.0;
   if (kind != MotionKind::rapid && stands && !state.feed_unknown) result.notes |= kNoteNoFeed;
-  settle(target, options, state, result);
+  take_position(target, options, state, result);
   return motion;
 }
 
@@ -152,7 +152,7 @@ void Mover::lose(const Target& target, std::uint32_t note) {
   result_.notes |= note;
   state_.tangent_known = false;
   drop_corner();
-  settle(target, options_, state_, result_);
+  take_position(target, options_, state_, result_);
 }
 
 PlanePoint Mover::point_of(const AxisValues& at, PlaneAxes axes) const {

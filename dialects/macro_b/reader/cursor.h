@@ -52,12 +52,12 @@ class Cursor {
   void move_to(std::uint32_t index) {
     index_ = index;
     comments_.clear();
-    settle();
+    skip_blanks();
   }
   void advance() {
     previous_end_ = span().end;
     ++index_;
-    settle();
+    skip_blanks();
   }
   // Back to a token of the same block that was the current one before.
   void back_to(std::uint32_t index) { index_ = index; }
@@ -80,7 +80,7 @@ class Cursor {
   [[nodiscard]] std::span<const text::Span> comments() const { return comments_; }
 
  private:
-  void settle() {
+  void skip_blanks() {
     while (tokens_[index_].kind == ir::TokenKind::white || tokens_[index_].kind == ir::TokenKind::comment) {
       if (tokens_[index_].kind == ir::TokenKind::comment) comments_.push_back(tokens_[index_].span);
       ++index_;

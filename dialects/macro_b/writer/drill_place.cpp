@@ -61,14 +61,14 @@ void DrillPlace::move_to(std::uint32_t index) {
 
 // --- over all ways
 
-void DrillPlace::settle_plane() {
+void DrillPlace::state_plane() {
   const facts::Facts* facts = modes_.before(index_);
   if (facts == nullptr) return;
   const facts::Known<facts::Setting>& fact = (*facts)[facts::Mode::plane];
   if (is_known("the plane", fact)) plane_ = fact.value.function;
 }
 
-std::optional<Function> DrillPlace::settle_distance() {
+std::optional<Function> DrillPlace::state_distance() {
   const facts::Facts* facts = modes_.before(index_);
   if (facts == nullptr) return std::nullopt;
   if (statement().kind == StatementKind::block &&

@@ -57,9 +57,9 @@ class DrillPlace {
   [[nodiscard]] ir::Function plane() const { return plane_; }
   [[nodiscard]] std::optional<ir::Function> motion() const { return motion_; }
   // As all ways here have it; where they differ that is told and the text's order holds.
-  void settle_plane();
+  void state_plane();
   // G90 or G91 where all ways here have the one that the text's order does not, and the block does not say it.
-  std::optional<ir::Function> settle_distance();
+  std::optional<ir::Function> state_distance();
 
   // The other control has no counterpart for it.
   void cannot(passes::Refusal what);

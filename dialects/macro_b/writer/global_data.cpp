@@ -7,7 +7,7 @@
 
 #include "dialects/macro_b/writer/raise_parameters.h"
 #include "dialects/passes/refusal.h"
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::macro_b {

@@ -85,7 +85,7 @@ void HoleWriter::end_modal(const Hole& hole) {
 
 // `modal`: the holes follow (K0); otherwise one is drilled here. `to_level`: it ends there (G99).
 void HoleWriter::write_cycle(const Hole& hole, bool modal, bool to_level) {
-  settle_distance();
+  state_distance();
   DrillCycle cycle = hole.cycle;
   if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
   if (hole.breaks_chips) {
@@ -137,7 +137,7 @@ std::optional<Function> HoleWriter::cutting_way(const Hole& hole) const {
 
 void HoleWriter::write_moves(const Hole& hole) {
   if (drills_by_cycle(hole)) return write_by_cycle(hole);
-  settle_distance();
+  state_distance();
   const PlaneAxes axes = axes_of(place_.plane());
   cut(hole, axes.normal);
   draw_out(hole, axes);
@@ -196,8 +196,8 @@ HoleWriter::PlaneAxes HoleWriter::axes_of(Function plane) {
   return {Address::x, Address::y, Address::z};
 }
 
-void HoleWriter::settle_distance() {
-  if (const std::optional<Function> distance = place_.settle_distance()) emit_code(*distance);
+void HoleWriter::state_distance() {
+  if (const std::optional<Function> distance = place_.state_distance()) emit_code(*distance);
 }
 
 void HoleWriter::motion_again(bool always) {

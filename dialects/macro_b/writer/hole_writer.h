@@ -32,7 +32,7 @@ class HoleWriter {
   void write_moves(const Hole& hole);
 
   // G90 or G91 as the ways here have it.
-  void settle_distance();
+  void state_distance();
   // The motion code that was in effect; `always`: behind G80, where another than G00 is not certain either.
   void motion_again(bool always);
   void emit_code(ir::Function function);

@@ -12,7 +12,7 @@
 
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::macro_b {

@@ -231,11 +231,11 @@ void check_system_variables(const ir::Program& program, const ir::Control& to,
 
 // What the program leaves to its control's power-on state is said in front of it. Diameters are no mode here, and
 // lathes whose letters say absolute or incremental have no code for it.
-void say_unsaid(ir::Program& program, const ir::Control& from, const ir::Control& to,
-                std::vector<text::Diagnostic>& diagnostics) {
-  passes::UnsaidModes unsaid = passes::unsaid_modes(program, from, false);
+void state_power_on_modes(ir::Program& program, const ir::Control& from, const ir::Control& to,
+                          std::vector<text::Diagnostic>& diagnostics) {
+  passes::UnstatedModes unstated = passes::unstated_modes(program, from, false);
   std::vector<ir::Code> codes;
-  for (const passes::UnsaidMode& mode : unsaid.modes) {
+  for (const passes::UnstatedMode& mode : unstated.modes) {
     const ir::CodeRow* row = find_function(to, mode.function, 0);
     if (row == nullptr) continue;
     ir::Code code;
@@ -245,7 +245,7 @@ void say_unsaid(ir::Program& program, const ir::Control& from, const ir::Control
     codes.push_back(code);
   }
   passes::insert_first(program, codes);
-  append(diagnostics, std::move(unsaid.diagnostics));
+  append(diagnostics, std::move(unstated.diagnostics));
 }
 
 // What the printer has no words for: texts that are calculated with, operators that nothing above has replaced.
@@ -293,7 +293,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (from.dialect != to.dialect) {
     globals = place_globals(p, to);
     append(result.diagnostics, std::move(globals.diagnostics));
-    say_unsaid(p, from, to, result.diagnostics);
+    state_power_on_modes(p, from, to, result.diagnostics);
   }
   append(result.diagnostics, complete_statements(p, to.title));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
@@ -321,7 +321,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   append(result.diagnostics, passes::lower_conditions(p, numbers).diagnostics);
   append(result.diagnostics, passes::lower_logic(p, numbers).diagnostics);
   append(result.diagnostics, passes::limit_loop_nesting(p, numbers, to.limits.loop_nesting).diagnostics);
-  if (from.dialect != to.dialect && by_number) append(result.diagnostics, passes::settle_variables(p, from, to));
+  if (from.dialect != to.dialect && by_number) append(result.diagnostics, passes::translate_variables(p, from, to));
   const std::vector<passes::OutsideValue> outside = passes::outside_values(p, from, ir::Bank::r);
   passes::AllocationReport placed = passes::allocate_variables(p, from, to, ir::Bank::hash, rules);
   append(result.diagnostics, std::move(placed.diagnostics));

@@ -116,7 +116,7 @@ class Drilling {
 
   // Nothing when it cannot be said here, which is told.
   std::optional<Hole> hole_of(const ir::Call& call) {
-    place_.settle_plane();
+    place_.state_plane();
     std::expected<Hole, std::string> hole = called_hole(program_, call);
     if (hole) return *hole;
     place_.cannot(std::move(hole.error()));
@@ -148,9 +148,9 @@ class Drilling {
 
   void pattern(const ir::Call& call) {
     const std::string name(program_.strings.at(call.name));
-    place_.settle_plane();
+    place_.state_plane();
     if (place_.plane() != Function::plane_xy) return place_.cannot(name + " in another plane than G17");
-    holes_.settle_distance();
+    holes_.state_distance();
     std::optional<Pattern> found = pattern_of(call);
     if (!found) return place_.cannot(passes::computed(name + " with computed arguments"));
     Pattern& p = *found;

@@ -1,5 +1,5 @@
 // Plane, unit and distance are taken where paths agree, whatever a called program may have made of them:
-// passes::settle_modes() has looked through the calls for these, and has said them where the text would mislead.
+// passes::make_modes_explicit() has looked through the calls for these, and has said them where the text would mislead.
 #include "dialects/sinumerik/writer/drill_state.h"
 
 namespace dripfeed::sinumerik {

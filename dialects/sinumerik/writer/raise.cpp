@@ -101,7 +101,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (raising.is_own()) {
     check_natives(raising);
   } else {
-    raise_rest(raising);
+    raise_skipped_words(raising);
     kept = raise_arguments(raising);
     raise_macro_calls(raising);
     raise_vacant(raising);

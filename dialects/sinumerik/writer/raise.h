@@ -29,7 +29,7 @@ struct Raising {
   [[nodiscard]] bool is_own() const { return from.dialect == to.dialect; }
 };
 
-void raise_rest(const Raising& raising);  // raise_rest.cpp: block skip inside of blocks
+void raise_skipped_words(const Raising& raising);  // raise_skipped_words.cpp: block skip inside of blocks
 // raise_arguments.cpp: local variables of macros. Returns the names that stay names.
 std::set<ir::SymbolId> raise_arguments(const Raising& raising);
 void raise_macro_calls(const Raising& raising);  // raise_macro_calls.cpp: letters to positions

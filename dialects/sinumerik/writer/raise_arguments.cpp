@@ -20,7 +20,7 @@
 #include "dialects/passes/macro_arguments.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 #include "dialects/passes/walk.h"
 #include "dialects/sinumerik/tables/system_variables.h"
 #include "dialects/sinumerik/writer/raise.h"

@@ -148,11 +148,11 @@ constexpr std::array kModeNames = {
 };
 
 // What the program leaves to its control's power-on state is said in front of it.
-void say_unsaid(const Raising& raising) {
-  passes::UnsaidModes unsaid =
-      passes::unsaid_modes(raising.program, raising.from, raising.to.kind != ir::MachineKind::mill);
+void state_power_on_modes(const Raising& raising) {
+  passes::UnstatedModes unstated =
+      passes::unstated_modes(raising.program, raising.from, raising.to.kind != ir::MachineKind::mill);
   std::vector<ir::Code> codes;
-  for (const passes::UnsaidMode& mode : unsaid.modes) {
+  for (const passes::UnstatedMode& mode : unstated.modes) {
     const auto* const row = std::ranges::find(kModeNames, mode.function, &ModeName::function);
     if (row == kModeNames.end()) continue;  // a mode that needs no word here
     ir::Code code;
@@ -162,14 +162,14 @@ void say_unsaid(const Raising& raising) {
     codes.push_back(code);
   }
   passes::insert_first(raising.program, codes);
-  std::ranges::move(unsaid.diagnostics, std::back_inserter(raising.diagnostics));
+  std::ranges::move(unstated.diagnostics, std::back_inserter(raising.diagnostics));
 }
 
 }  // namespace
 
 void raise_modes(const Raising& raising) {
   FeedAndSpeed(raising).run();
-  say_unsaid(raising);
+  state_power_on_modes(raising);
 }
 
 }  // namespace dripfeed::sinumerik

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "dialects/passes/refusal.h"
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 #include "dialects/sinumerik/writer/raise.h"
 
 namespace dripfeed::sinumerik {

@@ -53,8 +53,8 @@ class ToolOffsets {
   std::uint32_t index_ = 0;
   std::uint32_t first_word_ = 0;
   // In the order of the text.
-  enum class Length : std::uint8_t { unsaid, on, off };
-  Length length_ = Length::unsaid;
+  enum class Length : std::uint8_t { unstated, on, off };
+  Length length_ = Length::unstated;
   bool compensates_ = false;
   std::optional<double> number_;  // of D
   double last_tool_ = -1.0;       // of T0606

@@ -154,7 +154,7 @@ TEST(LookAhead, NoJunctionBecomesSlowerWhereALimitIsRaised) {
 }
 
 TEST(LookAhead, GivesTheSameBitsForAnyNumberOfThreads) {
-  std::size_t settled = 0;
+  std::size_t reswept = 0;
   for (unsigned seed = 0; seed < 1500; ++seed) {
     auto pieces = random_path(seed, seed % 500, seed % 3 == 0 ? 0.0 : 0.02);
     if (seed % 5 == 0) {  // limited by acceleration alone: what was speculated is never true
@@ -172,10 +172,10 @@ TEST(LookAhead, GivesTheSameBitsForAnyNumberOfThreads) {
       ASSERT_EQ(parallel.speed2, serial.speed2) << seed;
       ASSERT_EQ(parallel.duration_s, serial.duration_s) << seed;
       ASSERT_EQ(parallel.total_s, serial.total_s) << seed;
-      settled += parallel.settled;
+      reswept += parallel.reswept;
     }
   }
-  EXPECT_GT(settled, 10'000U);  // otherwise the speculation was never wrong, and this tested nothing
+  EXPECT_GT(reswept, 10'000U);  // otherwise the speculation was never wrong, and this tested nothing
 }
 
 TEST(LookAhead, ALongerSightIsNeverSlower) {

@@ -12,7 +12,7 @@ namespace dripfeed::passes {
 
 // For a translation statement by statement. Blocks get a code of the mode where following the text from the control's
 // power-on state would find another one than the ways that lead there.
-std::vector<text::Diagnostic> settle_modes(ir::Program& program, const ir::Control& from, const ir::Control& to);
+std::vector<text::Diagnostic> make_modes_explicit(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 // For running a program by itself: what it takes from a caller that is not there and what is then taken instead, as
 // warnings. Words of the spindle that would be lost, because only the caller knows its direction, are errors.

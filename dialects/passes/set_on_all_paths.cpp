@@ -1,7 +1,7 @@
 // Forward dataflow, "set on all ways": at each statement the variables that are surely set, as a bit each; where ways
 // meet, the bits of all of them. A way on which an equality with an empty value has failed is one on which the variable
 // is not empty: behind IF[#1EQ#0]THEN #1=5 it is set either way.
-#include "dialects/passes/set_on_all_ways.h"
+#include "dialects/passes/set_on_all_paths.h"
 
 #include <deque>
 #include <map>
@@ -22,9 +22,9 @@ struct Use {
   std::uint32_t bit = 0;
 };
 
-class SetOnAllWays {
+class SetOnAllPaths {
  public:
-  SetOnAllWays(const ir::Program& program, const WatchedVariable& watched)
+  SetOnAllPaths(const ir::Program& program, const WatchedVariable& watched)
       : program_(program), watched_(watched), in_(program.statements.size() + 1), uses_(program.statements.size()) {
     for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
       for (const VariableUseAt& use : variables_of(program, program.statements[i])) {
@@ -130,7 +130,7 @@ class SetOnAllWays {
 }  // namespace
 
 std::vector<UnsetRead> reads_before_set(const ir::Program& program, const WatchedVariable& watched) {
-  return SetOnAllWays(program, watched).run();
+  return SetOnAllPaths(program, watched).run();
 }
 
 }  // namespace dripfeed::passes

@@ -20,7 +20,7 @@
 #include "dialects/compile/translate/recorded_run.h"
 #include "dialects/compile/translate/tap_moves.h"
 #include "dialects/compile/translate/tap_statements.h"
-#include "dialects/compile/translate/without_equal.h"
+#include "dialects/compile/translate/without_counterpart.h"
 #include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
@@ -40,12 +40,12 @@ constexpr interpreter::Limits run_limits(interpreter::Limits asked) {
   return asked;
 }
 
-class MovesInPlace {
+class InlineMoves {
  public:
   // `library`: of contours; nullptr: there are none. `limits`: of each run, as far as they are below run_limits' own.
   // The controls must outlive it.
-  MovesInPlace(const ir::Control& from, const ir::Control& to, ProgramLibrary* library,
-               const interpreter::Limits& limits)
+  InlineMoves(const ir::Control& from, const ir::Control& to, ProgramLibrary* library,
+              const interpreter::Limits& limits)
       : from_(from), to_(to), library_(library), limits_(run_limits(limits)) {}
 
   // The program as it was read, whose ISO parts are spliced where lower() gets it: this is what is run, and compared
@@ -110,7 +110,7 @@ class MovesInPlace {
   ProgramLibrary* library_;
   interpreter::Limits limits_;                        // of each run
   std::optional<ir::Program> as_read_;                // of run_as()
-  std::vector<WithoutEqual> kinds_;                   // by statement
+  std::vector<WithoutCounterpart> kinds_;             // by statement
   std::vector<LineRange> shapes_;                     // of the text
   std::vector<TapStatement> taps_;                    // by statement
   std::map<std::uint32_t, std::uint32_t> tap_lines_;  // of a tap and its parts: the line of the tap

@@ -1,5 +1,5 @@
 // From statement to moves, and back to the modes that the next block counts on.
-#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/inline_moves.h"
 
 #include <algorithm>
 #include <array>
@@ -97,22 +97,23 @@ bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b) {
   });
 }
 
-void MovesInPlace::cannot(passes::Refusal what, text::Span span) {
+void InlineMoves::cannot(passes::Refusal what, text::Span span) {
   diagnostics_.push_back(passes::diagnose(std::move(what), span, to_.title));
 }
 
 // What a cycle's numbers meant can no longer be seen, nor changed at the machine: whoever takes the translation over is
 // to know.
-void MovesInPlace::say_written(std::string name, text::Span span) {
+void InlineMoves::say_written(std::string name, text::Span span) {
   cannot(std::move(name), span);
   diagnostics_.back().severity = text::Severity::warning;
   diagnostics_.back().notes = {{.span = span, .text = "it is written as its moves"}};
 }
 
-std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
-  kinds_ = without_equal(program, from_, to_);
+std::vector<text::Diagnostic> InlineMoves::lower(ir::Program& program) {
+  kinds_ = without_counterpart(program, from_, to_);
   find_taps(program);
-  const bool replaces = std::ranges::any_of(kinds_, [](WithoutEqual kind) { return kind != WithoutEqual::no; });
+  const bool replaces =
+      std::ranges::any_of(kinds_, [](WithoutCounterpart kind) { return kind != WithoutCounterpart::no; });
   if (!replaces && !as_read_) {
     watch(program, false);
     return std::move(diagnostics_);
@@ -122,7 +123,7 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
     runs_.clear();
     for (std::size_t i = 0; i < kinds_.size(); ++i)
       if (const ir::Statement& s = program.statements[i];
-          kinds_[i] != WithoutEqual::no && kinds_[i] != WithoutEqual::tap_part)
+          kinds_[i] != WithoutCounterpart::no && kinds_[i] != WithoutCounterpart::tap_part)
         cannot(passes::together(name_of(kinds_[i], program, s) + " together with " + what), s.span);
     return std::move(diagnostics_);
   }
@@ -131,16 +132,16 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
   const auto count = static_cast<std::uint32_t>(program.statements.size());
   find_cycles(program);
   std::erase_if(program.labels, [&](const ir::Label& label) {
-    return label.name == ir::StringId::none && kinds_[label.statement] == WithoutEqual::no &&
+    return label.name == ir::StringId::none && kinds_[label.statement] == WithoutCounterpart::no &&
            is_dropped(program.statements[label.statement].line);
   });
   for (std::uint32_t i = 0; i < count; ++i) {
     out.at(i);
-    if (kinds_[i] == WithoutEqual::tap)
+    if (kinds_[i] == WithoutCounterpart::tap)
       replace_tap(program, i, flow, out);
-    else if (kinds_[i] == WithoutEqual::tap_part)
+    else if (kinds_[i] == WithoutCounterpart::tap_part)
       replace_tap_part(program, i, out);
-    else if (kinds_[i] != WithoutEqual::no)
+    else if (kinds_[i] != WithoutCounterpart::no)
       replace(program, i, flow, out);
     else if (!is_dropped(program.statements[i].line))
       out.keep();
@@ -150,13 +151,13 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
 }
 
 // Why the run says nothing; empty when it does.
-std::string MovesInPlace::obstacle(const ir::Program& program) {
+std::string InlineMoves::obstacle(const ir::Program& program) {
   if (program.sections.size() > 1) return "another program in the same text";
   if (const std::optional<OutsideInfluence> outside = outside_influence(program)) return outside->what;
   if (std::string levels = set_switches(program); !levels.empty()) return levels;
   shapes_ = shapes_of(program);
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    if (kinds_[i] == WithoutEqual::no || kinds_[i] == WithoutEqual::tap_part) continue;
+    if (kinds_[i] == WithoutCounterpart::no || kinds_[i] == WithoutCounterpart::tap_part) continue;
     const std::uint32_t line = program.statements[i].line;
     if (std::ranges::find(owners_, line) != owners_.end()) return "another of its kind in the same line";
     owners_.push_back(line);
@@ -167,7 +168,7 @@ std::string MovesInPlace::obstacle(const ir::Program& program) {
 }
 
 // All levels off, and all on.
-std::string MovesInPlace::set_switches(const ir::Program& program) {
+std::string InlineMoves::set_switches(const ir::Program& program) {
   const std::set<std::uint8_t> levels = skip_levels(program);
   if (levels.size() > 1) return "block skip of several levels";
   settings_ = {0};
@@ -175,7 +176,7 @@ std::string MovesInPlace::set_switches(const ir::Program& program) {
   return {};
 }
 
-std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& library) {
+std::string InlineMoves::run(const ir::Program& program, ProgramLibrary& library) {
   for (const std::uint32_t switches : settings_) {
     interpreter::RunOptions options;
     options.limits = limits_;
@@ -199,7 +200,7 @@ std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& librar
   return lost_with_shape(program);
 }
 
-bool MovesInPlace::is_dropped(std::uint32_t line) const {
+bool InlineMoves::is_dropped(std::uint32_t line) const {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const bool plain = std::ranges::any_of(runs_, [&](const RecordedRun& run) { return run.plain_shapes[i]; });
     if (shapes_[i].has(line) && !plain) return true;
@@ -207,8 +208,8 @@ bool MovesInPlace::is_dropped(std::uint32_t line) const {
   return false;
 }
 
-void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
-                           passes::Rewrite& out) {
+void InlineMoves::replace(ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
+                          passes::Rewrite& out) {
   const ir::Statement s = program.statements[index];
   const std::string name = name_of(kinds_[index], program, s);
   BlockTerms terms;
@@ -217,7 +218,7 @@ void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const fact
   for (const std::string& what :
        {same_each_time(s.line, motions), terms_at(program, index, flow, terms), rest_of(program, index, rest)})
     if (!what.empty()) return cannot(fmt::format("{} {}", name, what), s.span);
-  const bool plain_arc = kinds_[index] == WithoutEqual::arc && !has_curve(motions);
+  const bool plain_arc = kinds_[index] == WithoutCounterpart::arc && !has_curve(motions);
   if (!plain_arc && compensates(program, s, motions))
     return cannot(
         passes::together(name + " where the radius is compensated, which the control may do by a method of its own,"),
@@ -230,7 +231,7 @@ void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const fact
     out.emit_block(again.codes, again.words);
 }
 
-std::string MovesInPlace::same_each_time(std::uint32_t line, std::span<const ir::Motion>& motions) const {
+std::string InlineMoves::same_each_time(std::uint32_t line, std::span<const ir::Motion>& motions) const {
   bool found = false;
   for (const RecordedRun& run : runs_) {
     for (const Visit& visit : run.visits) {
@@ -244,8 +245,8 @@ std::string MovesInPlace::same_each_time(std::uint32_t line, std::span<const ir:
   return motions.size() > kMostMoves ? "of that many moves" : "";
 }
 
-std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
-                                   BlockTerms& terms) const {
+std::string InlineMoves::terms_at(const ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
+                                  BlockTerms& terms) const {
   const facts::Facts* facts = flow.before(index);
   if (facts == nullptr) return "that no control-flow path leads to";
   std::array<Function, facts::kModes> modes{};
@@ -277,7 +278,7 @@ std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t ind
   return {};
 }
 
-std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const {
+std::string InlineMoves::rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const {
   const ir::Statement& s = program.statements[index];
   if (s.skip_level != 0) return "that a switch may skip";
   if (s.kind != StatementKind::block) return {};
@@ -286,7 +287,7 @@ std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t inde
   for (const ir::Code& c : program.codes_of(block)) {
     if (c.number != ir::ExpressionId::none) return "together with a code with a calculated number";
     if (is_own(c)) continue;
-    const bool drills = kinds_[index] == WithoutEqual::drilling || kinds_[index] == WithoutEqual::tap;
+    const bool drills = kinds_[index] == WithoutCounterpart::drilling || kinds_[index] == WithoutCounterpart::tap;
     if (drills && c.function == Function::machine_function)
       return "with an M function, which the cycle gives its own time,";
     const bool ends = c.function == Function::coolant_off || c.function == Function::spindle_stop ||
@@ -296,7 +297,7 @@ std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t inde
                       c.group == ModalGroup::return_level;
     (ends ? rest.after : sets ? rest.before : rest.codes).push_back(c);
   }
-  const bool arc = kinds_[index] == WithoutEqual::arc;
+  const bool arc = kinds_[index] == WithoutCounterpart::arc;
   // D of G71 and G76 in one block is a depth.
   const bool has_depth = std::ranges::any_of(
       program.codes_of(block), [](const ir::Code& c) { return c.function == Function::repetitive_cycle; });
@@ -309,8 +310,7 @@ std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t inde
 }
 
 // What the next block counts on and the moves have changed: its motion code and its feed, where it says none itself.
-MovesInPlace::Restored MovesInPlace::restored(const ir::Program& program, std::uint32_t index,
-                                              PlainMoves& moves) const {
+InlineMoves::Restored InlineMoves::restored(const ir::Program& program, std::uint32_t index, PlainMoves& moves) const {
   Restored out;
   const std::uint32_t line = program.statements[index].line;
   const RecordedRun& run = runs_.front();
@@ -354,7 +354,7 @@ MovesInPlace::Restored MovesInPlace::restored(const ir::Program& program, std::u
 
 // Kept lines of several moves, and where each line stands. The blocks of a cycle that the control brings along have the
 // line of its call.
-void MovesInPlace::find_cycles(const ir::Program& program) {
+void InlineMoves::find_cycles(const ir::Program& program) {
   writes_ = writes_by_line(program, from_);
   for (const RecordedRun& run : runs_) {
     std::uint32_t line = 0;
@@ -371,7 +371,7 @@ void MovesInPlace::find_cycles(const ir::Program& program) {
 
 // The blocks of a shape go with it. They may hold nothing but moves: an M function, a limit of the speed or an
 // assignment would be lost.
-std::string MovesInPlace::lost_with_shape(const ir::Program& program) const {
+std::string InlineMoves::lost_with_shape(const ir::Program& program) const {
   for (const ir::Statement& s : program.statements) {
     if (!is_dropped(s.line) || s.kind == StatementKind::empty) continue;
     bool moves = s.kind == StatementKind::block && s.skip_level == 0;

@@ -12,11 +12,11 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/dialect/describe_move.h"
 #include "dialects/compile/dialect/motion_codes.h"
-#include "dialects/compile/dialect/say_move.h"
 #include "dialects/compile/dialect/source_lines.h"
 #include "dialects/compile/plain/lost_writes.h"
-#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/inline_moves.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/round_positions.h"
 
@@ -156,8 +156,8 @@ class Comparison {
 
 }  // namespace
 
-std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
-                                                    const std::vector<std::uint32_t>& origin_lines) const {
+std::vector<text::Diagnostic> InlineMoves::compare(const ir::Program& translation,
+                                                   const std::vector<std::uint32_t>& origin_lines) const {
   if (runs_.empty()) return alarm_of(translation, origin_lines);
   for (std::size_t setting = 0; setting < runs_.size(); ++setting) {
     const std::optional<Difference> other = first_difference(translation, origin_lines, setting);
@@ -173,8 +173,8 @@ std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translati
 }
 
 // Of a source whose run says nothing, the translation may still be one that the other control stops at for certain.
-std::vector<text::Diagnostic> MovesInPlace::alarm_of(const ir::Program& translation,
-                                                     const std::vector<std::uint32_t>& origin_lines) const {
+std::vector<text::Diagnostic> InlineMoves::alarm_of(const ir::Program& translation,
+                                                    const std::vector<std::uint32_t>& origin_lines) const {
   ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
   ir::Control control = to_;
   control.semantics.unset_is_unknown = true;
@@ -198,9 +198,9 @@ std::vector<text::Diagnostic> MovesInPlace::alarm_of(const ir::Program& translat
   return {};
 }
 
-std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir::Program& translation,
-                                                                       const std::vector<std::uint32_t>& origin_lines,
-                                                                       std::size_t setting) const {
+std::optional<InlineMoves::Difference> InlineMoves::first_difference(const ir::Program& translation,
+                                                                     const std::vector<std::uint32_t>& origin_lines,
+                                                                     std::size_t setting) const {
   ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
   interpreter::RunOptions options;
   options.limits = limits_;
@@ -239,17 +239,17 @@ std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir:
       ++j;
     } else {
       return Difference{wanted[i].line,
-                        fmt::format("{}; in the translation {}", say_move(wanted[i].motion, made[j].motion),
-                                    say_move(made[j].motion, wanted[i].motion))};
+                        fmt::format("{}; in the translation {}", describe_move(wanted[i].motion, made[j].motion),
+                                    describe_move(made[j].motion, wanted[i].motion))};
     }
   }
   while (i < wanted.size() && comparison.stays(wanted[i].motion)) ++i;
   while (j < made.size() && comparison.stays(made[j].motion)) ++j;
   if (i < wanted.size())
     return Difference{wanted[i].line,
-                      say_move(wanted[i].motion, wanted[i].motion) + ", which the translation does not make"};
+                      describe_move(wanted[i].motion, wanted[i].motion) + ", which the translation does not make"};
   if (j < made.size())
-    return Difference{made[j].line, "the translation also makes " + say_move(made[j].motion, made[j].motion)};
+    return Difference{made[j].line, "the translation also makes " + describe_move(made[j].motion, made[j].motion)};
   const bool ended =
       run.result.ended == interpreter::Ended::end || (returns_ && run.result.ended == runs_[setting].result.ended);
   if (const auto lost = first_lost_write(translation, run, origin_lines, setting))
@@ -260,9 +260,9 @@ std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir:
 }
 
 // In order; the translation may write more, to variables that it needs itself.
-std::optional<std::uint32_t> MovesInPlace::first_lost_write(const ir::Program& translation, const RecordedRun& run,
-                                                            const std::vector<std::uint32_t>& origin_lines,
-                                                            std::size_t setting) const {
+std::optional<std::uint32_t> InlineMoves::first_lost_write(const ir::Program& translation, const RecordedRun& run,
+                                                           const std::vector<std::uint32_t>& origin_lines,
+                                                           std::size_t setting) const {
   if (writes_.empty()) return std::nullopt;
   const auto lines_of = [](const RecordedRun& of, const std::map<std::uint32_t, std::size_t>& writes, auto&& origin) {
     std::vector<std::uint32_t> out;

@@ -11,13 +11,14 @@
 namespace dripfeed::compile {
 
 // Taps are told by tap_statements().
-enum class WithoutEqual : std::uint8_t { no, arc, drilling, removal, tap, tap_part };
+enum class WithoutCounterpart : std::uint8_t { no, arc, drilling, removal, tap, tap_part };
 
 // For each statement, in the order of the text: what is in effect counts from the block that says it to the next one
 // that says something else.
-std::vector<WithoutEqual> without_equal(const ir::Program& program, const ir::Control& from, const ir::Control& to);
+std::vector<WithoutCounterpart> without_counterpart(const ir::Program& program, const ir::Control& from,
+                                                    const ir::Control& to);
 
 // As messages call it: "CIP", "G71", "CYCLE95".
-std::string name_of(WithoutEqual kind, const ir::Program& program, const ir::Statement& statement);
+std::string name_of(WithoutCounterpart kind, const ir::Program& program, const ir::Statement& statement);
 
 }  // namespace dripfeed::compile

@@ -1,7 +1,7 @@
 // G12.1 counts C from where the axis stands, TRANSMIT on the axis' own scale: they are the same where C stands at 0.
 // G12.1 brings its plane along, behind TRANSMIT it is G17; arcs on a circumference lie in the plane of Z and what
 // stands for C: with G18 the other way round than with G19.
-#include "dialects/compile/translate/settle_faces.h"
+#include "dialects/compile/translate/translate_faces.h"
 
 #include <algorithm>
 #include <numbers>
@@ -257,7 +257,7 @@ class Faces {
 
 }  // namespace
 
-std::vector<text::Diagnostic> settle_faces(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<text::Diagnostic> translate_faces(ir::Program& program, const ir::Control& from, const ir::Control& to) {
   if (from.dialect == to.dialect) return {};
   const bool to_rotary = has_rotary_forms(to);
   const bool any = std::ranges::any_of(program.codes, [&](const ir::Code& c) {

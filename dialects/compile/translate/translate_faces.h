@@ -12,6 +12,6 @@
 namespace dripfeed::compile {
 
 // What the other control would take otherwise is an error at its block.
-std::vector<text::Diagnostic> settle_faces(ir::Program& program, const ir::Control& from, const ir::Control& to);
+std::vector<text::Diagnostic> translate_faces(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 }  // namespace dripfeed::compile

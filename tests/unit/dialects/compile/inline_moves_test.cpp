@@ -41,7 +41,7 @@ std::string refusal(const std::string& text, const std::string& from, const std:
 
 const std::vector<std::string> kNumbered = {"fanuc", "mazak", "mitsubishi-m80"};
 
-TEST(MovesInPlace, ArcsByAPointOrATangent) {
+TEST(InlineMoves, ArcsByAPointOrATangent) {
   const std::string text =
       "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nCIP X20 Y0 I1=10 J1=10 F200 M8\nCT X40 Y-5\nX50 Y0\n"
       "G1 X60\nCIP X60 Y-20 I1=70 J1=-10\nG1 Z-2\nM9\nG0 Z10\nM30\n";
@@ -54,7 +54,7 @@ TEST(MovesInPlace, ArcsByAPointOrATangent) {
 }
 
 // The chords of one that leaves its plane are straight cuts there, and whoever takes them over is told.
-TEST(MovesInPlace, AnArcInSpace) {
+TEST(InlineMoves, AnArcInSpace) {
   const std::string text = "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z0\nCIP X10 I1=5 K1=5 F200\nX20 I1=15 K1=5\nM30\n";
   const auto here = real_moves(run_text(text, control("sinumerik-840d", MachineKind::mill)).motions);
   for (const std::string& to : kNumbered) {
@@ -76,7 +76,7 @@ TEST(MovesInPlace, AnArcInSpace) {
   EXPECT_NE(compensated.find("CIP where the radius is compensated"), std::string::npos) << compensated;
 }
 
-TEST(MovesInPlace, ArcsAgainAndAgainInALoop) {
+TEST(InlineMoves, ArcsAgainAndAgainInALoop) {
   const std::string text =
       "DEF INT NR\nG17 G90 G71 G94\nS1000 M3\nG0 Z5\nFOR NR=1 TO 3\nG0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nX0 I1=10 "
       "J1=-10\nENDFOR\nG0 Z10\nM30\n";
@@ -86,7 +86,7 @@ TEST(MovesInPlace, ArcsAgainAndAgainInALoop) {
   }
 }
 
-TEST(MovesInPlace, BesideModalDrilling) {
+TEST(InlineMoves, BesideModalDrilling) {
   const std::string made = expect_same_there(
       "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z5\nCIP X20 Y0 I1=10 J1=10 F200\nG0 Z5\nMCALL CYCLE81(5,0,2,-9)\nX5 Y5\nX9\n"
       "MCALL\nG0 Z10\nM30\n",
@@ -94,7 +94,7 @@ TEST(MovesInPlace, BesideModalDrilling) {
   EXPECT_NE(made.find("G81"), std::string::npos) << made;
 }
 
-TEST(MovesInPlace, TheFeedAndTheMotionBehindThem) {
+TEST(InlineMoves, TheFeedAndTheMotionBehindThem) {
   // Behind the arcs the modal motion is the arc's: X50 is one; G1 and a feed of its own follow, then a rapid.
   expect_same_there(
       "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z5\nG1 Y1 F100\nCIP X20 Y1 I1=10 J1=11 F200\nG1\nX30\nF50\nX40\nG0 X50\n"
@@ -104,7 +104,7 @@ TEST(MovesInPlace, TheFeedAndTheMotionBehindThem) {
 
 const std::string kLathe = "%\nO1\nG21 G18 G99 G97 G40\nS500 M03\nG00 X62. Z2.\n";
 
-TEST(MovesInPlace, StockRemovalAlongAShape) {
+TEST(InlineMoves, StockRemovalAlongAShape) {
   const std::string shape = "N10 G00 X20.\nG01 Z-20. F0.1\nX40. Z-30.\nG02 X60. Z-40. R10.\nN20 G01 X62.\n";
   const std::string made = expect_same_there(
       kLathe + "G71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\n" + shape + "G70 P10 Q20\nG01 X64.\nG00 X100. Z50.\nM30\n%\n",
@@ -115,7 +115,7 @@ TEST(MovesInPlace, StockRemovalAlongAShape) {
   EXPECT_EQ(made.find("N10"), std::string::npos) << made;
 }
 
-TEST(MovesInPlace, TheNoseIsCompensatedWhereTheShapeSaysSo) {
+TEST(InlineMoves, TheNoseIsCompensatedWhereTheShapeSaysSo) {
   const std::string made =
       expect_same_there(kLathe +
                             "G71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 G42 X20.\nG01 Z-20. F0.1\nX40. Z-30.\n"
@@ -125,7 +125,7 @@ TEST(MovesInPlace, TheNoseIsCompensatedWhereTheShapeSaysSo) {
   EXPECT_NE(made.find("G40 X62."), std::string::npos) << made;
 }
 
-TEST(MovesInPlace, StockRemovalAlongTheOtherAxisAndInAPattern) {
+TEST(InlineMoves, StockRemovalAlongTheOtherAxisAndInAPattern) {
   expect_same_there(kLathe +
                         "G72 W2. R0.5\nG72 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 Z-40.\nG01 X60. F0.1\nX40. Z-20.\n"
                         "N20 Z2.\nG70 P10 Q20\nG00 X70. Z5.\nG73 U6. W3. R3\nG73 P30 Q40 U0.4 W0.1 F0.3\n"
@@ -133,7 +133,7 @@ TEST(MovesInPlace, StockRemovalAlongTheOtherAxisAndInAPattern) {
                     "fanuc", "sinumerik-840d", MachineKind::lathe);
 }
 
-TEST(MovesInPlace, AContourBetweenLabels) {
+TEST(InlineMoves, AContourBetweenLabels) {
   const std::string text =
       "G18 G90 G95 G71 DIAMON\nG97 S500 M3\nG0 X82 Z5\nCYCLE95(\"PART:PARTEND\",5,0.1,0.2,0,0.3,0.2,0.15,9)\nG0 X100\n"
       "M30\nPART:\nG1 X20 Z0\nZ-20\nX40 Z-30\nG3 X60 Z-40 CR=10\nPARTEND: G1 X80\nM17\n";
@@ -145,7 +145,7 @@ TEST(MovesInPlace, AContourBetweenLabels) {
 
 // The end's label alone on its line: the contour is what stands before it. All blocks are numbered, and no number is a
 // way into the program.
-TEST(MovesInPlace, AContourThatEndsBeforeItsLabel) {
+TEST(InlineMoves, AContourThatEndsBeforeItsLabel) {
   const std::string blocks =
       "N5 G18 G90 G95 G71 DIAMOF\nN10 G97 S500 M3\nN20 G0 X41 Z5\nN30 CYCLE95(\"START:END\",5,0,0,0,0.3,0.2,0.15,1)\n"
       "N40 G0 X50\nN50 M30\nSTART:\nN60 G1 X10 Z0\nN70 Z-20\nN80 X40 Z-30\n";
@@ -158,14 +158,14 @@ TEST(MovesInPlace, AContourThatEndsBeforeItsLabel) {
 }
 
 // D of G71 in one block is its depth and no offset.
-TEST(MovesInPlace, StockRemovalInOneBlock) {
+TEST(InlineMoves, StockRemovalInOneBlock) {
   const std::string made = expect_same_there(
       kLathe + "G71 P1 Q2 U0.4 W0.1 D2000 F0.25\nN1 G00 X20.\nG01 Z-10.\nN2 X60.\nG00 X100. Z50.\nM30\n%\n", "fanuc",
       "sinumerik-840d", MachineKind::lathe);
   EXPECT_TRUE(made.contains("Z-9.9")) << made;
 }
 
-TEST(MovesInPlace, HolesOfALathe) {
+TEST(InlineMoves, HolesOfALathe) {
   const std::string text = kLathe +
                            "G00 X0 Z5.\nG83 Z-30. R-3. Q5000 P500 F0.1\nG80\nG00 Z20.\nX60. Z-10.\n"
                            "G87 X40. R-2. Q3000 F0.05\nZ-20.\nG80\nG01 X70. F0.2\nG00 X100. Z50.\nM30\n%\n";
@@ -176,7 +176,7 @@ TEST(MovesInPlace, HolesOfALathe) {
     EXPECT_NE(expect_same_there(text, "fanuc", to, MachineKind::lathe).find("G87"), std::string::npos);
 }
 
-TEST(MovesInPlace, DrillingCallsOnALathe) {
+TEST(InlineMoves, DrillingCallsOnALathe) {
   const std::string text =
       "G18 G90 G95 G71 DIAMON\nG97 S500 M3\nG0 X0 Z5\nF0.1\nG17\nCYCLE83(10,0,2,-30,,-10,,2,0.5,0,1,1)\n"
       "CYCLE81(10,0,2,-5)\nG18\nG0 X100\nM30\n";
@@ -186,14 +186,14 @@ TEST(MovesInPlace, DrillingCallsOnALathe) {
   }
 }
 
-TEST(MovesInPlace, InInches) {
+TEST(InlineMoves, InInches) {
   expect_same_there(
       "%\nO1\nG20 G18 G99 G97 G40\nS500 M03\nG00 X2.5 Z0.1\nG71 U0.1 R0.02\nG71 P10 Q20 U0.02 W0.005 F0.012\n"
       "N10 G00 X1.\nG01 Z-0.8 F0.004\nN20 X2.6 Z-1.2\nG70 P10 Q20\nG00 X4. Z2.\nM30\n%\n",
       "fanuc", "sinumerik-840d", MachineKind::lathe);
 }
 
-TEST(MovesInPlace, OnOneSwitchTheMovesMustBeTheSame) {
+TEST(InlineMoves, OnOneSwitchTheMovesMustBeTheSame) {
   const std::string shape = "N10 G00 X20.\nG01 Z-20. F0.1\nN20 X62. Z-30.\n";
   const std::string rough = "G71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\n";
   expect_same_there(kLathe + "/M08\n" + rough + shape + "/G70 P10 Q20\nG00 X100.\nM30\n%\n", "fanuc", "mazak",
@@ -207,7 +207,7 @@ TEST(MovesInPlace, OnOneSwitchTheMovesMustBeTheSame) {
 
 // A macro whose arguments come from outside, a value of the control, a caller, another coordinate system: nobody knows
 // the moves. The message says which.
-TEST(MovesInPlace, WhatOthersDecideIsRefused) {
+TEST(InlineMoves, WhatOthersDecideIsRefused) {
   struct Case {
     std::string text;
     std::string reason;
@@ -239,7 +239,7 @@ TEST(MovesInPlace, WhatOthersDecideIsRefused) {
 }
 
 // What goes along with a shape's blocks, and what counts on a cycle that is no longer there.
-TEST(MovesInPlace, WhatWouldBeLostIsRefused) {
+TEST(InlineMoves, WhatWouldBeLostIsRefused) {
   const std::string rough = "G71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\n";
   const auto lathe = [&](const std::string& shape) {
     return refusal(kLathe + rough + shape + "G00 X100.\nM30\n%\n", "fanuc", "sinumerik-840d", MachineKind::lathe);
@@ -273,7 +273,7 @@ TEST(MovesInPlace, WhatWouldBeLostIsRefused) {
   }
 }
 
-TEST(MovesInPlace, ACycleThatBecameMovesIsSaid) {
+TEST(InlineMoves, ACycleThatBecameMovesIsSaid) {
   const std::string text = kLathe + "G00 X0 Z5.\nG83 Z-30. R-3. Q5000 F0.1\nG80\nG00 Z20.\nM30\n%\n";
   const ConvertResult made = converted(text, "fanuc", "sinumerik-840d", MachineKind::lathe);
   const std::string here = said(made.diagnostics, text::Source("program", text));

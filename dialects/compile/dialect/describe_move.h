@@ -8,6 +8,6 @@
 namespace dripfeed::compile {
 
 // "line X10. Y2. F100": what of a move a reader looks for first, and what is in effect otherwise than with the other.
-std::string say_move(const ir::Motion& m, const ir::Motion& other);
+std::string describe_move(const ir::Motion& m, const ir::Motion& other);
 
 }  // namespace dripfeed::compile

@@ -1,5 +1,5 @@
 // Which block needs which mode is a short list of rules; dialects/facts knows what is in effect there.
-#include "dialects/passes/settle_modes.h"
+#include "dialects/passes/explicit_modes.h"
 
 #include <algorithm>
 #include <array>
@@ -189,7 +189,7 @@ class Settling {
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
       if (const auto mode = mode_of(code)) needs[index_of(*mode)] = false;
     for (std::size_t m = 0; m < kModes; ++m)
-      if (needs[m]) settle(i, m, facts.modes[m]);
+      if (needs[m]) make_explicit(i, m, facts.modes[m]);
   }
 
   // A feed code by itself ends constant surface speed where both are one group; elsewhere S800 behind it would be
@@ -234,7 +234,7 @@ class Settling {
     return is_known(i, index_of(mode), fact) ? std::optional(fact.value.function) : std::nullopt;
   }
 
-  void settle(std::uint32_t i, std::size_t mode, const Known<Setting>& fact) {
+  void make_explicit(std::uint32_t i, std::size_t mode, const Known<Setting>& fact) {
     if (!is_known(i, mode, fact)) return;
     if (fact.value.function != by_text_[mode])
       say(program_.blocks[program_.statements[i].payload], mode, fact.value.function);
@@ -372,7 +372,8 @@ class Assuming {
 
 }  // namespace
 
-std::vector<text::Diagnostic> settle_modes(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<text::Diagnostic> make_modes_explicit(ir::Program& program, const ir::Control& from,
+                                                  const ir::Control& to) {
   if (from.dialect == to.dialect) return {};
   const bool may_end_speed = splits_pair(from, to) && uses_surface_speed(program);
   const bool counts_feeds = reads_feeds_otherwise(from, to) && has_counted_feed(program);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/inline_moves.h"
 #include "dialects/ir/transformation_use.h"
 
 namespace dripfeed::compile {
@@ -45,7 +45,7 @@ bool ends_as_subprogram(const ir::Program& program) {
 
 }  // namespace
 
-void MovesInPlace::watch(const ir::Program& program, bool called) {
+void InlineMoves::watch(const ir::Program& program, bool called) {
   source_ = program.source;
   not_compared_ = watched(program, called);
   if (!not_compared_.empty()) return runs_.clear();
@@ -53,7 +53,7 @@ void MovesInPlace::watch(const ir::Program& program, bool called) {
   if (called) writes_.clear();  // an explicit program says itself what it would lose
 }
 
-std::string MovesInPlace::watched(const ir::Program& program, bool called) {
+std::string InlineMoves::watched(const ir::Program& program, bool called) {
   if (program.statements.size() > limits_.blocks) return "it runs too long";
   if (ends_as_subprogram(program)) return "it is a subprogram, which only its caller can run";
   if (has(program, StatementKind::procedure) && program.sections.size() < 2)

@@ -1,5 +1,5 @@
 // Kind, axes, feed; then the states that tell the two apart.
-#include "dialects/compile/dialect/say_move.h"
+#include "dialects/compile/dialect/describe_move.h"
 
 #include <array>
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace dripfeed::compile {
 
-std::string say_move(const ir::Motion& m, const ir::Motion& other) {
+std::string describe_move(const ir::Motion& m, const ir::Motion& other) {
   constexpr std::array kKinds = {"rapid", "line", "arc G2", "arc G3", "curve", "thread", "dwell"};
   static_assert(kKinds.size() == static_cast<std::size_t>(ir::MotionKind::dwell) + 1);
   std::string out = kKinds[static_cast<std::size_t>(m.kind)];

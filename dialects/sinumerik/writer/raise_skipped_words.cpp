@@ -63,7 +63,7 @@ void choose(const Raising& raising, passes::Rewrite& out, passes::FreeNumbers& n
 
 }  // namespace
 
-void raise_rest(const Raising& raising) {
+void raise_skipped_words(const Raising& raising) {
   ir::Program& program = raising.program;
   const auto has_rest = [&](const ir::Statement& s) {
     return s.kind == StatementKind::block && program.blocks[s.payload].rest_level != 0 && s.skip_level == 0 &&

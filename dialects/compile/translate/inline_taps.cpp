@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/dialect/motion_codes.h"
-#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/inline_moves.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -28,22 +28,22 @@ bool says_speed(const ir::Program& program, const ir::Statement& s) {
 
 }  // namespace
 
-void MovesInPlace::find_taps(const ir::Program& program) {
+void InlineMoves::find_taps(const ir::Program& program) {
   taps_ = tap_statements(program, from_, to_);
   for (std::uint32_t i = 0; i < taps_.size(); ++i) {
     const TapStatement& tap = taps_[i];
     const bool speed = (tap.role == TapRole::tap && tap.own_speed) || says_speed(program, program.statements[i]);
     if (speed) speed_lines_.insert(program.statements[i].line);
     if (tap.role == TapRole::none) continue;
-    kinds_[i] = tap.role == TapRole::tap ? WithoutEqual::tap : WithoutEqual::tap_part;
+    kinds_[i] = tap.role == TapRole::tap ? WithoutCounterpart::tap : WithoutCounterpart::tap_part;
     const std::uint32_t line = program.statements[i].line;
     if (tap.role == TapRole::tap) tap_lines_[line] = line;
     if (tap.owner != ir::kNoIndex) tap_lines_[line] = program.statements[tap.owner].line;
   }
 }
 
-void MovesInPlace::replace_tap(ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
-                               passes::Rewrite& out) {
+void InlineMoves::replace_tap(ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
+                              passes::Rewrite& out) {
   const ir::Statement s = program.statements[index];
   const TapStatement& tap = taps_[index];
   const std::string name = name_of(kinds_[index], program, s);
@@ -77,7 +77,7 @@ void MovesInPlace::replace_tap(ir::Program& program, std::uint32_t index, const 
 }
 
 // Codes that only announce the tap go with it.
-void MovesInPlace::replace_tap_part(const ir::Program& program, std::uint32_t index, passes::Rewrite& out) const {
+void InlineMoves::replace_tap_part(const ir::Program& program, std::uint32_t index, passes::Rewrite& out) const {
   const ir::Statement& s = program.statements[index];
   if (s.kind != StatementKind::block || taps_[index].owner != ir::kNoIndex) return;
   if (taps_[index].role == TapRole::orients) {
@@ -93,8 +93,8 @@ void MovesInPlace::replace_tap_part(const ir::Program& program, std::uint32_t in
 }
 
 // With the way out, where that has a line of its own.
-std::string MovesInPlace::same_tap_each_time(std::uint32_t line, const TapStatement& tap,
-                                             std::span<const ir::Motion>& motions) const {
+std::string InlineMoves::same_tap_each_time(std::uint32_t line, const TapStatement& tap,
+                                            std::span<const ir::Motion>& motions) const {
   bool found = false;
   const auto is_part = [&](const Visit& v) {
     const auto at = tap_lines_.find(v.line);
@@ -132,7 +132,7 @@ std::string MovesInPlace::same_tap_each_time(std::uint32_t line, const TapStatem
 }
 
 // Whether what follows a tap at a speed of its own says a speed before it cuts.
-bool MovesInPlace::says_speed_behind(const RecordedRun& run, std::size_t visit) const {
+bool InlineMoves::says_speed_behind(const RecordedRun& run, std::size_t visit) const {
   const Visit& tap = run.visits[visit];
   if (tap.motion_count == 0) return true;
   const double own = run.motions[tap.first_motion + tap.motion_count - 1].spindle_rpm;

@@ -1,5 +1,5 @@
 // One walk through the text with what is in effect beside it.
-#include "dialects/compile/translate/without_equal.h"
+#include "dialects/compile/translate/without_counterpart.h"
 
 #include <algorithm>
 
@@ -31,63 +31,67 @@ class Walk {
   Walk(const ir::Program& program, const ir::Control& from, const ir::Control& to)
       : program_(program), from_(from), to_(to) {}
 
-  std::vector<WithoutEqual> run() {
-    std::vector<WithoutEqual> out;
+  std::vector<WithoutCounterpart> run() {
+    std::vector<WithoutCounterpart> out;
     out.reserve(program_.statements.size());
     for (const ir::Statement& s : program_.statements) {
       if (s.kind == StatementKind::call)
         out.push_back(of_call(program_.calls[s.payload]));
       else
-        out.push_back(s.kind == StatementKind::block ? of_block(program_.blocks[s.payload]) : WithoutEqual::no);
+        out.push_back(s.kind == StatementKind::block ? of_block(program_.blocks[s.payload]) : WithoutCounterpart::no);
     }
     return out;
   }
 
  private:
-  [[nodiscard]] WithoutEqual of_call(const ir::Call& call) const {
+  [[nodiscard]] WithoutCounterpart of_call(const ir::Call& call) const {
     const bool calls_too = from_.dialect == to_.dialect;
-    if (calls_too || call.computed != ir::ExpressionId::none) return WithoutEqual::no;
-    if (ir::is_called(call, ir::CalledSort::removal)) return WithoutEqual::removal;
-    return drills(call) && from_.kind != ir::MachineKind::mill ? WithoutEqual::drilling : WithoutEqual::no;
+    if (calls_too || call.computed != ir::ExpressionId::none) return WithoutCounterpart::no;
+    if (ir::is_called(call, ir::CalledSort::removal)) return WithoutCounterpart::removal;
+    return drills(call) && from_.kind != ir::MachineKind::mill ? WithoutCounterpart::drilling : WithoutCounterpart::no;
   }
 
-  WithoutEqual of_block(const ir::Block& block) {
+  WithoutCounterpart of_block(const ir::Block& block) {
     bool names = false;
     for (const ir::Code& c : program_.codes_of(block)) {
-      if (ir::follows_shape(c)) return has_row(to_, c.function, c.argument) ? WithoutEqual::no : WithoutEqual::removal;
-      if (c.function == Function::hole_pattern && !has_row(to_, c.function, c.argument)) return WithoutEqual::drilling;
+      if (ir::follows_shape(c))
+        return has_row(to_, c.function, c.argument) ? WithoutCounterpart::no : WithoutCounterpart::removal;
+      if (c.function == Function::hole_pattern && !has_row(to_, c.function, c.argument))
+        return WithoutCounterpart::drilling;
       if (!sets_way(c)) continue;
       way_ = way_of(c);
-      names = way_ != WithoutEqual::no;
+      names = way_ != WithoutCounterpart::no;
     }
     const auto words = program_.words_of(block);
-    return way_ != WithoutEqual::no && (names || std::ranges::any_of(words, moves)) ? way_ : WithoutEqual::no;
+    return way_ != WithoutCounterpart::no && (names || std::ranges::any_of(words, moves)) ? way_
+                                                                                          : WithoutCounterpart::no;
   }
 
   static bool sets_way(const ir::Code& c) {
     return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::cycle_off;
   }
 
-  [[nodiscard]] WithoutEqual way_of(const ir::Code& c) const {
+  [[nodiscard]] WithoutCounterpart way_of(const ir::Code& c) const {
     const bool arc = c.function == Function::arc_via || c.function == Function::arc_tangent;
-    if (arc && !has_row(to_, c.function, c.argument)) return WithoutEqual::arc;
+    if (arc && !has_row(to_, c.function, c.argument)) return WithoutCounterpart::arc;
     const bool lathe = c.function == Function::drill && c.argument >= ir::kDrillAlongZ && !passes::is_tap(c);
-    return lathe && !has_row(to_, c.function, c.argument) ? WithoutEqual::drilling : WithoutEqual::no;
+    return lathe && !has_row(to_, c.function, c.argument) ? WithoutCounterpart::drilling : WithoutCounterpart::no;
   }
 
   const ir::Program& program_;
   const ir::Control& from_;
   const ir::Control& to_;
-  WithoutEqual way_ = WithoutEqual::no;  // in effect
+  WithoutCounterpart way_ = WithoutCounterpart::no;  // in effect
 };
 
 }  // namespace
 
-std::vector<WithoutEqual> without_equal(const ir::Program& program, const ir::Control& from, const ir::Control& to) {
+std::vector<WithoutCounterpart> without_counterpart(const ir::Program& program, const ir::Control& from,
+                                                    const ir::Control& to) {
   return Walk(program, from, to).run();
 }
 
-std::string name_of(WithoutEqual kind, const ir::Program& program, const ir::Statement& statement) {
+std::string name_of(WithoutCounterpart kind, const ir::Program& program, const ir::Statement& statement) {
   if (statement.kind == StatementKind::call || statement.kind == StatementKind::modal_call)
     return std::string(program.strings.at(program.calls[statement.payload].name));
   for (const ir::Code& c : program.codes_of(program.blocks[statement.payload])) {
@@ -98,12 +102,12 @@ std::string name_of(WithoutEqual kind, const ir::Program& program, const ir::Sta
     if (meant && !c.span.empty()) return std::string(c.span.in(program.source.text()));
   }
   switch (kind) {
-    case WithoutEqual::arc: return "an arc";
-    case WithoutEqual::drilling: return "a drilling cycle of a lathe";
-    case WithoutEqual::removal: return "stock removal";
-    case WithoutEqual::tap:
-    case WithoutEqual::tap_part: return "a tap";
-    case WithoutEqual::no: break;
+    case WithoutCounterpart::arc: return "an arc";
+    case WithoutCounterpart::drilling: return "a drilling cycle of a lathe";
+    case WithoutCounterpart::removal: return "stock removal";
+    case WithoutCounterpart::tap:
+    case WithoutCounterpart::tap_part: return "a tap";
+    case WithoutCounterpart::no: break;
   }
   return {};
 }
