@@ -36,10 +36,10 @@ std::string_view no_number_in(const ir::Motion& motion) {
 
 Envelope::Envelope(Settings settings)
     : settings_(std::move(settings)), travel_(settings_, report_), speeds_(settings_, travel_, report_) {
-  say_what_is_not_known();
+  report_unknowns();
 }
 
-void Envelope::say_what_is_not_known() {
+void Envelope::report_unknowns() {
   const checks::Machine& machine = settings_.machine;
   if (machine.axes.empty()) report_.not_checked.add("the machine's axes are not known: no travel was checked");
   if (machine.tools.empty()) report_.not_checked.add("the machine's tools are not known");

@@ -22,7 +22,7 @@ class Envelope final : public ir::MotionSink {
   [[nodiscard]] Report finish();
 
  private:
-  void say_what_is_not_known();
+  void report_unknowns();
   void take_tool(const ir::Motion& motion);
   void check_move(const ir::Motion& motion);
   void check_cut(const ir::Motion& motion);

@@ -34,7 +34,7 @@ Travel::Travel(const Settings& settings, Report& report) : settings_(settings), 
 void Travel::select_offset(std::int32_t number) {
   offset_ = number;
   offset_named_ = true;
-  said_zero_ = 0;
+  reported_zero_ = 0;
   zero_ = {};
   zero_unknown_ = 0;
   if (number == 0) return;  // none: machine coordinates
@@ -79,7 +79,7 @@ std::string Travel::name_of_length() const {
 
 void Travel::find_length(std::uint32_t line) {
   length_ = {};
-  said_length_ = 0;
+  reported_length_ = 0;
   const bool none = !settings_.d_selects_edge && key_.number == 0;  // H0
   if (key_.offset == ir::LengthOffset::off || none) return;
   const checks::Tool* tool = key_.changed ? nullptr : tool_of_length();
@@ -106,9 +106,9 @@ void Travel::find_length(std::uint32_t line) {
 
 // The sentence is made when it is said: of most of a million blocks it has been.
 template <class Sentence>
-void Travel::say_once(std::uint16_t& said, std::size_t axis, std::uint32_t line, Sentence&& sentence) {
-  if ((said >> axis & 1U) != 0) return;
-  said = static_cast<std::uint16_t>(said | 1U << axis);
+void Travel::report_once(std::uint16_t& reported, std::size_t axis, std::uint32_t line, Sentence&& sentence) {
+  if ((reported >> axis & 1U) != 0) return;
+  reported = static_cast<std::uint16_t>(reported | 1U << axis);
   report_.not_checked.add(sentence(), line);
 }
 
@@ -116,14 +116,14 @@ bool Travel::knows_zero(const ir::Motion& move, std::size_t axis) {
   const std::uint32_t line = move.place.line;
   if ((move.gaps & ir::kZerosChanged) != 0) {
     report_.lost_place = true;
-    say_once(said_changed_, axis, line, [&] {
+    report_once(reported_changed_, axis, line, [&] {
       return fmt::format("the program changes coordinates or work offsets: the travel of {} was not checked from there",
                          ir::kAxisLetters[axis]);
     });
     return false;
   }
   if ((zero_unknown_ >> axis & 1U) != 0) {
-    say_once(said_zero_, axis, line, [&] {
+    report_once(reported_zero_, axis, line, [&] {
       return fmt::format("work offset {} is not known for {}: its travel was not checked", offset_,
                          ir::kAxisLetters[axis]);
     });
@@ -140,7 +140,7 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   const auto i = static_cast<std::size_t>(axis);
   const checks::MachineAxis* known = axes_[i];
   if ((move.gaps & ir::kEndUnknown) != 0 && (move.axes_unknown >> i & 1U) != 0) {
-    say_once(said_end_, i, move.place.line, [&] {
+    report_once(reported_end_, i, move.place.line, [&] {
       return fmt::format(
           "{} is at a place that is not known, and an increment moves it: its travel was not checked there",
           ir::kAxisLetters[i]);
@@ -150,15 +150,15 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   if (!move.machine_coordinates) report_.work[i].include(value);
   if (known == nullptr) {
     if (!settings_.machine.axes.empty())
-      say_once(said_no_axis_, i, move.place.line, [&] {
+      report_once(reported_no_axis_, i, move.place.line, [&] {
         return fmt::format("the machine's profile has no axis {}: its moves were not checked", ir::kAxisLetters[i]);
       });
     return;
   }
   const bool has_limits = known->min || known->max;
   if (!has_limits)
-    say_once(said_no_travel_, i, move.place.line,
-             [&] { return fmt::format("the travel of {} is not known", ir::kAxisLetters[i]); });
+    report_once(reported_no_travel_, i, move.place.line,
+                [&] { return fmt::format("the travel of {} is not known", ir::kAxisLetters[i]); });
   double at = value;
   if (!move.machine_coordinates) {
     const bool no_zero = (zero_unknown_ >> i & 1U) != 0 || (move.gaps & ir::kZerosChanged) != 0;
@@ -171,7 +171,7 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   if (is_sure) {
     report_.machine[i].include(at);
   } else if (has_limits) {
-    say_once(said_length_, i, move.place.line, [&] {
+    report_once(reported_length_, i, move.place.line, [&] {
       return fmt::format("{} is not known: the travel of {} was checked without it", length_.name, ir::kAxisLetters[i]);
     });
   }

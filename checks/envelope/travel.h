@@ -51,7 +51,7 @@ class Travel {
   [[nodiscard]] const checks::Tool* tool_of_length() const;
   [[nodiscard]] std::string name_of_length() const;
   template <class Sentence>
-  void say_once(std::uint16_t& said, std::size_t axis, std::uint32_t line, Sentence&& sentence);
+  void report_once(std::uint16_t& reported, std::size_t axis, std::uint32_t line, Sentence&& sentence);
   [[nodiscard]] bool knows_zero(const ir::Motion& move, std::size_t axis);
   void exceed(const ir::Motion& move, std::size_t axis, double at, bool is_below);
 
@@ -59,13 +59,13 @@ class Travel {
   Report& report_;
   std::array<const checks::MachineAxis*, ir::kAxisCount> axes_{};
   std::array<double, ir::kAxisCount> zero_{};
-  std::uint16_t zero_unknown_ = 0;    // bit per axis
-  std::uint16_t said_zero_ = 0;       // bit per axis: for the offset in effect
-  std::uint16_t said_changed_ = 0;    // … that the program changed it
-  std::uint16_t said_end_ = 0;        // … that an increment began at an unknown place
-  std::uint16_t said_no_axis_ = 0;    // … that the profile has no such axis
-  std::uint16_t said_no_travel_ = 0;  // … that the profile has the axis, and no end of it
-  std::uint16_t said_length_ = 0;     // … that the length in effect is not known
+  std::uint16_t zero_unknown_ = 0;        // bit per axis
+  std::uint16_t reported_zero_ = 0;       // bit per axis: for the offset in effect
+  std::uint16_t reported_changed_ = 0;    // … that the program changed it
+  std::uint16_t reported_end_ = 0;        // … that an increment began at an unknown place
+  std::uint16_t reported_no_axis_ = 0;    // … that the profile has no such axis
+  std::uint16_t reported_no_travel_ = 0;  // … that the profile has the axis, and no end of it
+  std::uint16_t reported_length_ = 0;     // … that the length in effect is not known
   std::int32_t offset_ = 1;
   bool offset_named_ = false;
   std::int32_t tool_ = 0;

@@ -33,22 +33,22 @@ Intake::Intake(const Settings& settings, Report& report)
   bytes_through_.reserve(settings.line_bytes.size() + 1);
   bytes_through_.push_back(0);
   for (const std::uint32_t bytes : settings.line_bytes) bytes_through_.push_back(bytes_through_.back() + bytes);
-  say_what_is_missing();
+  report_missing_settings();
 }
 
-void Intake::say_what_is_missing() {
-  const auto say = [&](const char* sentence) { report_.not_checked.add(sentence); };
-  if (!rates_.rapid_known) say("the rapid speed of an axis is not known: its rapid moves take no time");
-  if (!rates_.acceleration_known) say("the acceleration of an axis is not known: it reaches every speed at once");
-  if (!(rates_.sample_s > 0.0)) say("the sample time is not known: corners take no time");
+void Intake::report_missing_settings() {
+  const auto report = [&](const char* sentence) { report_.not_checked.add(sentence); };
+  if (!rates_.rapid_known) report("the rapid speed of an axis is not known: its rapid moves take no time");
+  if (!rates_.acceleration_known) report("the acceleration of an axis is not known: it reaches every speed at once");
+  if (!(rates_.sample_s > 0.0)) report("the sample time is not known: corners take no time");
   if (!(ir::compute_ms(cost_, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}) > 0.0))
-    say("what a block costs the control is not known: computing takes no time");
+    report("what a block costs the control is not known: computing takes no time");
   const bool has_size = settings_.machine.buffer.bytes > 0 || settings_.machine.buffer.blocks > 0;
-  if (settings_.line && !has_size) say("the control's buffer is not known: it is taken as without limit");
+  if (settings_.line && !has_size) report("the control's buffer is not known: it is taken as without limit");
   if (settings_.line && settings_.line_bytes.empty())
-    say("the length of the lines is not known: the line takes no time");
+    report("the length of the lines is not known: the line takes no time");
   if (settings_.line && !(settings_.line->baud > 0.0 && settings_.line->baud < kLongest))
-    say("the line has no baud rate: it takes no time");
+    report("the line has no baud rate: it takes no time");
 }
 
 // What went over the line for this block: its own line, and those before it that no motion came from.

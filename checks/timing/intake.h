@@ -29,7 +29,7 @@ class Intake {
   [[nodiscard]] std::uint64_t all_bytes() const { return bytes_through_.back(); }
 
  private:
-  void say_what_is_missing();
+  void report_missing_settings();
   void take_line(const ir::Place& place, Row& row);
   void take_move(const ir::Motion& motion, Intaken& taken);
   double event_seconds(const ir::Motion& motion);

@@ -30,7 +30,7 @@ struct Wanted {
   AllocatedVariable place;
   LiveRange live;
   bool given = false;
-  bool told = false;  // that it cannot be placed
+  bool refused = false;  // that it cannot be placed
 };
 
 // The ranges of the target that programs may use, in the order in which they are given away.
@@ -170,8 +170,8 @@ class Allocator {
   // Two arrays whose sizes nobody knows would lie in each other.
   void check_array(Wanted& wanted, const ir::Variable& v) {
     const ir::Symbol& symbol = program_.at(v.symbol);
-    if (symbol.dimension1 != 0 || wanted.told) return;
-    wanted.told = true;
+    if (symbol.dimension1 != 0 || wanted.refused) return;
+    wanted.refused = true;
     report_.diagnostics.push_back(
         passes::diagnose(passes::not_known("the array " + std::string(program_.strings.at(symbol.name)) +
                                            ", whose size the program does not state,"),

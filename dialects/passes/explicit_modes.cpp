@@ -197,7 +197,7 @@ class Settling {
   void end_surface_speed(ir::Block& block, const Traits& traits, const Known<Setting>& fact) {
     if (!splits_pair(from_, to_) || !speed_matters_ || !traits.feed_code || traits.speed_code) return;
     const bool is_off = fact.is({.function = Function::surface_speed_off});
-    if (!is_off) say(block, index_of(Mode::surface_speed), Function::surface_speed_off);
+    if (!is_off) add_code(block, index_of(Mode::surface_speed), Function::surface_speed_off);
   }
 
   // A hundredth of a millimetre per revolution, and of all that in inch.
@@ -237,21 +237,21 @@ class Settling {
   void make_explicit(std::uint32_t i, std::size_t mode, const Known<Setting>& fact) {
     if (!is_known(i, mode, fact)) return;
     if (fact.value.function != by_text_[mode])
-      say(program_.blocks[program_.statements[i].payload], mode, fact.value.function);
+      add_code(program_.blocks[program_.statements[i].payload], mode, fact.value.function);
   }
 
   // Tells where it is not, or may not be.
   bool is_known(std::uint32_t i, std::size_t mode, const Known<Setting>& fact) {
     const text::Span span = program_.statements[i].span;
     if (!fact.agrees()) {
-      const bool is_new = said_.insert({mode, facts::section_of(program_, i).first}).second;
+      const bool is_new = reported_.insert({mode, facts::section_of(program_, i).first}).second;
       if (!is_new) return false;
       diagnostics_.push_back(text::make_diagnostic(
           text::DiagnosticId::unknown_modal_state, span,
           {std::string(row_of(mode).name), fmt::format("{}", fmt::join(flow_.paths(fact), ", or "))}));
       return false;
     }
-    if (fact.changer != facts::kNobody && said_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
+    if (fact.changer != facts::kNobody && reported_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
       diagnostics_.push_back(
           text::make_diagnostic(text::DiagnosticId::unknown_modal_state, span,
                                 {std::string(row_of(mode).name),
@@ -263,7 +263,7 @@ class Settling {
   }
 
   // The code in front of the block's own.
-  void say(ir::Block& block, std::size_t mode, Function function) {
+  void add_code(ir::Block& block, std::size_t mode, Function function) {
     ir::Code code;
     code.function = function;
     code.group = row_of(mode).group;
@@ -280,7 +280,7 @@ class Settling {
   facts::Resolved flow_;
   bool speed_matters_;
   std::array<Function, kModes> by_text_{};
-  std::set<std::pair<std::size_t, std::uint64_t>> said_;
+  std::set<std::pair<std::size_t, std::uint64_t>> reported_;
   std::vector<text::Diagnostic> diagnostics_;
 };
 
@@ -319,7 +319,7 @@ class Assuming {
     const auto words = program_.words_of(block);
     const auto feed = std::ranges::find(words, Address::f, &ir::Word::address);
     const auto assume = [&](Mode mode, bool needed, text::DiagnosticId id, std::string argument) {
-      if (needed && facts[mode].inherited) say(mode, id, s.span, std::move(argument));
+      if (needed && facts[mode].inherited) add_code(mode, id, s.span, std::move(argument));
     };
     using enum text::DiagnosticId;
     assume(Mode::unit, t.axis_word, unit_not_stated, {});
@@ -333,8 +333,8 @@ class Assuming {
     assume(Mode::diameter, t.x_word && has_diameter_codes, unknown_modal_state, std::string(kRows[5].name));
   }
 
-  void say(Mode mode, text::DiagnosticId id, text::Span span, std::string argument) {
-    if (std::exchange(said_[index_of(mode)], true)) return;
+  void add_code(Mode mode, text::DiagnosticId id, text::Span span, std::string argument) {
+    if (std::exchange(reported_[index_of(mode)], true)) return;
     const Known<Setting> at_start{.value = facts::power_on(mode, control_), .origin = facts::kPowerOn};
     const std::string taken = "taken as " + flow_.paths(at_start).front() + "; a caller may have set another";
     std::vector<std::string> arguments;
@@ -356,7 +356,7 @@ class Assuming {
              });
     const bool speed = std::ranges::any_of(words, [](const ir::Word& w) { return w.address == Address::s; }) ||
                        std::ranges::any_of(codes, [](const ir::Code& c) { return mode_of(c) == Mode::surface_speed; });
-    if (turns_ || !speed || std::exchange(said_speed_, true)) return;
+    if (turns_ || !speed || std::exchange(reported_speed_, true)) return;
     diagnostics_.push_back(
         passes::diagnose("a speed of the spindle that only the caller has started", s.span, "plain blocks"));
   }
@@ -364,9 +364,9 @@ class Assuming {
   const ir::Program& program_;
   const ir::Control& control_;
   facts::Resolved flow_;
-  std::array<bool, kModes> said_{};
+  std::array<bool, kModes> reported_{};
   bool turns_ = false;
-  bool said_speed_ = false;
+  bool reported_speed_ = false;
   std::vector<text::Diagnostic> diagnostics_;
 };
 

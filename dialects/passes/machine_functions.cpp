@@ -41,11 +41,11 @@ std::vector<text::Diagnostic> foreign_machine_functions(const ir::Program& progr
                                                         const ir::Control& to) {
   std::vector<text::Diagnostic> out;
   if (from.dialect == to.dialect) return out;
-  std::set<std::int16_t> said;
+  std::set<std::int16_t> stated;
   for (const ir::Statement& s : program.statements) {
     if (s.kind != StatementKind::block) continue;
     for (const ir::Code& code : program.codes_of(program.blocks[s.payload])) {
-      if (code.function != Function::machine_function || !said.insert(code.argument).second) continue;
+      if (code.function != Function::machine_function || !stated.insert(code.argument).second) continue;
       const std::string name = "M" + std::to_string(code.argument);
       const text::Span span = code.span.empty() ? s.span : code.span;
       if (is_own(code.argument, to)) {

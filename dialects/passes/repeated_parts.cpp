@@ -38,7 +38,7 @@ struct Loop {
   ir::SymbolId counter = ir::SymbolId::none;
   std::uint32_t first_number = 0;
   std::uint32_t back_number = 0;  // behind the REPEAT
-  bool can_be_said = false;
+  bool can_be_repeated = false;
 
   // The statement behind which the run goes back.
   [[nodiscard]] std::uint32_t end() const { return part.last == ir::kNoIndex ? part.repeat : part.last; }
@@ -58,10 +58,10 @@ class RepeatedParts {
       out_.at(i);
       if (i == first_block_) start_counters();
       for (const Loop& loop : loops_)
-        if (loop.can_be_said && loop.part.first == i) out_.label_next(loop.first_number);
+        if (loop.can_be_repeated && loop.part.first == i) out_.label_next(loop.first_number);
       statement(i);
       for (const Loop& loop : loops_)
-        if (loop.can_be_said && !loop.ends_at_repeat() && loop.part.last == i) end_part(loop);
+        if (loop.can_be_repeated && !loop.ends_at_repeat() && loop.part.last == i) end_part(loop);
     }
     out_.finish();
     return std::move(report_);
@@ -74,8 +74,8 @@ class RepeatedParts {
     find_loop_levels();
     find_first_block();
     for (Loop& loop : loops_) {
-      loop.can_be_said = can_be_said(loop);
-      if (!loop.can_be_said) continue;
+      loop.can_be_repeated = can_be_repeated(loop);
+      if (!loop.can_be_repeated) continue;
       loop.counter = new_counter();
       loop.first_number = numbers_.next();
       loop.back_number = numbers_.next();
@@ -103,7 +103,7 @@ class RepeatedParts {
     }
   }
 
-  [[nodiscard]] bool can_be_said(const Loop& loop) const {
+  [[nodiscard]] bool can_be_repeated(const Loop& loop) const {
     const RepeatedPart& part = loop.part;
     if (!part.is_found() || part.first > loop.end()) return false;
     const std::uint32_t inside = loop_of_[part.repeat];
@@ -136,7 +136,7 @@ class RepeatedParts {
   // the first block does not pass over this.
   void start_counters() {
     for (const Loop& loop : loops_) {
-      if (!loop.can_be_said) continue;
+      if (!loop.can_be_repeated) continue;
       assign(loop, program_.add_constant(0.0));
       out_.last().skip_level = 0;
     }
@@ -146,7 +146,7 @@ class RepeatedParts {
   void statement(std::uint32_t i) {
     if (program_.statements[i].kind != StatementKind::repeat_section) return out_.keep();
     const auto loop = std::ranges::find(loops_, i, [](const Loop& one) { return one.part.repeat; });
-    if (!loop->can_be_said) return out_.keep();  // the control that has no REPEAT says so
+    if (!loop->can_be_repeated) return out_.keep();  // the control that has no REPEAT says so
     ++report_.changed;
     if (loop->ends_at_repeat()) return loop_back(*loop, i);
     assign(*loop, times_of(i));
@@ -187,7 +187,7 @@ class RepeatedParts {
   // Nobody but its REPEAT runs into a part that the text ends with: that would be the missing end of the program.
   [[nodiscard]] bool is_last(const Loop& loop) const {
     const bool another = std::any_of(&loop + 1, loops_.data() + loops_.size(), [&](const Loop& other) {
-      return other.can_be_said && other.part.last == loop.part.last;
+      return other.can_be_repeated && other.part.last == loop.part.last;
     });
     return !another && std::all_of(program_.statements.begin() + loop.part.last + 1, program_.statements.end(),
                                    [](const ir::Statement& s) { return s.kind == StatementKind::empty; });

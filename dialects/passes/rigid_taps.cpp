@@ -48,7 +48,7 @@ class Taps {
       : program_(program),
         to_(to),
         always_rigid_(from.semantics.taps_are_rigid),
-        said_(form_of(from)),
+        form_from_(form_of(from)),
         flow_(program, from),
         targets_(facts::jump_targets(program)),
         out_(program) {}
@@ -79,7 +79,7 @@ class Taps {
     const auto tap = std::ranges::find_if(codes, is_tap);
     if (tap == codes.end()) {
       in_announced_tap_ = in_announced_tap_ && !ends_cycle(codes);
-      rigid_ = said_ == Form::m29 && std::ranges::any_of(codes, is_m29) && tap_follows(i);
+      rigid_ = form_from_ == Form::m29 && std::ranges::any_of(codes, is_m29) && tap_follows(i);
       if (!rigid_) return adds_feed ? out_.emit_block(codes, words) : out_.keep();
       std::erase_if(codes, is_m29);
       if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
@@ -88,7 +88,7 @@ class Taps {
     // Whether the spindle goes on being turned by its position, nothing that was found says.
     if (std::exchange(in_announced_tap_, rigid_) && !rigid_) refuse(s, passes::together("a second tap after one M29"));
     const bool rigid = takes_rigid(*tap, words, s);
-    if (!rigid) tell_taken_as_rigid(s);
+    if (!rigid) warn_taken_as_rigid(s);
     if (rigid) {
       convert_feed(words, i);
       add_rigid(program_, to_, *tap, words, out_);
@@ -98,15 +98,15 @@ class Taps {
 
   void refuse(const ir::Statement& s, passes::Refusal what) {
     own_feed_.reset();
-    tell(s, std::move(what));
+    warn(s, std::move(what));
   }
-  void tell(const ir::Statement& s, passes::Refusal what) {
+  void warn(const ir::Statement& s, passes::Refusal what) {
     diagnostics_.push_back(passes::diagnose(std::move(what), s.span, to_.title));
   }
   // SINUMERIK names rigid taps and those in a compensating chuck apart; a rigid one is right in either chuck.
-  void tell_taken_as_rigid(const ir::Statement& s) {
-    if (form_of(to_) != Form::usual || std::exchange(told_rigid_, true)) return;
-    tell(s, passes::by_parameter("a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,"));
+  void warn_taken_as_rigid(const ir::Statement& s) {
+    if (form_of(to_) != Form::usual || std::exchange(warned_of_rigid_, true)) return;
+    warn(s, passes::by_parameter("a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,"));
     diagnostics_.back().severity = text::Severity::warning;
   }
   static bool ends_cycle(const std::vector<ir::Code>& codes) {
@@ -166,7 +166,7 @@ class Taps {
   // Behind ,R1 F is the lead, in G94 too (Mitsubishi M800 programming manual, "Synchronous tapping"); elsewhere it is
   // the feed of its mode.
   void convert_feed(std::vector<ir::Word>& words, std::uint32_t i) {
-    if ((said_ == Form::comma_r) == feeds_taps_by_lead(to_)) return;
+    if ((form_from_ == Form::comma_r) == feeds_taps_by_lead(to_)) return;
     const ir::Statement s = program_.statements[i];
     const std::optional<Function> mode = feed_mode_at(i);
     if (!mode) return refuse(s, passes::not_known("a rigid tap where the kind of feed is not known"));
@@ -178,7 +178,7 @@ class Taps {
       return refuse(s, passes::not_known("a rigid tap whose feed or speed is not written, as far as is known here,"));
     own_feed_ = *feed;
     feed->value =
-        program_.add_constant(said_ == Form::comma_r ? value * speed_rpm : value / speed_rpm, feed->span, true);
+        program_.add_constant(form_from_ == Form::comma_r ? value * speed_rpm : value / speed_rpm, feed->span, true);
   }
 
   // The first block behind the cycle says F as it was written: it counts there, too, until another one does. Under the
@@ -202,8 +202,8 @@ class Taps {
   // Takes the source's word for it away.
   bool takes_rigid(const ir::Code& tap, std::vector<ir::Word>& words, const ir::Statement& s) {
     bool rigid = std::exchange(rigid_, false) || always_rigid_;
-    if (said_ == Form::own_code) rigid = is_written_rigid(tap.span.in(program_.source.text()));
-    if (said_ != Form::comma_r) return rigid;
+    if (form_from_ == Form::own_code) rigid = is_written_rigid(tap.span.in(program_.source.text()));
+    if (form_from_ != Form::comma_r) return rigid;
     for (const ir::Word& w : words) {
       if (w.address != Address::rounding) continue;
       const ir::Expression& e = program_.at(w.value);
@@ -228,12 +228,12 @@ class Taps {
   ir::Program& program_;
   const ir::Control& to_;
   bool always_rigid_;
-  Form said_;
+  Form form_from_;
   facts::Resolved flow_;
   std::vector<bool> targets_;  // of jumps
   Rewrite out_;
   bool rigid_ = false;
-  bool told_rigid_ = false;
+  bool warned_of_rigid_ = false;
   bool in_announced_tap_ = false;     // M29 came before it
   std::optional<ir::Word> own_feed_;  // of a tap whose F was converted
   std::vector<text::Diagnostic> diagnostics_;

@@ -19,7 +19,7 @@ bool moves(const ir::Program& program, const ir::Block& block) {
 }
 
 struct Start {
-  std::vector<ModalGroup> said;
+  std::vector<ModalGroup> stated;
   text::Span first_move;
 };
 
@@ -31,7 +31,7 @@ std::optional<Start> start_of(const ir::Program& program) {
     if (s.kind == StatementKind::call) return std::nullopt;
     if (s.kind != StatementKind::block) continue;
     const ir::Block& block = program.blocks[s.payload];
-    for (const ir::Code& c : program.codes_of(block)) start.said.push_back(c.group);
+    for (const ir::Code& c : program.codes_of(block)) start.stated.push_back(c.group);
     start.first_move = s.span;
     if (moves(program, block)) return start;
   }
@@ -61,10 +61,10 @@ UnstatedModes unstated_modes(const ir::Program& program, const ir::Control& from
   const std::optional<Start> start = start_of(program);
   if (!start) return out;
   const ir::Semantics& s = from.semantics;
-  const auto says = [&](ModalGroup group) { return std::ranges::find(start->said, group) != start->said.end(); };
+  const auto states = [&](ModalGroup group) { return std::ranges::find(start->stated, group) != start->stated.end(); };
   const auto given = [&](ModalGroup group) { return std::ranges::find(from.caller_modes, group, &ir::CodeRow::group); };
   const auto add = [&](ModalGroup group, Function function) {
-    if (says(group)) return;
+    if (states(group)) return;
     const auto row = given(group);
     out.modes.push_back({group, row == from.caller_modes.end() ? function : row->function});
   };
@@ -72,13 +72,13 @@ UnstatedModes unstated_modes(const ir::Program& program, const ir::Control& from
   add(ModalGroup::plane, s.power_on_plane);
   add(ModalGroup::unit, s.power_on_unit);
   add(ModalGroup::distance, s.power_on_distance);
-  if (!says(ModalGroup::surface_speed)) add(ModalGroup::feed, s.power_on_feed);
+  if (!states(ModalGroup::surface_speed)) add(ModalGroup::feed, s.power_on_feed);
   if (diameter) add(ModalGroup::diameter, diameter_function(s.power_on_diameter));
   if (s.power_on_known) return out;
   for (const WarningRow& row : kWarnings) {
     const bool by_letter = row.group == ModalGroup::distance && s.incremental_letters_uvw;
     const bool is_given = given(row.group) != from.caller_modes.end();
-    if (says(row.group) || by_letter || is_given) continue;
+    if (states(row.group) || by_letter || is_given) continue;
     out.diagnostics.push_back(text::make_diagnostic(row.id, start->first_move));
     // An inch for a millimetre scraps the part: nothing is written that was taken for granted.
     if (row.group != ModalGroup::unit) continue;

@@ -18,7 +18,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::idle},  // idle, repeated
     {A::never, S::idle},  // idle, bad
     {A::never, S::idle},  // idle, out_of_step
-    {A::never, S::idle},  // idle, told_end
+    {A::never, S::idle},  // idle, first_end
     {A::never, S::idle},  // idle, end
     {A::never, S::idle},  // idle, cancelled
     {A::never, S::idle},  // idle, silent
@@ -35,7 +35,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::inviting},  // inviting, repeated
     {A::never, S::inviting},  // inviting, bad
     {A::never, S::inviting},  // inviting, out_of_step
-    {A::ask_again, S::waiting},  // inviting, told_end
+    {A::ask_again, S::waiting},  // inviting, first_end
     {A::never, S::inviting},  // inviting, end
     {A::fail, S::failed},  // inviting, cancelled
     {A::invite, S::inviting},  // inviting, silent
@@ -52,7 +52,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::waiting},  // waiting, repeated
     {A::never, S::waiting},  // waiting, bad
     {A::cancel, S::failed},  // waiting, out_of_step
-    {A::ask_again, S::waiting},  // waiting, told_end
+    {A::ask_again, S::waiting},  // waiting, first_end
     {A::finish, S::done},  // waiting, end
     {A::fail, S::failed},  // waiting, cancelled
     {A::ask_again, S::waiting},  // waiting, silent
@@ -69,7 +69,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::acknowledge, S::waiting},  // framing, repeated
     {A::purge, S::purging},  // framing, bad
     {A::cancel, S::failed},  // framing, out_of_step
-    {A::never, S::framing},  // framing, told_end
+    {A::never, S::framing},  // framing, first_end
     {A::finish, S::done},  // framing, end
     {A::never, S::framing},  // framing, cancelled
     {A::ask_again, S::waiting},  // framing, silent
@@ -86,7 +86,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::purging},  // purging, repeated
     {A::never, S::purging},  // purging, bad
     {A::never, S::purging},  // purging, out_of_step
-    {A::never, S::purging},  // purging, told_end
+    {A::never, S::purging},  // purging, first_end
     {A::never, S::purging},  // purging, end
     {A::never, S::purging},  // purging, cancelled
     {A::ask_again, S::waiting},  // purging, silent
@@ -103,7 +103,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::full},  // full, repeated
     {A::never, S::full},  // full, bad
     {A::never, S::full},  // full, out_of_step
-    {A::never, S::full},  // full, told_end
+    {A::never, S::full},  // full, first_end
     {A::never, S::full},  // full, end
     {A::fail, S::failed},  // full, cancelled
     {A::never, S::full},  // full, silent
@@ -120,7 +120,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::done},  // done, repeated
     {A::never, S::done},  // done, bad
     {A::never, S::done},  // done, out_of_step
-    {A::never, S::done},  // done, told_end
+    {A::never, S::done},  // done, first_end
     {A::never, S::done},  // done, end
     {A::never, S::done},  // done, cancelled
     {A::never, S::done},  // done, silent
@@ -137,7 +137,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::failed},  // failed, repeated
     {A::never, S::failed},  // failed, bad
     {A::never, S::failed},  // failed, out_of_step
-    {A::never, S::failed},  // failed, told_end
+    {A::never, S::failed},  // failed, first_end
     {A::never, S::failed},  // failed, end
     {A::never, S::failed},  // failed, cancelled
     {A::never, S::failed},  // failed, silent
@@ -152,7 +152,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
 constexpr std::array<std::string_view, kReceiveStates> kStateNames = {"idle",    "inviting", "waiting", "framing",
                                                                       "purging", "full",     "done",    "failed"};
 constexpr std::array<std::string_view, kReceiveInputs> kInputNames = {
-    "start", "stop",      "header", "good",    "repeated", "bad",  "out_of_step", "told_end",
+    "start", "stop",      "header", "good",    "repeated", "bad",  "out_of_step", "first_end",
     "end",   "cancelled", "silent", "gave_up", "room",     "lost", "nothing"};
 
 }  // namespace

@@ -27,7 +27,7 @@ enum class ReceiveInput : std::uint8_t {
   repeated,     // it is whole and the one before
   bad,          // it is not whole
   out_of_step,  // it is whole and none of these
-  told_end,     // the end, for the first time: it is doubted
+  first_end,    // the end, for the first time: it is doubted
   end,          // the end, believed
   cancelled,    // by the sender
   silent,       // nothing came for as long as the state allows

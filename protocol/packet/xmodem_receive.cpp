@@ -71,7 +71,7 @@ Received XmodemReceiveRules::hear(std::uint8_t byte, ReceiveState state) {
 
 // The first end is doubted. Of YMODEM the batch goes on behind it.
 Received XmodemReceiveRules::hear_end() {
-  if (!file_over_ && !std::exchange(ended_, true)) return {ReceiveInput::told_end};
+  if (!file_over_ && !std::exchange(ended_, true)) return {ReceiveInput::first_end};
   // The end of a text whose beginning never came: this side began anew meanwhile. Or of one that is not all here.
   const bool begun = headed_ || !first_;
   if (!begun || left_.value_or(0) > 0) return {ReceiveInput::out_of_step, Cause::broken_off};

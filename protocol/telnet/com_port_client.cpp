@@ -189,7 +189,7 @@ void ComPortClient::send_settings() {
   deadline_ = now_ + kAnswerTime;
 }
 
-void ComPortClient::tell_unconfirmed() {
+void ComPortClient::report_unconfirmed() {
   for (const SettingRow& row : kSettingRows) {
     if (!confirmed_[static_cast<std::size_t>(row.setting)])
       emit({.kind = ClientEvent::Kind::unconfirmed, .setting = row.setting, .asked = wanted(row.setting), .value = 0});
@@ -206,7 +206,7 @@ void ComPortClient::react(ClientInput input) {
     case A::set: return send_settings();
     case A::go_up_blind:
     case A::go_up:
-      tell_unconfirmed();
+      report_unconfirmed();
       return emit({.kind = ClientEvent::Kind::up, .setting = {}, .asked = 0, .value = 0});
     case A::fail:
       failure_ = failure_of(row.from, input);

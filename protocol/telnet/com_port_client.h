@@ -131,7 +131,7 @@ class ComPortClient : private DecoderSink {
   void on_control(std::uint8_t value);
   void react(ClientInput input);
   void send_settings();
-  void tell_unconfirmed();
+  void report_unconfirmed();
   void set_control(std::uint8_t value);
   void emit(ClientEvent event);
   [[nodiscard]] std::uint32_t wanted(Setting setting) const;

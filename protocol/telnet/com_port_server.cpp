@@ -92,24 +92,24 @@ void ComPortServer::on_baud(std::span<const std::uint8_t> value) {
 
 // Each group of values has its own state; the answer is the value of the group that is in effect.
 void ComPortServer::on_control(std::uint8_t value) {
-  const auto tell = [this](std::uint8_t effect) { answer_octet(ComPort::set_control, effect); };
+  const auto answer = [this](std::uint8_t effect) { answer_octet(ComPort::set_control, effect); };
   if (value <= control::kFlowHardware) {
     if (value != control::kAskFlow) port_.flow = value;
-    return tell(port_.flow);
+    return answer(port_.flow);
   }
   if (value <= control::kBreakOff) {
     if (value != control::kAskBreak) port_.break_on = value == control::kBreakOn;
-    return tell(port_.break_on ? control::kBreakOn : control::kBreakOff);
+    return answer(port_.break_on ? control::kBreakOn : control::kBreakOff);
   }
   if (value <= control::kDtrOff) {
     if (value != control::kAskDtr) port_.dtr = value == control::kDtrOn;
-    return tell(port_.dtr ? control::kDtrOn : control::kDtrOff);
+    return answer(port_.dtr ? control::kDtrOn : control::kDtrOff);
   }
   if (value <= control::kRtsOff) {
     if (value != control::kAskRts) port_.rts = value == control::kRtsOn;
-    return tell(port_.rts ? control::kRtsOn : control::kRtsOff);
+    return answer(port_.rts ? control::kRtsOn : control::kRtsOff);
   }
-  if (value <= control::kLast) return tell(port_.inbound_flow);  // only "none" is done
+  if (value <= control::kLast) return answer(port_.inbound_flow);  // only "none" is done
 }
 
 void ComPortServer::on_subnegotiation(std::uint8_t option, std::span<const std::uint8_t> parameters) {

@@ -16,13 +16,13 @@ namespace dripfeed::cli {
 
 namespace {
 
-std::string system_says(const std::string& path) { return fmt::format("{}: {}", path, std::strerror(errno)); }
+std::string system_error(const std::string& path) { return fmt::format("{}: {}", path, std::strerror(errno)); }
 
 }  // namespace
 
 app::Result<std::unique_ptr<ProgramFile>> ProgramFile::open(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return app::fail(app::ErrorCode::unavailable, system_says(path));
+  if (file < 0) return app::fail(app::ErrorCode::unavailable, system_error(path));
   struct stat facts{};
   const bool known = fstat(file, &facts) == 0;
   std::unique_ptr<ProgramFile> opened(new ProgramFile(
@@ -39,7 +39,7 @@ std::expected<std::size_t, std::string> ProgramFile::read(std::span<char> into) 
   for (;;) {
     const ssize_t count = ::read(file_, into.data(), into.size());
     if (count >= 0) return static_cast<std::size_t>(count);
-    if (errno != EINTR) return std::unexpected(system_says(path_));
+    if (errno != EINTR) return std::unexpected(system_error(path_));
   }
 }
 
@@ -78,7 +78,7 @@ app::Result<std::string> ProgramFile::bytes(std::uint64_t offset, std::size_t co
   while (filled < count) {
     const ssize_t got = ::pread(file_, text.data() + filled, count - filled, static_cast<off_t>(offset + filled));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return app::fail(app::ErrorCode::unavailable, system_says(path_));
+    if (got < 0) return app::fail(app::ErrorCode::unavailable, system_error(path_));
     if (got == 0) break;
     filled += static_cast<std::size_t>(got);
   }

@@ -196,7 +196,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
   void announce() {
     announced_ = true;
     outer_->on_up();
-    if (outer_ != nullptr) tell_lines();
+    if (outer_ != nullptr) report_lines();
     if (outer_ != nullptr && !early_.empty()) outer_->on_receive(early_);
     early_.clear();
   }
@@ -204,12 +204,12 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
   void on_modem(std::uint8_t lines) {
     cts_ = (lines & telnet::modem::kCts) != 0;
     dsr_ = (lines & telnet::modem::kDsr) != 0;
-    if (announced_) tell_lines();
+    if (announced_) report_lines();
   }
   // The listener takes both as on until it is told otherwise.
-  void tell_lines() {
-    if (cts_ != told_cts_) outer_->on_cts(told_cts_ = cts_);
-    if (outer_ != nullptr && dsr_ != told_dsr_) outer_->on_dsr(told_dsr_ = dsr_);
+  void report_lines() {
+    if (cts_ != reported_cts_) outer_->on_cts(reported_cts_ = cts_);
+    if (outer_ != nullptr && dsr_ != reported_dsr_) outer_->on_dsr(reported_dsr_ = dsr_);
   }
 
   void flush() {
@@ -241,8 +241,8 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
   bool announced_ = false;
   bool cts_ = true;
   bool dsr_ = true;
-  bool told_cts_ = true;
-  bool told_dsr_ = true;
+  bool reported_cts_ = true;
+  bool reported_dsr_ = true;
   app::LineErrors errors_;
   std::string note_;
   std::string difference_;

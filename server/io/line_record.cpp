@@ -159,15 +159,15 @@ RecordFile::~RecordFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-std::string RecordFile::system_says() const {
+std::string RecordFile::system_error() const {
   return fmt::format("the record of the line, {}: {}", path_, std::strerror(errno));
 }
 
 std::expected<RecordFile, std::string> RecordFile::open(const std::string& path) {
   RecordFile file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0664), path);
-  if (file.descriptor_ < 0) return std::unexpected(file.system_says());
+  if (file.descriptor_ < 0) return std::unexpected(file.system_error());
   const off_t size = ::lseek(file.descriptor_, 0, SEEK_END);
-  if (size < 0) return std::unexpected(file.system_says());
+  if (size < 0) return std::unexpected(file.system_error());
   const auto ready = size == 0 ? file.make() : file.read();
   if (!ready) return std::unexpected(ready.error());
   return file;
@@ -176,7 +176,7 @@ std::expected<RecordFile, std::string> RecordFile::open(const std::string& path)
 std::expected<LineRecord, std::string> RecordFile::look(const std::string& path) {
   RecordFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW), path);
   if (file.descriptor_ < 0 && errno == ENOENT) return LineRecord{};
-  if (file.descriptor_ < 0) return std::unexpected(file.system_says());
+  if (file.descriptor_ < 0) return std::unexpected(file.system_error());
   if (auto read = file.read(); !read) return std::unexpected(read.error());
   return std::move(file.record_);
 }
@@ -186,16 +186,16 @@ std::expected<void, std::string> RecordFile::make() {
   empty.resize(kFileBytes, '\0');
   if (::pwrite(descriptor_, empty.data(), empty.size(), 0) != static_cast<ssize_t>(empty.size()) ||
       ::fsync(descriptor_) != 0)
-    return std::unexpected(system_says());
+    return std::unexpected(system_error());
   errno = sync_folder(std::filesystem::path(path_).parent_path().string());
-  if (errno != 0) return std::unexpected(system_says());
+  if (errno != 0) return std::unexpected(system_error());
   return {};
 }
 
 std::expected<void, std::string> RecordFile::read() {
   std::array<char, kFileBytes> bytes{};
   const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), 0);
-  if (count < 0) return std::unexpected(system_says());
+  if (count < 0) return std::unexpected(system_error());
   std::optional<Slot> newest;
   for (const std::size_t at : {std::size_t{0}, kSlotStep}) {
     auto slot = parse(std::string_view(bytes.data() + at, kSlotBytes));
@@ -221,7 +221,7 @@ std::expected<void, std::string> RecordFile::write(const LineRecord& record) {
   const ssize_t count = ::pwrite(descriptor_, slot.data(), slot.size(), at);
   if (count >= 0 && count != static_cast<ssize_t>(slot.size())) errno = ENOSPC;
   if (count != static_cast<ssize_t>(slot.size()) || ::fdatasync(descriptor_) != 0)
-    return std::unexpected(system_says());
+    return std::unexpected(system_error());
   sequence_ = sequence;
   record_ = record;
   return {};

@@ -53,7 +53,7 @@ class RecordFile {
   RecordFile(int descriptor, std::string path) : descriptor_(descriptor), path_(std::move(path)) {}
   std::expected<void, std::string> make();
   std::expected<void, std::string> read();
-  [[nodiscard]] std::string system_says() const;
+  [[nodiscard]] std::string system_error() const;
 
   int descriptor_;
   std::string path_;

@@ -93,7 +93,7 @@ Document write_case(const app::CaseOrder& order, WorkPackage& into) {
                          {"revision", nominal.revision},
                          {"text", into.add(nominal.text)},
                          {"values", write_values(nominal.values, into)},
-                         {"is_said", nominal.is_said}};
+                         {"is_from_request", nominal.is_from_request}};
   return document;
 }
 
@@ -115,7 +115,7 @@ app::CaseOrder read_case(const Document& from, const WorkPackage& package) {
                                    .revision = nominal->at("revision").get<store::Revision>(),
                                    .text = package.text_of(*nominal, "text"),
                                    .values = read_values(nominal->at("values"), package),
-                                   .is_said = nominal->at("is_said").get<bool>()};
+                                   .is_from_request = nominal->at("is_from_request").get<bool>()};
   return order;
 }
 

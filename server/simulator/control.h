@@ -40,7 +40,7 @@ struct ControlSettings {
                                          // host sees it
   Time_ns host_latency_ns = 0;           // and what does not depend on the line's speed
   double clock_ppm = 0.0;                // by which the line is faster than it should be
-  bool says_dc = true;                   // DC1 and DC3
+  bool uses_dc = true;                   // DC1 and DC3
   bool drives_rts = false;               // its RTS, the host's CTS, is on only while it reads
   Faults faults;                         // those of the control take effect here
   double speed = 1.0;                    // runs this much faster than a machine would

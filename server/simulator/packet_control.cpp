@@ -142,7 +142,7 @@ bool PacketControl::finished() const { return report_.state == ControlState::end
 
 ControlReport PacketControl::report() const {
   ControlReport report = report_;
-  tape_.tell(report);
+  tape_.report(report);
   const double seconds = static_cast<double>(last_arrival_ - first_arrival_) * 1e-9;
   const double line_s = static_cast<double>(report.bytes) * settings_.framing.bits_per_char() / settings_.baud;
   report.line_use = seconds > 0.0 ? std::min(1.0, line_s / seconds) : 0.0;

@@ -61,12 +61,12 @@ void SimulatedControl::start(Time_ns now) {
 
 void SimulatedControl::start_reading(Time_ns at) {
   if (settings_.drives_rts) lines_.cts = true;
-  if (settings_.says_dc) send(kDc1, at);
+  if (settings_.uses_dc) send(kDc1, at);
 }
 
 void SimulatedControl::stop_reading(Time_ns at) {
   if (settings_.drives_rts) lines_.cts = false;
-  if (!settings_.says_dc) return;
+  if (!settings_.uses_dc) return;
   const bool with_parity = settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso;
   send(with_parity ? kDc3WithParity : kDc3, at);
 }

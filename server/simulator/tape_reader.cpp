@@ -76,7 +76,7 @@ void TapeReader::run(Time_ns now) {
   }
 }
 
-void TapeReader::tell(ControlReport& report) const {
+void TapeReader::report(ControlReport& report) const {
   report.blocks_run = blocks_run_;
   report.bytes_run = bytes_run_;
   report.stalls = stalls_;

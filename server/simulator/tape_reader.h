@@ -34,7 +34,7 @@ class TapeReader {
   // "" or why a block could not be run.
   [[nodiscard]] std::string_view fault() const { return clock_.fault(); }
   // Lays its counters over the report's.
-  void tell(ControlReport& report) const;
+  void report(ControlReport& report) const;
 
  private:
   struct Block {

@@ -50,7 +50,7 @@ std::string one_line(std::string_view words) {
   return line;
 }
 
-void say_nothing(void* /*to*/, const char* /*notice*/) {}
+void ignore_notice(void* /*to*/, const char* /*notice*/) {}
 
 }  // namespace
 
@@ -71,7 +71,7 @@ Result<std::unique_ptr<Connection>> Connection::open(const std::string& url, con
   std::unique_ptr<Connection> connection(new Connection(handle));
   if (PQstatus(handle) != CONNECTION_OK)
     return std::unexpected(Error{ErrorCode::cannot_open, one_line(PQerrorMessage(handle))});
-  PQsetNoticeProcessor(handle, say_nothing, nullptr);
+  PQsetNoticeProcessor(handle, ignore_notice, nullptr);
   if (auto ready = connection->set_up(settings); !ready) return std::unexpected(ready.error());
   return connection;
 }

@@ -125,7 +125,7 @@ void write_revision(Session& session, Id program, Revision revision, const NewPr
 }
 
 // `word`: one of store::kProgramEvents. The program as it is now.
-Result<Program> told(Session& session, Result<Program> program, std::string_view word, const Stamp& by) {
+Result<Program> with_event(Session& session, Result<Program> program, std::string_view word, const Stamp& by) {
   if (!program) return program;
   add_event_row(session,
                 {.topic = store::EventTopic::program,
@@ -150,7 +150,7 @@ Result<Program> ProgramTable::add(std::string_view name, std::string_view dialec
     note_program_change(session, program);
     write_revision(session, program, 1, text, by, "program.add");
     if (!session.ok()) return std::unexpected(session.error());
-    return told(session, get(program), "added", by);
+    return with_event(session, get(program), "added", by);
   });
 }
 
@@ -164,7 +164,7 @@ Result<Program> ProgramTable::add_revision(Id program, Revision expected, const 
     note_program_change(session, program);
     write_revision(session, program, expected + 1, text, by, "program.change");
     if (!session.ok()) return std::unexpected(session.error());
-    return told(session, get(program), "revised", by);
+    return with_event(session, get(program), "revised", by);
   });
 }
 
@@ -229,7 +229,7 @@ Result<Program> ProgramTable::archive(Id program, std::string_view reason, const
     add_audit_row(session, {.action = "program.archive", .subject = subject_of(program), .detail = std::string(reason)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return told(session, get(program), "archived", by);
+    return with_event(session, get(program), "archived", by);
   });
 }
 
@@ -244,7 +244,7 @@ Result<Program> ProgramTable::fetch_back(Id program, std::string_view reason, co
     add_audit_row(session,
                   {.action = "program.fetch_back", .subject = subject_of(program), .detail = std::string(reason)}, by);
     if (!session.ok()) return std::unexpected(session.error());
-    return told(session, get(program), "fetched_back", by);
+    return with_event(session, get(program), "fetched_back", by);
   });
 }
 

@@ -68,7 +68,7 @@ store::Request read_request(Query& query) {
 std::string subject_of(Id receipt) { return fmt::format("receipt/{}", receipt); }
 
 // The receipt as it is now; what became of it is an event.
-Result<Receipt> told(Session& session, Result<Receipt> receipt, const Stamp& by) {
+Result<Receipt> with_event(Session& session, Result<Receipt> receipt, const Stamp& by) {
   if (!receipt) return receipt;
   add_event_row(session,
                 {.topic = store::EventTopic::receipt,
@@ -107,7 +107,7 @@ Result<Receipt> ReceiptTable::add(const store::NewReceipt& receipt, const Stamp&
                                          store::name_of(state))},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return told(session, get(id), by);
+    return with_event(session, get(id), by);
   });
 }
 
@@ -134,7 +134,7 @@ Result<Receipt> ReceiptTable::accept(Id receipt, Id program, store::Revision rev
                                          reason)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return told(session, get(receipt), by);
+    return with_event(session, get(receipt), by);
   });
 }
 
@@ -149,7 +149,7 @@ Result<Receipt> ReceiptTable::discard(Id receipt, std::string_view reason, const
     add_audit_row(session, {.action = "receipt.discard", .subject = subject_of(receipt), .detail = std::string(reason)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return told(session, get(receipt), by);
+    return with_event(session, get(receipt), by);
   });
 }
 

@@ -16,7 +16,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_word(char c) { return is_digit(c) || is_letter(c) || static_cast<unsigned char>(c) >= 0x80U; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-bool says_something(std::string_view text) { return std::ranges::any_of(text, is_word); }
+bool has_word(std::string_view text) { return std::ranges::any_of(text, is_word); }
 
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
@@ -112,7 +112,7 @@ std::vector<SearchTerm> terms_of(std::string_view words) {
   while (!words.empty() && terms.size() < kMostTerms) {
     bool is_phrase = false;
     const std::string_view said = next_term(words, is_phrase).substr(0, kLongestTerm);
-    if (!says_something(said)) continue;
+    if (!has_word(said)) continue;
     if (is_phrase)
       terms.push_back({.word = {}, .in_head = in_quotes(said), .in_text = in_quotes(said)});
     else

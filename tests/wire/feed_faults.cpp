@@ -165,7 +165,7 @@ class FaultRun {
     settings.stop_free_bytes = 80;
     settings.go_free_bytes = 200;
     settings.speed = static_cast<double>(1 + random_() % 20);
-    settings.says_dc = kind_ != Kind::rtscts;
+    settings.uses_dc = kind_ != Kind::rtscts;
     settings.drives_rts = kind_ == Kind::rtscts;
     settings.faults = {fault_};
     return settings;

@@ -86,17 +86,17 @@ struct Outcome {
   ClientState state = ClientState::offering;
   ClientFailure failure = ClientFailure::none;
   Time named_at{};
-  bool told_unconfirmed = false;
-  bool told_end = false;  // by an event
+  bool saw_unconfirmed = false;
+  bool saw_end = false;  // by an event
   std::string sent;
   std::string got;
 };
 
 void read_events(telnet::ComPortClient& client, Outcome& outcome) {
   while (const auto event = client.next_event()) {
-    outcome.told_unconfirmed = outcome.told_unconfirmed || event->kind == ClientEvent::Kind::unconfirmed;
-    outcome.told_end =
-        outcome.told_end || event->kind == ClientEvent::Kind::up || event->kind == ClientEvent::Kind::failed;
+    outcome.saw_unconfirmed = outcome.saw_unconfirmed || event->kind == ClientEvent::Kind::unconfirmed;
+    outcome.saw_end =
+        outcome.saw_end || event->kind == ClientEvent::Kind::up || event->kind == ClientEvent::Kind::failed;
   }
 }
 
@@ -136,10 +136,10 @@ TEST(TelnetFaults, EveryServerLeadsToANamedStateInTime) {
     ASSERT_TRUE(outcome.state == ClientState::up || outcome.state == ClientState::failed) << where;
     EXPECT_EQ(outcome.state == ClientState::failed, outcome.failure != ClientFailure::none) << where;
     EXPECT_LE(outcome.named_at, kNamedBy) << where;
-    EXPECT_TRUE(outcome.told_end) << where;
+    EXPECT_TRUE(outcome.saw_end) << where;
     EXPECT_EQ(outcome.got, outcome.sent) << where;
     ++ends[{fault, outcome.failure}];
-    unconfirmed += outcome.told_unconfirmed ? 1 : 0;
+    unconfirmed += outcome.saw_unconfirmed ? 1 : 0;
   }
   // The faults were there: some servers were believed, some were not, and some only in part.
   for (const Fault fault : {Fault::drops, Fault::babbles, Fault::repeats})

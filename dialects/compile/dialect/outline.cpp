@@ -52,15 +52,15 @@ class Lister {
   }
 
   void mark_programs() {
-    for (const ir::Section& section : program_.sections) mark(first_that_says(section.first), OutlineSort::program);
+    for (const ir::Section& section : program_.sections) mark(first_stating(section.first), OutlineSort::program);
     if (!program_.sections.empty() || program_.name.empty() || program_.statements.empty()) return;
-    const std::uint32_t first = first_that_says(0);
+    const std::uint32_t first = first_stating(0);
     const bool is_named_there = program_.source.line(program_.statements[first].line).contains(program_.name);
     if (is_named_there) mark(first, OutlineSort::program);  // otherwise the file gave the name
   }
 
   // Where a name stands in the text it is on the first line that is not empty and no tape mark.
-  [[nodiscard]] std::uint32_t first_that_says(std::uint32_t from) const {
+  [[nodiscard]] std::uint32_t first_stating(std::uint32_t from) const {
     for (std::uint32_t i = from; i < program_.statements.size(); ++i) {
       const std::string_view line = trimmed(program_.source.line(program_.statements[i].line));
       if (!line.empty() && line != "%") return i;

@@ -118,7 +118,7 @@ class Digest {
     }
     if (facts::is_standard_cycle(program_, s)) return;
     DigestCall one{.name = call_key(program_.strings.at(call.name)), .kind = call.kind, .line = s.line};
-    if (!said_.insert(one.name + static_cast<char>('0' + static_cast<int>(one.kind))).second) return;
+    if (!reported_.insert(one.name + static_cast<char>('0' + static_cast<int>(one.kind))).second) return;
     if (out_.calls.size() < kMostCalls)
       out_.calls.push_back(std::move(one));
     else if (out_.not_read.empty())
@@ -127,7 +127,7 @@ class Digest {
 
   const ir::Program& program_;
   std::string_view text_;
-  std::set<std::string> said_;
+  std::set<std::string> reported_;
   ProgramDigest out_;
 };
 

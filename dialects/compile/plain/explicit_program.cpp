@@ -22,7 +22,7 @@ namespace dripfeed::compile {
 
 namespace {
 
-text::Diagnostic cannot_say(passes::Refusal what, text::Span span) {
+text::Diagnostic cannot_write(passes::Refusal what, text::Span span) {
   return passes::diagnose(std::move(what), span, "plain blocks");
 }
 
@@ -164,7 +164,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
   void lose(passes::Refusal word) {
     if (lost_.insert(word.what).second)
-      out_.lost.push_back(cannot_say(std::move(word), span_of_line(out_.source, main_line_)));
+      out_.lost.push_back(cannot_write(std::move(word), span_of_line(out_.source, main_line_)));
   }
 
   struct Pending {
@@ -263,7 +263,7 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunT
   for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(texts.placed(fault, run));
   for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
     if (is_carried(lost.function)) continue;
-    out.push_back(cannot_say(lost.name, {}));
+    out.push_back(cannot_write(lost.name, {}));
     texts.place(out.back(), run, lost.program, lost.first_line);
     if (lost.effects_known) out.back().severity = text::Severity::warning;
     // Its chords are written; whether the control bends as we do is for somebody to look at.
@@ -272,7 +272,7 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunT
   // What is carried is taken from the text, where the number of such a code does not stand.
   for (const interpreter::ComputedCodeUse& code : run.computed_codes) {
     if (!is_carried(code.function)) continue;
-    out.push_back(cannot_say(passes::computed("a calculated code, here " + code.name), {}));
+    out.push_back(cannot_write(passes::computed("a calculated code, here " + code.name), {}));
     texts.place(out.back(), run, code.program, code.first_line);
   }
   for (const text::Diagnostic& lost : made.lost) {
@@ -374,9 +374,9 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   recorder.finish(out.run);
   const Taps taps = taps_of_all(program, control, out.run.programs, finder);
   if (taps.rigid || (taps.cycles && recorder.turns_back_in_thread())) {
-    out.lost.push_back(cannot_say("a tap that the axis turns the spindle for (G331, G332, M29)", taps.first));
+    out.lost.push_back(cannot_write("a tap that the axis turns the spindle for (G331, G332, M29)", taps.first));
   } else if (taps.floating && recorder.turns_back()) {
-    out.lost.push_back(cannot_say("a tap, on whose moves feed override and feed hold then act,", taps.first));
+    out.lost.push_back(cannot_write("a tap, on whose moves feed override and feed hold then act,", taps.first));
     out.lost.back().severity = text::Severity::warning;
   }
   out.variable_names = std::move(names.variables);

@@ -19,7 +19,7 @@ using ir::Bank;
 constexpr std::size_t kMostNames = 8;  // in one sentence
 constexpr std::string_view kPlainBlocks = "plain blocks";
 
-text::Diagnostic cannot_say(passes::Refusal what, text::Span span) {
+text::Diagnostic cannot_write(passes::Refusal what, text::Span span) {
   return passes::diagnose(std::move(what), span, std::string(kPlainBlocks));
 }
 
@@ -116,7 +116,7 @@ void LostWrites::executed(std::uint32_t index, const ir::Program* program, std::
   const auto writes = known->second.find(line);
   if (writes == known->second.end()) return;
   for (const OutsideWrite& write : writes->second)
-    if (said_.insert(write.variable).second) found_.push_back({write, place});
+    if (reported_.insert(write.variable).second) found_.push_back({write, place});
 }
 
 std::vector<text::Diagnostic> LostWrites::found() const {
@@ -128,10 +128,10 @@ std::vector<text::Diagnostic> LostWrites::found() const {
     const bool may_be_read = read_.contains(key) || read_.contains(key.substr(0, 1)) || key.size() == 1;
     if (!one.write.is_shared || !may_be_read) {
       const bool is_variable = one.write.is_shared;
-      out.push_back(
-          cannot_say(passes::kept_value(is_variable ? fmt::format("the value that {} keeps for others", one.write.name)
-                                                    : fmt::format("the write to {}", one.write.name)),
-                     one.place));
+      out.push_back(cannot_write(
+          passes::kept_value(is_variable ? fmt::format("the value that {} keeps for others", one.write.name)
+                                         : fmt::format("the write to {}", one.write.name)),
+          one.place));
       continue;
     }
     if (computed_with.empty()) first = one.place;
@@ -140,9 +140,9 @@ std::vector<text::Diagnostic> LostWrites::found() const {
   if (computed_with.empty()) return out;
   const std::size_t more = computed_with.size() - std::min(computed_with.size(), kMostNames);
   computed_with.resize(computed_with.size() - more);
-  out.push_back(cannot_say(passes::kept_value(fmt::format("what {}{} hold at the end", fmt::join(computed_with, ", "),
-                                                          more == 0 ? "" : fmt::format(" and {} more", more))),
-                           first));
+  out.push_back(cannot_write(passes::kept_value(fmt::format("what {}{} hold at the end", fmt::join(computed_with, ", "),
+                                                            more == 0 ? "" : fmt::format(" and {} more", more))),
+                             first));
   out.back().severity = text::Severity::warning;
   return out;
 }

@@ -52,7 +52,7 @@ class LostWrites {
   const ir::Control& control_;
   std::map<std::uint32_t, ByLine> programs_;
   std::set<std::string> read_;  // OutsideWrite::variable
-  std::set<std::string> said_;
+  std::set<std::string> reported_;
   std::vector<Found> found_;
 };
 

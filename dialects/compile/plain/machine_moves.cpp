@@ -67,13 +67,13 @@ class MachineMoves {
                                         (w.mode == ir::WordMode::as_modal && distance == Function::incremental));
     };
     if (std::ranges::any_of(program_.words_of(block), is_increment))
-      tell(kIncrement, s, text::Severity::error);
+      report(kIncrement, s, text::Severity::error);
     else if (one_is_rapid_ && !motion)
-      tell(kUnknown, s, text::Severity::warning);
+      report(kUnknown, s, text::Severity::warning);
     else if (one_is_rapid_ && *motion != Function::rapid)
-      tell(kOther, s, text::Severity::error);
+      report(kOther, s, text::Severity::error);
     // The others leave the length out.
-    if (keeps_length(i, block)) tell(kLength, s, text::Severity::error);
+    if (keeps_length(i, block)) report(kLength, s, text::Severity::error);
   }
 
   [[nodiscard]] bool keeps_length(std::uint32_t i, const ir::Block& block) const {
@@ -86,7 +86,7 @@ class MachineMoves {
     return here ? facts::tool_length(*here) : facts::ToolLength::unknown;
   }
 
-  void tell(passes::Refusal what, const ir::Statement& s, text::Severity severity) {
+  void report(passes::Refusal what, const ir::Statement& s, text::Severity severity) {
     diagnostics_.push_back(passes::diagnose(std::move(what), s.span, to_.title));
     diagnostics_.back().severity = severity;
   }

@@ -81,8 +81,8 @@ std::string proposed_family_name(std::string_view path) {
 
 std::string ProposedNames::name_for(std::string_view text, std::string_view fallback) {
   std::string name = joined_words(text, '_');
-  const bool says_something = std::ranges::count_if(name, is_letter) > 1;
-  if (!says_something) name = joined_words(fallback, '_');
+  const bool has_word = std::ranges::count_if(name, is_letter) > 1;
+  if (!has_word) name = joined_words(fallback, '_');
   name = with_letter_first(name, "v");
   if (name.empty()) name = "value";
   if (family::is_keyword(name)) name += "_value";

@@ -40,7 +40,7 @@ constexpr std::array kOpaque = {Function::machine_function, Function::reference_
 bool is_opaque(Function f) { return std::ranges::find(kOpaque, f) != kOpaque.end(); }
 
 // A variable that any program may read moves nothing; what the control itself reads (offsets, frames) may.
-bool says_more(const ir::Program& program, const ir::Statement& s, const ir::Control& control) {
+bool states_more(const ir::Program& program, const ir::Statement& s, const ir::Control& control) {
   if (s.kind == StatementKind::assign) {
     const auto write = outside_write(program, program.at(program.assigns[s.payload].target), control);
     return write && !write->is_shared;
@@ -58,7 +58,7 @@ class OpaqueLines {
     const ir::Section main = ir::section_at(of.program, 0);
     for (std::uint32_t i = 0; i < of.program.statements.size(); ++i) {
       const ir::Statement& s = of.program.statements[i];
-      if (!says_more(of.program, s, of.control)) continue;
+      if (!states_more(of.program, s, of.control)) continue;
       if (i < main.first || i >= main.last)
         elsewhere_ = fmt::format("line {} of a called program does what no run shows", s.line);
       lines_.insert(s.line);
@@ -129,7 +129,7 @@ class Steps {
     if (called == nullptr) return "it calls " + name + ", which is not at hand";
     if (called->is_standard) return {};
     const bool has_more = std::ranges::any_of(
-        called->statements, [&](const ir::Statement& s) { return says_more(*called, s, of_.control); });
+        called->statements, [&](const ir::Statement& s) { return states_more(*called, s, of_.control); });
     return has_more ? name + ", which it calls, does what no run shows" : std::string();
   }
 
@@ -227,17 +227,17 @@ bool has_diameters(const ir::Control& control) {
   return control.semantics.power_on_diameter != ir::DiameterMode::radius;
 }
 
-std::string said(const Step* one, const Step* other) {
+std::string describe(const Step* one, const Step* other) {
   if (one == nullptr) return "nothing more";
   if (!one->words.empty()) return one->words;
   return describe_move(one->motion, other != nullptr && other->words.empty() ? other->motion : one->motion);
 }
 
-void say_first(const Step* a, const Step* b, MovesAnswer& out) {
+void describe_first(const Step* a, const Step* b, MovesAnswer& out) {
   out.first_line = a == nullptr ? 0 : a->line;
   out.second_line = b == nullptr ? 0 : b->line;
-  out.first = said(a, b);
-  out.second = said(b, a);
+  out.first = describe(a, b);
+  out.second = describe(b, a);
 }
 
 // Nothing is known of what a step that only one of them has does to the axes.
@@ -262,7 +262,7 @@ bool hold_against(const std::vector<Step>& a, const std::vector<Step>& b, bool x
         out = {.why = std::move(why)};
         return false;
       }
-      say_first(one, other, out);
+      describe_first(one, other, out);
       out.equal = false;
     }
     if (one == nullptr || other == nullptr)

@@ -83,7 +83,7 @@ ConvertResult Converter::convert() {
     return std::move(result_);
   }
   translate();
-  forget_what_is_told();
+  drop_repeated_diagnostics();
   refuse_long_blocks();
   proofread();
   return std::move(result_);
@@ -101,16 +101,16 @@ void Converter::translate() {
 }
 
 // A statement that could not be written as its moves has its reason already: what raising reports of it is left out.
-void Converter::forget_what_is_told() {
-  const auto begin = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(told_);
-  const auto is_told = [&](const text::Diagnostic& one) {
+void Converter::drop_repeated_diagnostics() {
+  const auto begin = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(diagnostics_before_);
+  const auto is_repeated = [&](const text::Diagnostic& one) {
     return passes::is_refusal(one.id) &&
            std::any_of(result_.diagnostics.begin(), begin, [&](const text::Diagnostic& earlier) {
              return passes::is_refusal(earlier.id) && earlier.severity == text::Severity::error &&
                     earlier.span.begin <= one.span.begin && one.span.begin < earlier.span.end;
            });
   };
-  result_.diagnostics.erase(std::remove_if(begin, result_.diagnostics.end(), is_told), result_.diagnostics.end());
+  result_.diagnostics.erase(std::remove_if(begin, result_.diagnostics.end(), is_repeated), result_.diagnostics.end());
 }
 
 // What its own control would alarm on has no meaning that could be translated. A name that is not defined may be the

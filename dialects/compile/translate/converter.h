@@ -34,7 +34,7 @@ class Converter {
  private:
   void translate();
   void refuse_faulty(const ir::Program& program);
-  void forget_what_is_told();
+  void drop_repeated_diagnostics();
   void refuse_long_blocks();
   void refuse_long_block(std::size_t line, std::size_t bytes);
   [[nodiscard]] text::Span span_of_origin(std::size_t line) const;
@@ -65,7 +65,7 @@ class Converter {
   ir::RaiseResult raise(const ir::Program& program, const ir::Control& from);
   ir::RaiseResult raise_with_room(const ir::Program& program, const ir::Control& from);
   void several(const ir::Program& text);
-  void say_skip_decided(const ir::Program& program);
+  void report_skip_decided(const ir::Program& program);
   void add(std::vector<text::Diagnostic> diagnostics);
   [[nodiscard]] bool has_error() const { return text::has_error(result_.diagnostics); }
 
@@ -73,7 +73,7 @@ class Converter {
   const Dialect& from_;
   const Dialect& to_;
   InlineMoves inline_moves_;
-  std::size_t told_ = 0;  // diagnostics up to those of inline_moves_
+  std::size_t diagnostics_before_ = 0;  // diagnostics up to those of inline_moves_
   std::optional<CommonNumbers> common_;
   ConvertResult result_;
 };

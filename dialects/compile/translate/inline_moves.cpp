@@ -103,7 +103,7 @@ void InlineMoves::cannot(passes::Refusal what, text::Span span) {
 
 // What a cycle's numbers meant can no longer be seen, nor changed at the machine: whoever takes the translation over is
 // to know.
-void InlineMoves::say_written(std::string name, text::Span span) {
+void InlineMoves::report_written(std::string name, text::Span span) {
   cannot(std::move(name), span);
   diagnostics_.back().severity = text::Severity::warning;
   diagnostics_.back().notes = {{.span = span, .text = "it is written as its moves"}};
@@ -226,7 +226,7 @@ void InlineMoves::replace(ir::Program& program, std::uint32_t index, const facts
   PlainMoves moves(program, out, terms);
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);
-  if (!plain_arc && !motions.empty()) say_written(name, s.span);
+  if (!plain_arc && !motions.empty()) report_written(name, s.span);
   if (const Restored again = restored(program, index, moves); !again.codes.empty() || !again.words.empty())
     out.emit_block(again.codes, again.words);
 }

@@ -76,7 +76,7 @@ class InlineMoves {
   void replace_tap_part(const ir::Program& program, std::uint32_t index, passes::Rewrite& out) const;
   [[nodiscard]] std::string same_tap_each_time(std::uint32_t line, const TapStatement& tap,
                                                std::span<const ir::Motion>& motions) const;
-  [[nodiscard]] bool says_speed_behind(const RecordedRun& run, std::size_t visit) const;
+  [[nodiscard]] bool states_speed_after(const RecordedRun& run, std::size_t visit) const;
   [[nodiscard]] std::string same_each_time(std::uint32_t line, std::span<const ir::Motion>& motions) const;
   [[nodiscard]] std::string terms_at(const ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
                                      BlockTerms& terms) const;
@@ -103,7 +103,7 @@ class InlineMoves {
   void find_cycles(const ir::Program& program);
   [[nodiscard]] std::string lost_with_shape(const ir::Program& program) const;
   void cannot(passes::Refusal what, text::Span span);
-  void say_written(std::string name, text::Span span);
+  void report_written(std::string name, text::Span span);
 
   const ir::Control& from_;
   const ir::Control& to_;

@@ -20,7 +20,7 @@ using ir::StatementKind;
 
 bool is_thread(const ir::Motion& m) { return m.kind == ir::MotionKind::thread; }
 
-bool says_speed(const ir::Program& program, const ir::Statement& s) {
+bool states_speed(const ir::Program& program, const ir::Statement& s) {
   return s.kind == StatementKind::block &&
          std::ranges::any_of(program.words_of(program.blocks[s.payload]),
                              [](const ir::Word& w) { return w.address == Address::s && w.extension <= 1; });
@@ -32,7 +32,7 @@ void InlineMoves::find_taps(const ir::Program& program) {
   taps_ = tap_statements(program, from_, to_);
   for (std::uint32_t i = 0; i < taps_.size(); ++i) {
     const TapStatement& tap = taps_[i];
-    const bool speed = (tap.role == TapRole::tap && tap.own_speed) || says_speed(program, program.statements[i]);
+    const bool speed = (tap.role == TapRole::tap && tap.own_speed) || states_speed(program, program.statements[i]);
     if (speed) speed_lines_.insert(program.statements[i].line);
     if (tap.role == TapRole::none) continue;
     kinds_[i] = tap.role == TapRole::tap ? WithoutCounterpart::tap : WithoutCounterpart::tap_part;
@@ -59,7 +59,7 @@ void InlineMoves::replace_tap(ir::Program& program, std::uint32_t index, const f
   if (tap.own_speed) {
     const RecordedRun& run = runs_.front();
     for (std::size_t v = 0; v < run.visits.size(); ++v)
-      if (run.visits[v].line == s.line && !says_speed_behind(run, v))
+      if (run.visits[v].line == s.line && !states_speed_after(run, v))
         return cannot(name + " at another speed than before it, after which no speed is stated,", s.span);
   }
   // What ,R1 says, the run shows.
@@ -68,7 +68,7 @@ void InlineMoves::replace_tap(ir::Program& program, std::uint32_t index, const f
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);
   if (!ir::has_numbered_variables(to_) && !motions.empty()) {
-    say_written(name, s.span);
+    report_written(name, s.span);
     diagnostics_.back().notes.front().text =
         rigid ? "it is written as G331 and G332" : "it is written as G63, which needs a compensating chuck";
   }
@@ -132,7 +132,7 @@ std::string InlineMoves::same_tap_each_time(std::uint32_t line, const TapStateme
 }
 
 // Whether what follows a tap at a speed of its own says a speed before it cuts.
-bool InlineMoves::says_speed_behind(const RecordedRun& run, std::size_t visit) const {
+bool InlineMoves::states_speed_after(const RecordedRun& run, std::size_t visit) const {
   const Visit& tap = run.visits[visit];
   if (tap.motion_count == 0) return true;
   const double own = run.motions[tap.first_motion + tap.motion_count - 1].spindle_rpm;

@@ -123,7 +123,7 @@ class Splicing {
   void begin_program(facts::StatementRange range) {
     words_.begin_program();
     own_ = {};
-    calls_each_move_ = iso_calls_each_move_ = told_ = false;
+    calls_each_move_ = iso_calls_each_move_ = reported_ = false;
     if (range.first == range.last) return;
     own_.first_line = program_.statements[range.first].line;
     own_.last_line = program_.statements[range.last - 1].line;
@@ -166,7 +166,7 @@ class Splicing {
   void refuse_in_effect(const ir::Statement& s) {
     std::string what(words_.in_effect());
     if (iso_calls_each_move_) what = "G66 of ISO mode, which is in effect,";
-    if (!what.empty() && !std::exchange(told_, true)) cannot(what, s.span);
+    if (!what.empty() && !std::exchange(reported_, true)) cannot(what, s.span);
   }
 
   // The line's first statement stands for all of them.
@@ -344,7 +344,7 @@ class Splicing {
   std::uint32_t next_ = 0;  // statement of iso_
   bool calls_each_move_ = false;
   bool iso_calls_each_move_ = false;
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 }  // namespace

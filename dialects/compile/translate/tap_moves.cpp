@@ -114,7 +114,7 @@ std::expected<void, std::string> TapMoves::write(std::span<const Motion> motions
     }
     if (const auto done = flush(); !done) return done;
     if (*tap) {
-      if (const auto done = say(**tap); !done) return done;
+      if (const auto done = write(**tap); !done) return done;
       i += (*tap)->count;
     } else {
       if (!rigid_) turn(motions[i].spindle, motions[i].spindle_rpm);
@@ -128,18 +128,18 @@ std::expected<void, std::string> TapMoves::write(std::span<const Motion> motions
   return {};
 }
 
-std::expected<void, std::string> TapMoves::say(const TapCut& tap) {
+std::expected<void, std::string> TapMoves::write(const TapCut& tap) {
   const bool right =
       tap.lead_mm > 0.0 && (rigid_ || (tap.in == SpindleState::clockwise && tap.out == SpindleState::counterclockwise));
   if (!right) return cannot("a thread that is not right-handed, as far as is known here");
   if (terms_.feed_mode == ir::FeedMode::inverse_time) return cannot("feeds as times (G93)");
-  if (ir::has_numbered_variables(to_)) return say_cycle(tap);
-  rigid_ ? say_rigid(tap) : say_floating(tap);
+  if (ir::has_numbered_variables(to_)) return write_cycle(tap);
+  rigid_ ? write_rigid(tap) : write_floating(tap);
   return {};
 }
 
 // The tool stands at R already, so that the cycle begins and ends there.
-std::expected<void, std::string> TapMoves::say_cycle(const TapCut& tap) {
+std::expected<void, std::string> TapMoves::write_cycle(const TapCut& tap) {
   ir::Code cycle = code_of(Function::drill, ModalGroup::cycle);
   cycle.argument = ir::drill_argument(ir::DrillCycle::tap_right, tap.axis == 0 ? ir::kDrillAlongX : ir::kDrillAlongZ);
   const bool diameter = to_.semantics.power_on_diameter != ir::DiameterMode::radius;
@@ -167,7 +167,7 @@ std::expected<void, std::string> TapMoves::say_cycle(const TapCut& tap) {
   return {};
 }
 
-void TapMoves::say_rigid(const TapCut& tap) {
+void TapMoves::write_rigid(const TapCut& tap) {
   feed_per_minute();
   const Address lead = tap.axis == 0 ? Address::i : Address::k;
   out_.emit_block({code_of(Function::spindle_orient, ModalGroup::spindle)}, {});
@@ -179,7 +179,7 @@ void TapMoves::say_rigid(const TapCut& tap) {
   state_.reset();
 }
 
-void TapMoves::say_floating(const TapCut& tap) {
+void TapMoves::write_floating(const TapCut& tap) {
   feed_per_minute();
   const double feed = tap.lead_mm * tap.speed_rpm;
   const ir::Code once = code_of(Function::linear, ModalGroup::non_modal);

@@ -52,10 +52,10 @@ class TapMoves {
   [[nodiscard]] PlainMoves& plain() { return plain_; }
 
  private:
-  std::expected<void, std::string> say(const TapCut& tap);
-  std::expected<void, std::string> say_cycle(const TapCut& tap);
-  void say_rigid(const TapCut& tap);
-  void say_floating(const TapCut& tap);
+  std::expected<void, std::string> write(const TapCut& tap);
+  std::expected<void, std::string> write_cycle(const TapCut& tap);
+  void write_rigid(const TapCut& tap);
+  void write_floating(const TapCut& tap);
   void feed_per_minute();
   void turn(ir::SpindleState to, double speed_rpm);
   ir::Word length(ir::Address address, double value_mm);

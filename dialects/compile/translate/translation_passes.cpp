@@ -120,7 +120,7 @@ bool Converter::splice_iso(ir::Program& program) {
 // A contour is entered from its cycle, which the later passes of a text of several programs do not know.
 bool Converter::write_as_moves(ir::Program& program) {
   add(inline_moves_.lower(program));
-  told_ = result_.diagnostics.size();
+  diagnostics_before_ = result_.diagnostics.size();
   return program.sections.size() <= 1 || !has_error();
 }
 
@@ -259,7 +259,7 @@ void Converter::several(const ir::Program& text) {
   result_.origin_lines = std::move(printed.origin_lines);
 }
 
-void Converter::say_skip_decided(const ir::Program& program) {
+void Converter::report_skip_decided(const ir::Program& program) {
   for (const ir::Statement& s : program.statements) {
     const bool rest = s.kind == ir::StatementKind::block && program.blocks[s.payload].rest_level != 0;
     if (s.skip_level == 0 && !rest) continue;
@@ -276,7 +276,7 @@ bool Converter::print_run(ir::Program& program) {
   const ProgramLibrary nothing(request_.from, {});
   const RunTexts texts(program, request_.library == nullptr ? nothing : *request_.library);
   add(run_faults(made, texts));
-  say_skip_decided(program);
+  report_skip_decided(program);
   add(passes::assumed_modes(program, request_.from));
   add(passes::unstated_modes(program, request_.from, false).diagnostics);
   if (text::has_error(result_.diagnostics)) return false;

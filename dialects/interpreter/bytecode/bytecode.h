@@ -132,9 +132,9 @@ enum class Opcode : std::uint8_t {
   fail,     // failure a: an alarm that was seen while compiling
   report,   // report a: something that is not interpreted; b 1: axes may be anywhere after it
   // For an observer
-  tell,          // register a has a new value; b: name
-  tell_number,   // variable number a of bank extra is now b
-  tell_element,  // array a [b …] is now c
+  report_variable,  // register a has a new value; b: name
+  report_number,    // variable number a of bank extra is now b
+  report_element,   // array a [b …] is now c
 };
 
 struct Instruction {

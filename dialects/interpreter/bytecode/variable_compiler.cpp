@@ -254,9 +254,9 @@ Operand VariableCompiler::refer(const ir::Variable& variable) {
   return to;
 }
 
-void VariableCompiler::tell(Operand operand, std::string_view name, text::Span span) {
+void VariableCompiler::report_variable(Operand operand, std::string_view name, text::Span span) {
   if (builder_.context().observed)
-    builder_.emit(Opcode::tell, span, raw_of(operand), builder_.variable_name_index(name));
+    builder_.emit(Opcode::report_variable, span, raw_of(operand), builder_.variable_name_index(name));
 }
 
 }  // namespace dripfeed::interpreter

@@ -68,7 +68,7 @@ class VariableCompiler {
   void store_shared(const ir::Variable& target, const Value& value, text::Span span);
   Operand system_index(const ir::Variable& variable);
   Value failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments);
-  void tell(Operand operand, std::string_view name, text::Span span);
+  void report_variable(Operand operand, std::string_view name, text::Span span);
   [[nodiscard]] const SymbolSlot& slot_of(ir::SymbolId symbol) const;
 
   CodeBuilder& builder_;

@@ -154,11 +154,11 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
     return std::nullopt;
   }
   if (result.second != 0.0) [[unlikely]]
-    say_radii(i, result);
+    report_radii(i, result);
   return result.flow;
 }
 
-void BlockRunner::say_radii(const Instruction& i, const BlockResult& result) {
+void BlockRunner::report_radii(const Instruction& i, const BlockResult& result) {
   report_.warn(i, DiagnosticId::arc_radius_mismatch,
                {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)},
                "a parameter of the machine decides how far they may differ (3410)");
@@ -273,11 +273,11 @@ bool BlockRunner::add_computed_code(const Instruction& i, const ComputedCode& co
 
 // Said once a word: a control is silent about it, and the axis does not move.
 void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word) {
-  constexpr std::size_t kSaidAtMost = 100;
-  if (said_vacant_.size() == kSaidAtMost) return;
+  constexpr std::size_t kReportedAtMost = 100;
+  if (reported_vacant_.size() == kReportedAtMost) return;
   const std::pair key(&program, word);
-  if (std::ranges::find(said_vacant_, key) != said_vacant_.end()) return;
-  said_vacant_.push_back(key);
+  if (std::ranges::find(reported_vacant_, key) != reported_vacant_.end()) return;
+  reported_vacant_.push_back(key);
   report_.say(i, DiagnosticId::vacant_value, {"of the word " + letter_of(program.computed_words[word].address)});
 }
 
@@ -295,8 +295,8 @@ void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
   }
   // A shape is cut with the feed of its cycle. Before a motion code the machine decides whether the block cuts.
   const bool cuts = (notes & kNoteMotionWithoutCode) == 0;
-  if ((notes & kNoteNoFeed) != 0 && cuts && !said_no_feed_ && out_.captured() == nullptr) {
-    said_no_feed_ = true;
+  if ((notes & kNoteNoFeed) != 0 && cuts && !reported_no_feed_ && out_.captured() == nullptr) {
+    reported_no_feed_ = true;
     report_.keep_no_feed(i, state_.feed < 0.0 ? ir::kNegative : ir::AlarmDetail::none);
   }
 }

@@ -60,7 +60,7 @@ class BlockRunner {
   ir::Address find_axis(const ComputedWord& word);
   void skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word);
   void take_notes(const Instruction& i, std::uint32_t notes);
-  void say_radii(const Instruction& i, const BlockResult& result);
+  void report_radii(const Instruction& i, const BlockResult& result);
   bool fail(const Instruction& i, const BlockResult& result);
 
   const ir::Control& control_;
@@ -76,8 +76,8 @@ class BlockRunner {
   BlockWatch watch_;
   PlainBlock block_;
   std::vector<PlainCode> codes_;  // of a block with computed codes
-  std::vector<std::pair<const CompiledProgram*, std::uint32_t>> said_vacant_;
-  bool said_no_feed_ = false;
+  std::vector<std::pair<const CompiledProgram*, std::uint32_t>> reported_vacant_;
+  bool reported_no_feed_ = false;
   bool forgets_ = false;  // a word or code of this block leaves it open where the axes are
   std::uint64_t made_ = 0;
   bool moved_ = false;

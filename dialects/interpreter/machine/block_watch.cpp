@@ -46,7 +46,7 @@ void BlockWatch::take_tool(const PlainBlock& block) {
   if (state_.tool.number != tool_) {
     tool_ = state_.tool.number;
     length_known_ = tool_ != 0;
-    told_length_ = false;
+    reported_length_ = false;
   }
   const bool other_length = std::ranges::any_of(block.codes, [](const PlainCode& c) {
     return c.group == ir::ModalGroup::length_offset && c.function == Function::not_modelled;
@@ -56,7 +56,7 @@ void BlockWatch::take_tool(const PlainBlock& block) {
 
 // Moves along the spindle in the part's coordinates need the length of the tool that was changed in.
 void BlockWatch::length(const Instruction& i, const PlainBlock& block) {
-  if (!control_.semantics.length_needs_code || !length_known_ || told_length_) return;
+  if (!control_.semantics.length_needs_code || !length_known_ || reported_length_) return;
   if ((block.present & bit_of(Address::z)) == 0 || has_code(block, Function::machine_coordinates)) return;
   const bool none = state_.length_offset == ir::LengthOffset::off || state_.length_offset_number == 0;
   if (none) {
@@ -67,11 +67,11 @@ void BlockWatch::length(const Instruction& i, const PlainBlock& block) {
   } else {
     return;
   }
-  told_length_ = true;
+  reported_length_ = true;
 }
 
 void BlockWatch::feed(const Instruction& i, const PlainBlock& block) {
-  if (!feed_mode_stated_ || state_.feed_unknown || !(state_.feed > 0.0) || state_.feed == told_feed_) return;
+  if (!feed_mode_stated_ || state_.feed_unknown || !(state_.feed > 0.0) || state_.feed == reported_feed_) return;
   const Function motion = state_.modes.motion;
   const bool drills = state_.drilling.active && !is_tap(state_.drilling.cycle);
   if (!drills && motion != Function::linear && motion != Function::arc_cw && motion != Function::arc_ccw) return;
@@ -84,7 +84,7 @@ void BlockWatch::feed(const Instruction& i, const PlainBlock& block) {
   } else {
     return;
   }
-  told_feed_ = state_.feed;
+  reported_feed_ = state_.feed;
 }
 
 // On mills; a lathe's R is left out as often as not.

@@ -37,10 +37,10 @@ class BlockWatch {
   RunReport& report_;
   bool is_on_;
   std::int32_t tool_ = 0;
-  bool length_known_ = false;  // a tool was changed in, and nothing since that is not known may have set its length
-  bool told_length_ = false;   // of this tool
+  bool length_known_ = false;     // a tool was changed in, and nothing since that is not known may have set its length
+  bool reported_length_ = false;  // of this tool
   bool feed_mode_stated_ = false;
-  double told_feed_ = 0.0;
+  double reported_feed_ = 0.0;
 };
 
 }  // namespace dripfeed::interpreter

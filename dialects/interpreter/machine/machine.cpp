@@ -96,7 +96,7 @@ void Machine::end_by_budget(const BudgetUsedUp& used) {
 
 RunResult Machine::finish(const CompiledProgram& main) {
   budget_.close();
-  if (options_.observer != nullptr && executed_ > 0) tell_block();
+  if (options_.observer != nullptr && executed_ > 0) report_block();
   if (state_.spline.active) end_spline(rules_, state_, out_);
   out_.flush();
   if (control_.semantics.unset_is_unknown) name_unset_inputs(main);
@@ -104,7 +104,7 @@ RunResult Machine::finish(const CompiledProgram& main) {
     note_values_at_alarm();
     name_missing_arguments();
   }
-  if (!takes_feed_from_caller(main)) report_.say_no_feed();
+  if (!takes_feed_from_caller(main)) report_.report_no_feed();
   RunResult& result = report_.result();
   result.blocks = executed_;
   result.motions = out_.count();
@@ -268,9 +268,9 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::alarm:
       case Opcode::fail:
       case Opcode::report:
-      case Opcode::tell:
-      case Opcode::tell_number:
-      case Opcode::tell_element:
+      case Opcode::report_variable:
+      case Opcode::report_number:
+      case Opcode::report_element:
         goes_on = execute_rare(i, next);
         code = stack_.program().code.data();
         break;
@@ -345,7 +345,7 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     report_.count(program.reports[i.a]);
     if (i.b == 1) state_.unknown = kAllAxes;
   } else
-    tell_rare(i);
+    report_rare(i);
   return true;
 }
 
@@ -386,7 +386,7 @@ bool Machine::convert(const Instruction& i) {
 
 void Machine::begin_block(const Instruction& i) {
   if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
-    tell_block();
+    report_block();
   budget_.take_step();
   begin_place(stack_.program().keeps_place ? out_.place.line : i.a);
   if (options_.states != nullptr) [[unlikely]]

@@ -102,9 +102,9 @@ class Machine {
   void name_missing_arguments();
   void note_values_at_alarm();
   void name_input(const ir::Program& source, const ir::Variable& variable);
-  void tell(std::string_view name, double value);
-  void tell_rare(const Instruction& i);
-  void tell_block();
+  void report_variable(std::string_view name, double value);
+  void report_rare(const Instruction& i);
+  void report_block();
 
   const ir::Control& control_;
   const RunOptions& options_;

@@ -43,7 +43,7 @@ bool Machine::decide_unknown(const Instruction& i) {
     report_.end_guesses();
   }
   report_.count({.name = "a condition on a value that is not known"});
-  report_.take_uncertain_way();
+  report_.take_uncertain_path();
   if (i.extra == 1) return true;
   const std::uint32_t times = ++undecided_[&i];
   return times >= kPatience && times % 2 == 0;
@@ -57,7 +57,7 @@ bool Machine::jump(const Instruction& i, std::uint32_t& next) {
   if (by_text ? is_unknown(storage_.text(i.a)) && control_.semantics.unset_is_unknown
               : is_unknown(value, control_.semantics)) {
     report_.count({.name = "a jump to a label that is not known"});
-    report_.take_uncertain_way();
+    report_.take_uncertain_path();
     return true;
   }
   const std::uint32_t to =

@@ -51,25 +51,25 @@ bool Machine::user_alarm(const Instruction& i) {
   return report_.fail_user(i, shown, has_text ? std::string_view(storage_.text(i.b)) : std::string_view());
 }
 
-void Machine::tell(std::string_view name, double value) {
+void Machine::report_variable(std::string_view name, double value) {
   const auto found = std::ranges::find(names_.variables, name);
   const auto index = static_cast<std::uint32_t>(found - names_.variables.begin());
   if (found == names_.variables.end()) names_.variables.emplace_back(name);
   changes_.push_back({.variable = index, .value = value});
 }
 
-void Machine::tell_rare(const Instruction& i) {
-  if (i.op == Opcode::tell) {
+void Machine::report_rare(const Instruction& i) {
+  if (i.op == Opcode::report_variable) {
     changes_.push_back({i.b, storage_.reg(i.a)});
-  } else if (i.op == Opcode::tell_number) {
+  } else if (i.op == Opcode::report_number) {
     const auto number = access_.whole_number(storage_.reg(i.a), 4294967294.0);
-    if (number.has_value()) tell(variable_name(static_cast<ir::Bank>(i.extra), *number), storage_.reg(i.b));
-  } else if (i.op == Opcode::tell_element) {
-    tell(access_.name_of_element(stack_.program(), i.a, i.b), storage_.reg(i.c));
+    if (number.has_value()) report_variable(variable_name(static_cast<ir::Bank>(i.extra), *number), storage_.reg(i.b));
+  } else if (i.op == Opcode::report_element) {
+    report_variable(access_.name_of_element(stack_.program(), i.a, i.b), storage_.reg(i.c));
   }
 }
 
-void Machine::tell_block() {
+void Machine::report_block() {
   options_.observer->block(begun_, changes_);
   changes_.clear();
 }

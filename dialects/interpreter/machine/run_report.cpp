@@ -78,7 +78,7 @@ void RunReport::keep_no_feed(const Instruction& at, ir::AlarmDetail detail) {
   no_feed_place_ = result_.diagnostics.size();
 }
 
-void RunReport::say_no_feed() {
+void RunReport::report_no_feed() {
   if (!no_feed_.has_value()) return;
   const auto place = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(no_feed_place_);
   result_.diagnostics.insert(place, *std::move(no_feed_));

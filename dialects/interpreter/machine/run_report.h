@@ -37,9 +37,9 @@ class RunReport {
   void warn(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments, std::string_view note);
   // A cut without a feed: said at the end of the run, unless the program turns out to be a subprogram by then.
   void keep_no_feed(const Instruction& at, ir::AlarmDetail detail);
-  void say_no_feed();
+  void report_no_feed();
   // From here on the program goes a way that a value decides which is not known: its alarms are possible, not certain.
-  void take_uncertain_way() { uncertain_ = true; }
+  void take_uncertain_path() { uncertain_ = true; }
   [[nodiscard]] bool took_uncertain_way() const { return uncertain_; }
   // The passes that are left are none, because too many ways were guessed: the limit says so.
   void end_guesses() { guesses_end_ = true; }

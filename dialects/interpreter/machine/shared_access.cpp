@@ -47,7 +47,7 @@ SharedAccess::IndexState SharedAccess::find_indices(const Instruction& i, std::u
   return state;
 }
 
-void SharedAccess::say_input(std::string name) {
+void SharedAccess::report_input(std::string name) {
   report_.count({.name = std::move(name), .function = ir::Function::not_modelled, .is_input = true});
 }
 
@@ -84,7 +84,8 @@ bool SharedAccess::load(const Instruction& i) {
       to = *known;
       return true;
     }
-  say_input(state == IndexState::known ? shared_.name_of_element(i.b, indices, i.extra) : shared_.name_of(i.b) + "[?]");
+  report_input(state == IndexState::known ? shared_.name_of_element(i.b, indices, i.extra)
+                                          : shared_.name_of(i.b) + "[?]");
   to = kVacant;
   return true;
 }
@@ -137,8 +138,8 @@ bool SharedAccess::load_text(const Instruction& i) {
   } else if (value != nullptr && !is_vacant(value->number)) {
     to = text::format_shortest(value->number + 0.0);
   } else {
-    say_input(state == IndexState::known ? shared_.name_of_element(i.b, indices, i.extra)
-                                         : shared_.name_of(i.b) + "[?]");
+    report_input(state == IndexState::known ? shared_.name_of_element(i.b, indices, i.extra)
+                                            : shared_.name_of(i.b) + "[?]");
     to = kUnknownText;
   }
   return true;

@@ -39,7 +39,7 @@ class SharedAccess {
   [[nodiscard]] std::optional<double> answer(const Instruction& i, const Indices& indices) const;
   bool may_write(const Instruction& i);
   [[nodiscard]] bool is_changed_by_control(const Instruction& i) const;
-  void say_input(std::string name);
+  void report_input(std::string name);
 
   const ir::Control& control_;
   Storage& storage_;

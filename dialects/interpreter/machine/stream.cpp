@@ -108,7 +108,7 @@ bool Machine::run_plain_blocks(PlainStream& stream, const Instruction& here, tex
       if (place != nullptr) *place = {offset, offset + row.length};
       if (executed_ == options_.limits.blocks) return report_.fail_limit(here, "blocks");
       if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
-        tell_block();
+        report_block();
       budget_.take_step();
       begin_place(row.line);
       ++out_.work.blocks;

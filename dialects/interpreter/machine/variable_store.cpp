@@ -104,17 +104,17 @@ void VariableCompiler::store_symbol(const ir::Variable& target, const Value& val
   const Value converted = convert(symbol.type, value, at, span);
   if (at != Operand::none) {
     if (converted.operand != at) builder_.emit(Opcode::copy, span, raw_of(at), raw_of(converted.operand));
-    return tell(at, name, span);
+    return report_variable(at, name, span);
   }
   if (slot.array == kNoArray) {
     builder_.emit(Opcode::store_reference, span, raw_of(make_operand(Space::frame, slot.slot)),
                   raw_of(converted.operand));
-    return tell(converted.operand, name, span);
+    return report_variable(converted.operand, name, span);
   }
   const Operand indices = index_registers(target);
   builder_.emit(Opcode::store_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
   if (builder_.context().observed)
-    builder_.emit(Opcode::tell_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
+    builder_.emit(Opcode::report_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
 }
 
 void VariableCompiler::store_string(const ir::Variable& target, const Value& value, text::Span span) {
@@ -141,7 +141,8 @@ void VariableCompiler::store_numbered(const ir::Variable& target, const Value& v
     const Value index = expressions_.compile_number(target.index);
     builder_.emit(Opcode::store_number, span, raw_of(index.operand), raw_of(value.operand), 0, extra_of(target.bank));
     if (builder_.context().observed)
-      builder_.emit(Opcode::tell_number, span, raw_of(index.operand), raw_of(value.operand), 0, extra_of(target.bank));
+      builder_.emit(Opcode::report_number, span, raw_of(index.operand), raw_of(value.operand), 0,
+                    extra_of(target.bank));
     return;
   }
   const std::string name = variable_name(target.bank, target.number);
@@ -157,7 +158,7 @@ void VariableCompiler::store_numbered(const ir::Variable& target, const Value& v
     const Operand at = register_of(slot);
     builder_.out().named_variables.emplace_back(target.bank, target.number);
     if (value.operand != at) builder_.emit(Opcode::copy, span, raw_of(at), raw_of(value.operand));
-    tell(at, name, span);
+    report_variable(at, name, span);
   }
 }
 

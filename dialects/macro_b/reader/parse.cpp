@@ -112,7 +112,7 @@ void Parser::skip_leader() {
 
 // What stands behind the closing tape mark is not read by the control.
 void Parser::skip_after_end() {
-  if (!cursor_.at_end() && !std::exchange(said_after_end_, true)) faults_.report(unreachable, cursor_.span());
+  if (!cursor_.at_end() && !std::exchange(reported_after_end_, true)) faults_.report(unreachable, cursor_.span());
   while (!cursor_.at_end()) cursor_.advance();
 }
 

@@ -94,7 +94,7 @@ class Parser {
   bool keeps_structure_ = false;  // a fault in WHILE or END leaves the loop in place
   std::uint32_t tape_marks_ = 0;
   bool ended_ = false;  // behind the closing tape mark
-  bool said_after_end_ = false;
+  bool reported_after_end_ = false;
   bool leader_ = false;  // the text begins with a tape mark
 };
 

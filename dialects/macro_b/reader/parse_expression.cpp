@@ -51,7 +51,7 @@ ExpressionId ExpressionReader::comparison(std::string_view after) {
       return op == Operator::bit_and || op == Operator::bit_or || op == Operator::bit_xor;
     };
     const bool bare_right = mixes(right) && cursor_.whole_text()[cursor_.previous_end() - 1] != ']';
-    if ((is_condition(left) || bare_right) && !std::exchange(said_beside_logic_, true)) {
+    if ((is_condition(left) || bare_right) && !std::exchange(reported_mixed_logic_, true)) {
       faults_.report(comparison_beside_logic, at, {"AND, OR or another comparison"});
     }
     left = combine(word->op, left, right);

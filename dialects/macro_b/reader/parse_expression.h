@@ -48,7 +48,7 @@ class ExpressionReader {
     return known != names_.end() && known->second != number;
   }
   [[nodiscard]] bool has_names() const { return !names_.empty() || !grammar_.named_variables.empty(); }
-  void begin_block() { depth_ = 0, operators_ = 0, said_beside_logic_ = false; }
+  void begin_block() { depth_ = 0, operators_ = 0, reported_mixed_logic_ = false; }
 
  private:
   ir::ExpressionId comparison(std::string_view after);
@@ -79,7 +79,7 @@ class ExpressionReader {
   std::map<std::string, std::uint32_t, std::less<>> names_;
   std::uint32_t depth_ = 0;
   std::uint32_t operators_ = 0;  // of the block
-  bool said_beside_logic_ = false;
+  bool reported_mixed_logic_ = false;
   std::uint32_t open_at_ = 0;  // of the innermost bracket that is open
 };
 

@@ -84,7 +84,7 @@ std::optional<Function> DrillPlace::state_distance() {
 bool DrillPlace::is_known(std::string_view what, const facts::Known<facts::Setting>& fact) {
   const bool differs = fact.other_origin != facts::kNobody || (fact.origin == facts::kNobody && !fact.inherited);
   const bool is_certain = fact.is_certain();
-  if (!is_certain && told_.insert({std::string(what), differs}).second) {
+  if (!is_certain && reported_.insert({std::string(what), differs}).second) {
     std::string ways = fmt::format("{}", fmt::join(modes_.paths(fact), ", or "));
     if (fact.changer != ir::kNoIndex)
       ways +=
@@ -163,7 +163,7 @@ void DrillPlace::take_turning(const ir::Block& block) {
 
 // --- what is told
 
-void DrillPlace::tell(passes::Refusal what) {
+void DrillPlace::warn(passes::Refusal what) {
   cannot(std::move(what));
   diagnostics_.back().severity = text::Severity::warning;
 }

@@ -64,7 +64,7 @@ class DrillPlace {
   // The other control has no counterpart for it.
   void cannot(passes::Refusal what);
   // … and it is said without all the same.
-  void tell(passes::Refusal what);
+  void warn(passes::Refusal what);
   std::vector<text::Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
 
   DrillState state;  // who writes a hole says here what it leaves
@@ -83,7 +83,7 @@ class DrillPlace {
   const ir::Control& to_;
   std::vector<bool> is_target_;  // of a jump
   facts::Resolved modes_;
-  std::set<std::pair<std::string, bool>> told_;  // and whether it was an error
+  std::set<std::pair<std::string, bool>> reported_;  // and whether it was an error
   std::vector<text::Diagnostic> diagnostics_;
   std::uint32_t index_ = 0;
   ir::Function plane_;

@@ -55,7 +55,7 @@ class Refusal {
 
   // `why`: what is wrong with it, after its name.
   void refuse(const ir::Variable& v, const ir::Statement& s, passes::Refusal why) {
-    if (!told_.insert(v.symbol).second) return;
+    if (!reported_.insert(v.symbol).second) return;
     why.what = "the global data " + std::string(program_.strings.at(program_.at(v.symbol).name)) + why.what;
     out_.push_back(passes::diagnose(std::move(why), v.span.empty() ? s.span : v.span, to_.title));
   }
@@ -63,7 +63,7 @@ class Refusal {
   const ir::Program& program_;
   const PlacedGlobals& placed_;
   const ir::Control& to_;
-  std::set<ir::SymbolId> told_;
+  std::set<ir::SymbolId> reported_;
   std::vector<text::Diagnostic> out_;
 };
 

@@ -90,9 +90,9 @@ void HoleWriter::write_cycle(const Hole& hole, bool modal, bool to_level) {
   if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
   if (hole.breaks_chips) {
     cycle = DrillCycle::chip_break;
-    place_.tell("the retract between the pecks at the feed, which G73 makes at rapid,");
+    place_.warn("the retract between the pecks at the feed, which G73 makes at rapid,");
   }
-  if (hole.pecks_below_level) place_.tell("pecks from the reference plane, which a cycle here counts from R,");
+  if (hole.pecks_below_level) place_.warn("pecks from the reference plane, which a cycle here counts from R,");
   ir::Code drill = code(Function::drill);
   drill.argument = ir::drill_argument(cycle);
   std::vector<ir::Word> words = {absolute(Address::z, hole.depth), absolute(Address::r, hole.level)};

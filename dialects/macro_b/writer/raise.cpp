@@ -268,8 +268,9 @@ void refuse_unsayable(const ir::Program& program, const ir::Control& to, const G
 }
 
 // R parameters keep what was set last; the variables that they become are empty until somebody sets them.
-void tell_outside(std::span<const passes::OutsideValue> outside, std::span<const passes::AllocatedVariable> placed,
-                  const ir::Control& to, std::vector<text::Diagnostic>& diagnostics) {
+void warn_of_outside_values(std::span<const passes::OutsideValue> outside,
+                            std::span<const passes::AllocatedVariable> placed, const ir::Control& to,
+                            std::vector<text::Diagnostic>& diagnostics) {
   for (const passes::OutsideValue& value : outside) {
     const auto place = std::ranges::find_if(placed, [&](const passes::AllocatedVariable& v) {
       return v.from_bank == ir::Bank::r && v.from_number <= value.number && value.number < v.from_number + v.count;
@@ -325,7 +326,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   const std::vector<passes::OutsideValue> outside = passes::outside_values(p, from, ir::Bank::r);
   passes::AllocationReport placed = passes::allocate_variables(p, from, to, ir::Bank::hash, rules);
   append(result.diagnostics, std::move(placed.diagnostics));
-  if (!by_number) tell_outside(outside, placed.variables, to, result.diagnostics);
+  if (!by_number) warn_of_outside_values(outside, placed.variables, to, result.diagnostics);
   check_system_variables(p, to, result.diagnostics);
   write_other_forms(p, to, grammar, result.diagnostics);
   if (!text::has_error(result.diagnostics)) refuse_unsayable(p, to, grammar, result.diagnostics);

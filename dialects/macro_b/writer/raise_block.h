@@ -79,7 +79,7 @@ class BlockRaiser {
   [[nodiscard]] bool plane_is_always_xy() const;
   [[nodiscard]] bool calls_next() const;
   [[nodiscard]] std::optional<bool> moves_without_edge(const ir::Statement& s) const;
-  void tell(std::string what, std::string why);
+  void warn(std::string what, std::string why);
   void speed_limit(const ir::Word& word);
   void pattern_word(ir::Word word, std::int16_t pattern);
   void distance_frame(const Traits& traits);
@@ -87,7 +87,7 @@ class BlockRaiser {
   void emit_all();
   void emit(const Draft& draft);
   void split_m_codes();
-  void say_speed(Draft& turn);
+  void write_speed(Draft& turn);
   static void move_words(ir::Address address, Draft& from, Draft& to);
   void whole_shift();
 

@@ -49,12 +49,12 @@ void BlockRaiser::split_m_codes() {
     }
   }
   draft_.codes = std::move(codes);
-  if (turn_in_front) say_speed(before_[*turn_in_front]);
+  if (turn_in_front) write_speed(before_[*turn_in_front]);
   after_.insert(after_.begin(), behind.begin(), behind.end());
 }
 
 // S goes with the spindle, and with S what it counts: G96 or G97, with the axis (P) of G96.
-void BlockRaiser::say_speed(Draft& turn) {
+void BlockRaiser::write_speed(Draft& turn) {
   const auto counts_speed = [](const ir::Code& c) {
     return c.function == Function::surface_speed_on || c.function == Function::surface_speed_off;
   };

@@ -93,13 +93,13 @@ std::optional<ExpressionId> BlockRaiser::tool_in(const facts::Facts& facts) {
     return std::nullopt;
   }
   if (in.changer != ir::kNoIndex)
-    tell("the tool in the spindle", fmt::format("it is taken as the one of T above, which what line {} calls may have "
+    warn("the tool in the spindle", fmt::format("it is taken as the one of T above, which what line {} calls may have "
                                                 "changed",
                                                 program_.statements[in.changer].line));
   return in.value;
 }
 
-void BlockRaiser::tell(std::string what, std::string why) {
+void BlockRaiser::warn(std::string what, std::string why) {
   diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::unknown_modal_state, statement_->span,
                                                {std::move(what), std::move(why)}));
   diagnostics_.back().severity = text::Severity::warning;
@@ -110,7 +110,7 @@ void BlockRaiser::compensation_number() {
   if (to_.semantics.tool_word != ir::ToolWord::number) return;
   const std::optional<ExpressionId> tool = tool_in(facts_here());
   if (tool && *tool != ExpressionId::none) return draft_.words.push_back(word_of(Address::d, *tool));
-  if (tool) tell("the number of the compensation (D)", "the tool is a caller's, which must have stated it");
+  if (tool) warn("the number of the compensation (D)", "the tool is a caller's, which must have stated it");
 }
 
 // T0606: each tool has the offset of its own number; edge 0 takes the offset away.
@@ -132,12 +132,12 @@ void BlockRaiser::length_offset(const Traits& traits, ExpressionId edge) {
     if (!tool) return change_first(traits, {});
     if (is_constant(*tool, 0.0)) return change_first(traits, {{code_of(Function::length_offset_off)}, {}});
     if (*tool == ExpressionId::none) {
-      tell("the tool length", "neither the tool nor a cutting edge of it is stated here");
+      warn("the tool length", "neither the tool nor a cutting edge of it is stated here");
       return change_first(traits, {});
     }
     if (tools_->tool_comes_by_t() && calls_next())
       return cannot(*statement_, passes::of_tool("a tool that a called program brings in, without D after the call,"));
-    tell("the cutting edge after a tool change without D", "MD20270 decides, and it is taken as D1");
+    warn("the cutting edge after a tool change without D", "MD20270 decides, and it is taken as D1");
     length = length_of(*tool);
   } else if (is_constant(edge, 0.0)) {
     length = {{code_of(Function::length_offset_off)}, {}};

@@ -108,7 +108,7 @@ bool DrillCall::pecks(DrillCycle cycle) {
   const double in_units = inch_ ? 1.0 / 25.4 : 1.0;
   if (!clears) put(CycleValue::peck_retract, constant(from.chip_break_retract_mm * in_units));
   const bool of_family = raising_.from.dialect == "family";  // breaks chips as the control does
-  if (!clears && !of_family) tell("the retract between the pecks at rapid, which CYCLE83 makes at the feed,");
+  if (!clears && !of_family) warn("the retract between the pecks at rapid, which CYCLE83 makes at the feed,");
   const ExpressionId dwell = seconds();
   if (dwell != ExpressionId::none) put(CycleValue::last_dwell, dwell);
   if (clears) put(CycleValue::peck_clearance, constant(from.peck_clearance_mm * in_units));
@@ -123,10 +123,10 @@ bool DrillCall::tap(DrillCycle cycle) {
   const bool has_speed = after_.speed.known && after_.speed.value != ExpressionId::none;
   if (!by_turn && !has_speed) return refuse(passes::not_known("a tap whose speed is not known here")), false;
   const auto is_number = [&](ExpressionId id) { return program_.at(id).op == Operator::constant; };
-  const bool says_speed = has_speed && is_number(after_.speed.value);
-  if (!is_number(after_.feed.value) || (!by_turn && !says_speed))
+  const bool states_speed = has_speed && is_number(after_.speed.value);
+  if (!is_number(after_.feed.value) || (!by_turn && !states_speed))
     return refuse(passes::computed("a tap whose feed or speed is computed")), false;
-  const double speed = says_speed ? program_.at(after_.speed.value).value : 1.0;
+  const double speed = states_speed ? program_.at(after_.speed.value).value : 1.0;
   double lead = program_.at(after_.feed.value).value;
   if (!by_turn) lead /= speed;
   if (!(speed > 0.0) || !(lead > 0.0)) return refuse("a tap without a feed or speed"), false;
@@ -138,7 +138,7 @@ bool DrillCall::tap(DrillCycle cycle) {
                                           : spindle == Function::spindle_ccw ? 4.0
                                                                              : 5.0));
   put(CycleValue::lead, constant(cycle == DrillCycle::tap_left ? -lead : lead));
-  put(CycleValue::speed, says_speed ? constant(speed) : system_value("$P_S"));
+  put(CycleValue::speed, states_speed ? constant(speed) : system_value("$P_S"));
   return true;
 }
 
@@ -176,7 +176,7 @@ std::optional<DrillCall::Shift> DrillCall::shift_aside() {
   const std::optional<ExpressionId> q = word(after_.peck, "Q");
   if (!q) return std::nullopt;
   shift.x = of(Operator::abs, *q);
-  tell(
+  warn(
       passes::by_parameter("the direction of the shift Q, which a machine parameter states and which is taken as X+,"));
   return shift;
 }
@@ -288,7 +288,7 @@ std::nullopt_t DrillCall::refuse(passes::Refusal what) {
 }
 
 // What is said so all the same.
-void DrillCall::tell(passes::Refusal what) {
+void DrillCall::warn(passes::Refusal what) {
   raising_.cannot(std::move(what), span_);
   raising_.diagnostics.back().severity = text::Severity::warning;
 }

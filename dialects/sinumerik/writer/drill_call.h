@@ -56,7 +56,7 @@ class DrillCall {
   void put(ir::CycleValue which, ir::ExpressionId value);
 
   std::nullopt_t refuse(passes::Refusal what);
-  void tell(passes::Refusal what);
+  void warn(passes::Refusal what);
   ir::ExpressionId constant(double value);
   ir::ExpressionId of(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b = ir::ExpressionId::none);
   ir::ExpressionId sum(ir::ExpressionId a, ir::ExpressionId b);

@@ -31,7 +31,7 @@ namespace {
 constexpr std::uint32_t kFirstCommon = 100;
 
 // #500 of the program that is called is R500 or another number, as that translation found room.
-void tell_shared(const Raising& raising, const passes::AllocatedVariable& v) {
+void warn_of_shared_value(const Raising& raising, const passes::AllocatedVariable& v) {
   if (v.from_bank != ir::Bank::hash || v.from_number < kFirstCommon || v.number == v.from_number) return;
   const auto& statements = raising.program.statements;
   const bool shares = std::ranges::any_of(statements, [](const ir::Statement& s) {
@@ -49,7 +49,7 @@ void tell_shared(const Raising& raising, const passes::AllocatedVariable& v) {
 }
 
 // #101 is empty when the control wakes up; an R parameter holds what was left in it.
-void tell_outside(const Raising& raising, const passes::OutsideValue& value) {
+void warn_of_outside_values(const Raising& raising, const passes::OutsideValue& value) {
   raising.cannot(passes::not_known(fmt::format(
                      "the value of #{}, which nothing here sets before it is read (an R parameter keeps what "
                      "was set last),",
@@ -67,8 +67,8 @@ void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept) {
                                                                {.fixed = {}, .kept = std::move(kept)});
   for (text::Diagnostic& d : report.diagnostics) raising.diagnostics.push_back(std::move(d));
   // A number that one name has to itself keeps the name for the printer's comment.
-  for (const passes::AllocatedVariable& v : report.variables) tell_shared(raising, v);
-  for (const passes::OutsideValue& value : outside) tell_outside(raising, value);
+  for (const passes::AllocatedVariable& v : report.variables) warn_of_shared_value(raising, v);
+  for (const passes::OutsideValue& value : outside) warn_of_outside_values(raising, value);
   std::map<std::uint32_t, ir::SymbolId> names;
   for (const passes::AllocatedVariable& v : report.variables) {
     if (v.symbol == ir::SymbolId::none || v.count != 1) continue;

@@ -104,7 +104,7 @@ class Macro {
   }
 
   void may_be_empty(const passes::UnsetRead& read) {
-    if (!told_.insert(read.watched).second) return;
+    if (!reported_.insert(read.watched).second) return;
     raising_.cannot(passes::not_known("the variable #" + std::to_string(read.watched) + ", which may be empty here,"),
                     program_.at(read.variable).span);
   }
@@ -363,7 +363,7 @@ class Macro {
   passes::Rewrite out_;
   std::map<std::uint32_t, Local> locals_;  // by number
   std::set<std::pair<std::uint32_t, ir::VariableId>> unset_;
-  std::set<std::uint32_t> told_;
+  std::set<std::uint32_t> reported_;
   std::set<ir::SymbolId> kept_;
   std::uint32_t first_parameter_ = 0;
   std::uint32_t first_local_ = 0;

@@ -152,7 +152,7 @@ class BlockRaiser {
       return program_.codes.push_back(c);  // settled
     // What would begin it is refused: by itself it ends nothing.
     if (c.function == Function::transformation && c.argument == ir::kTransformationEnds) return;
-    if (c.function == Function::no_effect || c.function == Function::continuous_path) tell_lost(c);
+    if (c.function == Function::no_effect || c.function == Function::continuous_path) warn_of_lost_code(c);
     if (std::ranges::find(kNeedless, c.function) != std::end(kNeedless)) return;
     if (ir::ends_frame(c.function, c.argument)) return;
     if (c.function == Function::thread_changing) return;  // written in each block that moves
@@ -168,7 +168,7 @@ class BlockRaiser {
   }
 
   // Look-ahead, smoothing, high precision of the other control, with their words.
-  void tell_lost(const ir::Code& c) {
+  void warn_of_lost_code(const ir::Code& c) {
     if (c.name == ir::StringId::none || c.group == ModalGroup::frame) return;
     loses_code_ = true;
     raising_.cannot(std::string(program_.strings.at(c.name)), c.span);

@@ -32,7 +32,7 @@ ir::Code code_of(Function function, std::int16_t argument, text::Span span) {
 }
 
 // A caller or a called program decides. Taken away it would be missed: the tool would come down by its length.
-void tell_taken_as_on(const Raising& raising, text::Span span) {
+void warn_taken_as_on(const Raising& raising, text::Span span) {
   raising.report(text::DiagnosticId::unknown_modal_state, span,
                  {"whether the tool length is in effect", "it is taken away here and put back after it (D1)"});
   raising.diagnostics.back().severity = text::Severity::warning;
@@ -58,7 +58,7 @@ void raise_machine_moves(const Raising& raising) {
     const std::optional<facts::Facts> here = looks ? known.at(i) : std::nullopt;
     const ToolLength none = looks ? ToolLength::unknown : ToolLength::off;  // no path leads here
     const ToolLength length = here ? facts::tool_length(*here) : none;
-    if (length == ToolLength::unknown) tell_taken_as_on(raising, s.span);
+    if (length == ToolLength::unknown) warn_taken_as_on(raising, s.span);
     if (length == ToolLength::off) {
       out.keep();
       continue;

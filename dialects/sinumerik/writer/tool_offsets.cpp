@@ -127,7 +127,7 @@ void ToolOffsets::tool(const ir::Word& w) {
   const double offset = std::fmod(std::trunc(e.value), kToolPlaces);
   const bool is_alone = names_offsets_only_ && offset != 0.0;
   const double tool = is_alone ? offset : std::trunc(e.value / kToolPlaces);
-  if (is_alone) tell_taken_as_tool(w.span);
+  if (is_alone) warn_taken_as_tool(w.span);
   if (tool != 0.0) last_tool_ = tool;  // otherwise T6 is another offset of the tool that is in
   if (tool != 0.0) add(Address::t, tool, w.span);
   length_ = offset == 0.0 ? Length::off : Length::on;
@@ -151,17 +151,17 @@ bool ToolOffsets::is_tool(double number, std::string_view otherwise, text::Span 
   }
   const bool same = in.number == number;
   if (!same) raising_.cannot(std::string(otherwise), span);
-  if (same && in.changer != ir::kNoIndex) tell_caller(in.changer, span);
+  if (same && in.changer != ir::kNoIndex) warn_of_caller(in.changer, span);
   return same;
 }
 
-void ToolOffsets::tell_taken_as_tool(text::Span span) {
-  if (std::exchange(told_tool_, true)) return;
+void ToolOffsets::warn_taken_as_tool(text::Span span) {
+  if (std::exchange(warned_of_tool_, true)) return;
   raising_.cannot(passes::of_tool("an offset without a tool, taken as that of the tool of its number,"), span);
   raising_.diagnostics.back().severity = text::Severity::warning;
 }
 
-void ToolOffsets::tell_caller(std::uint32_t caller, text::Span span) {
+void ToolOffsets::warn_of_caller(std::uint32_t caller, text::Span span) {
   const std::string line = std::to_string(program_.statements[caller].line);
   raising_.report(text::DiagnosticId::unknown_modal_state, span,
                   {"the tool in the spindle",
@@ -180,9 +180,9 @@ void ToolOffsets::add(Address address, double number, text::Span span) {
 // D1, which a block says once.
 void ToolOffsets::add_edge(text::Span span) {
   const auto own = std::span(program_.words).subspan(first_word_);
-  const bool is_said = std::ranges::any_of(
+  const bool is_stated = std::ranges::any_of(
       own, [&](const ir::Word& w) { return w.address == Address::d && program_.at(w.value).value == 1.0; });
-  if (!is_said) add(Address::d, 1.0, span);
+  if (!is_stated) add(Address::d, 1.0, span);
 }
 
 bool ToolOffsets::has(Function function) const {

@@ -38,8 +38,8 @@ class ToolOffsets {
 
  private:
   bool is_tool(double number, std::string_view otherwise, text::Span span);
-  void tell_taken_as_tool(text::Span span);
-  void tell_caller(std::uint32_t caller, text::Span span);
+  void warn_taken_as_tool(text::Span span);
+  void warn_of_caller(std::uint32_t caller, text::Span span);
   void add(ir::Address address, double number, text::Span span);
   void add_edge(text::Span span);
   [[nodiscard]] bool has(ir::Function function) const;
@@ -59,7 +59,7 @@ class ToolOffsets {
   std::optional<double> number_;  // of D
   double last_tool_ = -1.0;       // of T0606
   bool names_offsets_only_;       // no T of the program names a tool: T6
-  bool told_tool_ = false;
+  bool warned_of_tool_ = false;
 };
 
 }  // namespace dripfeed::sinumerik

@@ -40,7 +40,7 @@ Result<void> add_nominal(store::Store& store, const CheckOrder& order, StoredCas
                                   .revision = family->revision,
                                   .text = family->text,
                                   .values = order.nominal->values,
-                                  .is_said = true};
+                                  .is_from_request = true};
   one.order.profile_lines = order.profile_lines;
   return {};
 }

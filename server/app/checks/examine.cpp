@@ -254,9 +254,9 @@ Followed::Run run_into(ir::MotionSink& sink, const Examination& e, const ir::Pro
   if (thin != nullptr) thin->place(run);
   const compile::RunTexts texts(program, library);
   take_run(run, e, texts, goes_to_second_reference(program, library), report);
-  bool writes = tell_outputs(program, e.control, report.checks.not_checked);
+  bool writes = list_outputs(program, e.control, report.checks.not_checked);
   for (const auto& loaded : library.loaded()) {
-    writes |= tell_outputs(loaded->read.program, e.control, report.checks.not_checked);
+    writes |= list_outputs(loaded->read.program, e.control, report.checks.not_checked);
     if (text::has_error(loaded->read.diagnostics)) take_errors(*loaded, report);
   }
   if (writes) report.checks.has_unknown_effects = true;
@@ -275,7 +275,7 @@ void run_checks(const Examination& e, const ir::Program& program, const compile:
 }
 
 // What was taken for granted against the text's own word.
-void tell_contradiction(const Examination& e, CheckReport& report) {
+void report_contradiction(const Examination& e, CheckReport& report) {
   if (e.control.contradiction.size() < 2) return;
   const ir::SystemEvidence& a = e.control.contradiction[0];
   const ir::SystemEvidence& b = e.control.contradiction[1];
@@ -375,7 +375,7 @@ TextReading read_text(const Examination& e, const compile::ThinProgram* thin) {
     if (auto fault = compile::fault_of_machine(e.geometry->machine, e.control))
       diagnostics.push_back(std::move(*fault));
   }
-  tell_contradiction(e, report);
+  report_contradiction(e, report);
   sort_and_join(diagnostics);
   return out;
 }

@@ -54,14 +54,14 @@ std::string written_output(const ir::Program& program, const ir::Control& contro
 
 }  // namespace
 
-bool tell_outputs(const ir::Program& program, const ir::Control& control, checks::NotCheckedList& not_checked) {
-  std::set<std::string> told;
+bool list_outputs(const ir::Program& program, const ir::Control& control, checks::NotCheckedList& not_checked) {
+  std::set<std::string> listed;
   for (const ir::Statement& statement : program.statements) {
     const std::string name = written_output(program, control, statement);
-    if (name.empty() || !told.insert(name).second) continue;
+    if (name.empty() || !listed.insert(name).second) continue;
     not_checked.add(fmt::format("{}: what this output does is not known", name), statement.line);
   }
-  return !told.empty();
+  return !listed.empty();
 }
 
 }  // namespace dripfeed::app

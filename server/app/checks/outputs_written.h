@@ -8,6 +8,6 @@
 namespace dripfeed::app {
 
 // Adds each such variable once, with the first line that writes it. False when none is written.
-bool tell_outputs(const ir::Program& program, const ir::Control& control, checks::NotCheckedList& not_checked);
+bool list_outputs(const ir::Program& program, const ir::Control& control, checks::NotCheckedList& not_checked);
 
 }  // namespace dripfeed::app

@@ -44,7 +44,7 @@ std::vector<checks::Tool> tools_of(const Examination& e) {
 }
 
 // What the machine has counts, because that is what cuts; a family that was written for another tool is not checked.
-void say_other_shapes(const Examination& e, checks::NotCheckedList& skipped) {
+void report_other_shapes(const Examination& e, checks::NotCheckedList& skipped) {
   if (e.profile == nullptr) return;
   for (const family::ToolShape& shape : e.geometry->tools) {
     const auto known = std::ranges::find(e.profile->machine.tools, shape.number, &checks::Tool::number);
@@ -154,7 +154,7 @@ SurfaceChecks::SurfaceChecks(const Examination& e, SurfaceScope scope, checks::N
     skipped.add("gouges and accuracy: stock and nominal are of a family for another kind of machine");
     return;
   }
-  say_other_shapes(e, skipped);
+  report_other_shapes(e, skipped);
   const bool turns = e.control.kind != ir::MachineKind::mill;
   const bool has_surface = g.stock || (turns ? !g.nominal.empty() : !g.surfaces.empty());
   if (scope == SurfaceScope::all) {

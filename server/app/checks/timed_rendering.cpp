@@ -73,7 +73,7 @@ std::string grouped(std::uint64_t count) {
   return text;
 }
 
-std::string said(const timing::Report& report) {
+std::string times_of(const timing::Report& report) {
   const std::string stalls = report.stalls == 0   ? "no stall"
                              : report.stalls == 1 ? "1 stall"
                                                   : grouped(report.stalls) + " stalls";
@@ -108,11 +108,11 @@ compile::RenderResult render_for(const compile::RenderRequest& request, const ma
   if (!blocks_time) return keep(fmt::format("what plain blocks take is not known: {}", blocks_time.error()));
   const bool takes_blocks = blocks_time->report.cycle_s < (1.0 - kWorthwhile) * macro_time->report.cycle_s;
   compile::RenderResult& taken = takes_blocks ? blocks : macro;
-  taken.because =
-      fmt::format("{}: macro: {}; blocks: {} (cost model {})",
-                  takes_blocks ? "plain blocks are faster by the forecast for this machine"
-                               : "plain blocks would save next to nothing by the forecast for this machine",
-                  said(macro_time->report), said(blocks_time->report), ir::name_of(macro_time->report.cost_source));
+  taken.because = fmt::format("{}: macro: {}; blocks: {} (cost model {})",
+                              takes_blocks ? "plain blocks are faster by the forecast for this machine"
+                                           : "plain blocks would save next to nothing by the forecast for this machine",
+                              times_of(macro_time->report), times_of(blocks_time->report),
+                              ir::name_of(macro_time->report.cost_source));
   return std::move(taken);
 }
 

@@ -19,11 +19,11 @@ bool is_slip(const text::Diagnostic& one) { return one.id == text::DiagnosticId:
 }  // namespace
 
 void warn_once(std::vector<text::Diagnostic>& diagnostics) {
-  std::set<std::pair<text::DiagnosticId, const text::Source*>> said;
+  std::set<std::pair<text::DiagnosticId, const text::Source*>> seen;
   for (text::Diagnostic& one : diagnostics) {
     if (one.severity != text::Severity::warning || is_slip(one)) continue;
     if (std::ranges::find(kOnce, one.id) == std::end(kOnce)) continue;
-    if (said.emplace(one.id, one.elsewhere.get()).second) continue;
+    if (seen.emplace(one.id, one.elsewhere.get()).second) continue;
     one.severity = text::Severity::note;
     one.notes.clear();  // the first says what settles it
   }

@@ -24,7 +24,7 @@ struct NominalCase {
   store::Revision revision = 0;
   std::string text;
   Values values;
-  bool is_said = false;  // by who asks; otherwise the program was rendered from it
+  bool is_from_request = false;  // by who asks; otherwise the program was rendered from it
 };
 
 // A program and the machine that it is for.

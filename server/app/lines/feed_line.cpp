@@ -341,7 +341,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (!of_answer_) publish_job(feed_.counters());
     report_.char_s = to_seconds(feed_.paced_char_time());
     report_.unarmed_starts = unarmed_starts_;
-    link_.tell(report_);
+    link_.report(report_);
     if (!changed) return;
     ++report_.changes;
     changed_();

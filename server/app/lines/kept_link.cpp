@@ -84,9 +84,9 @@ void KeptLink::tick(feed::Time now) {
 
 std::optional<feed::Time> KeptLink::deadline() const { return link_ ? std::nullopt : std::optional(reopen_at_); }
 
-void KeptLink::tell(LineReport& report) const {
+void KeptLink::report(LineReport& report) const {
   if (report.link_error != error_) report.link_error = error_;
-  if (link_) tell_link(*link_, report);
+  if (link_) report_link(*link_, report);
 }
 
 }  // namespace dripfeed::app

@@ -42,7 +42,7 @@ class KeptLink {
   [[nodiscard]] const std::string& error() const { return error_; }
   [[nodiscard]] const machine::LineSettings& settings() const { return settings_; }
   // Its part of a line's report.
-  void tell(LineReport& report) const;
+  void report(LineReport& report) const;
 
  private:
   // The clock is read for who looks.

@@ -39,7 +39,7 @@ std::string alarm_text(const MachineReport& machine) {
   return text;
 }
 
-void tell_link(const Link& link, LineReport& report) {
+void report_link(const Link& link, LineReport& report) {
   report.line_errors = link.errors();
   if (report.link_note != link.note()) report.link_note = link.note();
 }

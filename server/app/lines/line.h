@@ -136,7 +136,7 @@ struct Answer {
 };
 
 // What the link itself tells, into the report. Cheap while nothing changes.
-void tell_link(const Link& link, LineReport& report);
+void report_link(const Link& link, LineReport& report);
 
 class Line {
  public:

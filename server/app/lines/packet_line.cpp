@@ -255,7 +255,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     report_.stop_wanted = sender_.stop_wanted();
     const packet::Cause cause = sender_.end_cause();
     report_.cause = cause == packet::Cause::none ? std::string_view() : packet::name(cause);
-    link_.tell(report_);
+    link_.report(report_);
     report_.total = sender_.total_bytes();
     report_.handed = counters.handed;
     report_.clocked = counters.clocked;

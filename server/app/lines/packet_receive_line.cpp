@@ -195,7 +195,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
     report_.received = received;
     report_.cause = cause_;
     report_.stall = state == LineState::idle && !over_ ? "waiting for the sender" : "";
-    link_.tell(report_);
+    link_.report(report_);
     if (!changed) return;
     ++report_.changes;
     changed_();

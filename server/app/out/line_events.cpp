@@ -14,12 +14,12 @@ void LineEvents::look() {
     const auto logged = logged_.find(shown.machine);
     const bool is_known =
         logged != logged_.end() && logged->second == seen.state;  // it went and came back within the second
-    seen.is_logged = is_known || tell(shown);
+    seen.is_logged = is_known || publish(shown);
     if (seen.is_logged) logged_[shown.machine] = seen.state;
   }
 }
 
-bool LineEvents::tell(const Progress& shown) {
+bool LineEvents::publish(const Progress& shown) {
   const auto written = store_.event_log().append({.topic = store::EventTopic::line,
                                                   .word = std::string(name_of(shown.report.state)),
                                                   .machine = shown.machine,

@@ -27,7 +27,7 @@ class LineEvents {
     feed::Time since{};
     bool is_logged = false;
   };
-  bool tell(const Progress& shown);
+  bool publish(const Progress& shown);
 
   store::Store& store_;
   const Events& events_;

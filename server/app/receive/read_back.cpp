@@ -43,7 +43,7 @@ void Receiving::note_read_back(const std::string& machine, store::Id id, std::st
                    .outcome = {},
                    .text = fmt::format("read-back {}", result)});
   std::string text = fmt::format("job {}: read-back {}", id, result);
-  if (!kind) return tell(machine, std::move(text));
+  if (!kind) return record(machine, std::move(text));
   alarm(machine, *kind, std::move(text), id);
 }
 

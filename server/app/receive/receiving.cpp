@@ -94,7 +94,7 @@ void Receiving::alarm(const std::string& machine, AlarmKind kind, std::string te
   alarms_.raise(machine, kind, std::move(text), job);
 }
 
-void Receiving::tell(const std::string& machine, std::string text) {
+void Receiving::record(const std::string& machine, std::string text) {
   spdlog::info("{}: {}", machine, text);
   events_.publish({.id = 0,
                    .kind = EventKind::receipt,
@@ -169,7 +169,7 @@ void Receiving::quarantine(const std::string& machine, const Reception& receptio
   // The alarm names no receipt, so that those of a line that chatters fold.
   alarm(machine, AlarmKind::quarantined,
         fmt::format("what the control sent is in quarantine: {}", receive::message(transfer.fault)));
-  tell(machine, fmt::format("receipt {} is in quarantine: {}", receipt->id, reason));
+  record(machine, fmt::format("receipt {} is in quarantine: {}", receipt->id, reason));
 }
 
 void Receiving::keep(const std::string& machine, const Reception& reception, const receive::Transfer& transfer,
@@ -194,7 +194,7 @@ void Receiving::keep(const std::string& machine, const Reception& reception, con
   if (!receipt)
     return alarm(machine, AlarmKind::reception_lost,
                  "a received program is lost: " + store::message_of(receipt.error()));
-  tell(machine, fmt::format("received {} ({} bytes), receipt {}", name, text.size(), receipt->id));
+  record(machine, fmt::format("received {} ({} bytes), receipt {}", name, text.size(), receipt->id));
 }
 
 // --- what people decide

@@ -114,7 +114,7 @@ class Receiving {
   Outcome drip(const std::string& machine, const machine::Profile& profile, const receive::Request& request);
   Outcome queue(const std::string& machine, const machine::Profile& profile, const Found& found, bool arm);
   Outcome list(const std::string& machine, std::string_view mask);
-  Outcome tell_status(const std::string& machine);
+  Outcome answer_status(const std::string& machine);
   Outcome cancel(const std::string& machine);
   bool cancel_waiting(const std::string& machine);
   std::vector<Found> released(const std::string& machine);
@@ -130,7 +130,7 @@ class Receiving {
                       std::optional<AlarmKind> alarm = std::nullopt);
   void alarm(const std::string& machine, AlarmKind kind, std::string text, store::Id job = 0);
   // An event that asks for no person.
-  void tell(const std::string& machine, std::string text);
+  void record(const std::string& machine, std::string text);
   bool answer_hides_a_program(const std::string& machine, const machine::Profile& profile);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
 

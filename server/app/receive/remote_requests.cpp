@@ -75,7 +75,7 @@ void Receiving::handle(const std::string& machine, const machine::Profile& profi
                                                    stamp(actor_of(machine)));
   if (!noted)
     return alarm(machine, AlarmKind::request_failed, "a request is not answered: " + store::message_of(noted.error()));
-  tell(machine, fmt::format("request ({}): {}, {}", request.as_written, outcome.outcome, outcome.detail));
+  record(machine, fmt::format("request ({}): {}, {}", request.as_written, outcome.outcome, outcome.detail));
   Waiting& waiting = waiting_[machine];
   // A control that asks gets its answer then; one that does not needs time to begin reading.
   const bool asks = profile.line.start == feed::Start::on_dc1;
@@ -105,7 +105,7 @@ Receiving::Outcome Receiving::decide(const std::string& machine, const machine::
     case receive::Verb::dir: return list(machine, request.argument);
     case receive::Verb::save: return {.outcome = "stored", .detail = "as a receipt", .job = 0, .answer = {}};
     case receive::Verb::cancel: return cancel(machine);
-    case receive::Verb::status: return tell_status(machine);
+    case receive::Verb::status: return answer_status(machine);
     case receive::Verb::restart:
       return {.outcome = "refused",
               .detail = "a restart inside a program is armed by a person",
@@ -141,7 +141,7 @@ void Receiving::handle_ring(const std::string& machine, const machine::Profile& 
   if (!noted) alarm(machine, AlarmKind::request_failed, "a ring is not recorded: " + store::message_of(noted.error()));
   const bool calls = ring.request == static_cast<std::uint16_t>(modbus::BellRequest::call);
   if (calls) alarm(machine, AlarmKind::person_called, outcome.detail);
-  tell(machine, fmt::format("{}: {}, {}", asked, outcome.outcome, outcome.detail));
+  record(machine, fmt::format("{}: {}, {}", asked, outcome.outcome, outcome.detail));
   const auto row = std::ranges::find(kOutcomes, outcome.outcome, &OutcomeRow::outcome);
   line.answer_ring({.bell = ring.bell,
                     .outcome = row == kOutcomes.end() ? modbus::BellOutcome::refused : row->bell,
@@ -296,7 +296,7 @@ Receiving::Outcome Receiving::list(const std::string& machine, std::string_view 
           .answer = std::move(answer)};
 }
 
-Receiving::Outcome Receiving::tell_status(const std::string& machine) {
+Receiving::Outcome Receiving::answer_status(const std::string& machine) {
   const auto line = lines_.find(machine);
   std::vector<std::string> answer = {fmt::format("LINE {}", line ? name_of(line->report().state) : "NONE")};
   const auto jobs = store_.jobs().list({.limit = 1, .after = {}}, {.machine = machine, .state = {}});

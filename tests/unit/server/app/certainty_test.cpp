@@ -190,26 +190,26 @@ TEST(Certainty, AProfileSaysWhichOffsetIsATools) {
 }
 
 TEST(Certainty, AHoleEndsBelowItsR) {
-  const auto is_said = [](const std::string& block) {
+  const auto is_reported = [](const std::string& block) {
     return find(check(kHead + "G00 X0. Y0. Z10.\n" + block + "\nG80\nM30\n%\n"), DiagnosticId::hole_levels) != nullptr;
   };
-  EXPECT_TRUE(is_said("G81 X1. Z5. R2. F100."));
-  EXPECT_TRUE(is_said("G81 X1. Z-5. F100."));
-  EXPECT_TRUE(is_said("G91 G81 X1. Z5. R-2. F100."));
-  EXPECT_FALSE(is_said("G81 X1. Z-5. R2. F100."));
-  EXPECT_FALSE(is_said("G91 G81 X1. Z-5. R-2. F100."));
+  EXPECT_TRUE(is_reported("G81 X1. Z5. R2. F100."));
+  EXPECT_TRUE(is_reported("G81 X1. Z-5. F100."));
+  EXPECT_TRUE(is_reported("G91 G81 X1. Z5. R-2. F100."));
+  EXPECT_FALSE(is_reported("G81 X1. Z-5. R2. F100."));
+  EXPECT_FALSE(is_reported("G91 G81 X1. Z-5. R-2. F100."));
 }
 
 TEST(Certainty, AFeedOfTheOtherModeIsTold) {
-  const auto is_said = [](const std::string& block, ir::MachineKind kind) {
+  const auto is_reported = [](const std::string& block, ir::MachineKind kind) {
     return find(check("%\nO1\nG21\n" + block + "\nM30\n%\n", {.kind = kind}), DiagnosticId::feed_suspicion) != nullptr;
   };
-  EXPECT_TRUE(is_said("G99 G01 X10. Z0. F100.", ir::MachineKind::lathe));
-  EXPECT_TRUE(is_said("G98 G01 X10. Z0. F0.2", ir::MachineKind::lathe));
-  EXPECT_FALSE(is_said("G99 G01 X10. Z0. F0.2", ir::MachineKind::lathe));
-  EXPECT_FALSE(is_said("G98 G01 X10. Z0. F100.", ir::MachineKind::lathe));
-  EXPECT_TRUE(is_said("G17 G90 G95 G01 X10. F100.", ir::MachineKind::mill));
-  EXPECT_FALSE(is_said("G17 G90 G94 G01 X10. F0.5", ir::MachineKind::mill));
+  EXPECT_TRUE(is_reported("G99 G01 X10. Z0. F100.", ir::MachineKind::lathe));
+  EXPECT_TRUE(is_reported("G98 G01 X10. Z0. F0.2", ir::MachineKind::lathe));
+  EXPECT_FALSE(is_reported("G99 G01 X10. Z0. F0.2", ir::MachineKind::lathe));
+  EXPECT_FALSE(is_reported("G98 G01 X10. Z0. F100.", ir::MachineKind::lathe));
+  EXPECT_TRUE(is_reported("G17 G90 G95 G01 X10. F100.", ir::MachineKind::mill));
+  EXPECT_FALSE(is_reported("G17 G90 G94 G01 X10. F0.5", ir::MachineKind::mill));
 }
 
 TEST(Certainty, AnArcWithoutCentreIsTold) {
@@ -221,15 +221,15 @@ TEST(Certainty, AnArcWithoutCentreIsTold) {
 }
 
 TEST(Certainty, AnAllowanceLiesOnTheToolsSide) {
-  const auto is_said = [](const char* start, const char* first, const char* u) {
+  const auto is_reported = [](const char* start, const char* first, const char* u) {
     const std::string text = std::string("%\nO1\nG21 G99 G40\nG00 X") + start + " Z2.\nG71 U1. R0.5\nG71 P10 Q20 U" +
                              u + " W0.1 F0.2\nN10 G00 X" + first + "\nG01 Z-10.\nN20 X" + start + "\nM30\n%\n";
     return find(check(text, {.kind = ir::MachineKind::lathe}), DiagnosticId::allowance_inside_part) != nullptr;
   };
-  EXPECT_TRUE(is_said("20.", "30.", "0.5"));
-  EXPECT_FALSE(is_said("20.", "30.", "-0.5"));
-  EXPECT_FALSE(is_said("40.", "30.", "0.5"));
-  EXPECT_TRUE(is_said("40.", "30.", "-0.5"));
+  EXPECT_TRUE(is_reported("20.", "30.", "0.5"));
+  EXPECT_FALSE(is_reported("20.", "30.", "-0.5"));
+  EXPECT_FALSE(is_reported("40.", "30.", "0.5"));
+  EXPECT_TRUE(is_reported("40.", "30.", "-0.5"));
 }
 
 TEST(Certainty, AShapeMayGoBackByLessThanAnIncrement) {

@@ -166,11 +166,11 @@ TEST(Routes, EveryBodyAndAnswerHasASchema) {
     EXPECT_TRUE(route.body.schema.empty() || names.contains(route.body.schema)) << route.body.schema;
     EXPECT_TRUE(route.answer.schema.empty() || names.contains(route.answer.schema)) << route.answer.schema;
     // Two state more than their page, and some are short enough to be one.
-    const bool says_more = route.pattern.ends_with("/ledger") || route.pattern.ends_with("/search");
+    const bool states_more = route.pattern.ends_with("/ledger") || route.pattern.ends_with("/search");
     const bool is_short = route.pattern.ends_with("/work") || route.pattern == "/api/v1/groups" ||
                           route.pattern.ends_with("/event-types") || route.pattern == "/api/v1/backups";
     EXPECT_EQ(route.answer.page,
-              (route.takes == Takes::page && !says_more) || (is_short && route.method == Method::get));
+              (route.takes == Takes::page && !states_more) || (is_short && route.method == Method::get));
     EXPECT_TRUE(route.method != Method::get || route.body.schema.empty());
     const bool says_nothing = route.answer.schema.empty() && route.answer.types.empty();
     EXPECT_EQ(says_nothing, route.answer.status == 204);

@@ -186,7 +186,7 @@ TEST_F(FaultyControl, ALateXoffOverrunsASoundHost) {
 
 TEST_F(FaultyControl, ShowsItsRtsInsteadOfDcCodes) {
   ControlSettings s = settings();
-  s.says_dc = false;
+  s.uses_dc = false;
   s.drives_rts = true;
   make({}, s);
   EXPECT_TRUE(control_->lines().cts) << "on since the start";
