@@ -93,7 +93,7 @@ double Speeds::highest_lead(const ir::Motion& cut) const {
 }
 
 // Along all axes whose start is known, in a straight line.
-double Speeds::way_mm(const ir::Motion& cut) const {
+double Speeds::distance_mm(const ir::Motion& cut) const {
   double square = 0.0;
   for (std::size_t i = 0; i < ir::kAxisCount; ++i) {
     if ((cut.axes_unknown >> i & 1U) != 0) continue;
@@ -106,7 +106,7 @@ double Speeds::way_mm(const ir::Motion& cut) const {
 // Each axis has its share of a straight move; on arcs and where a start is not known no share is.
 void Speeds::check_axis_feeds(const ir::Motion& cut, double feed_mm_min) {
   if (cut.kind != ir::MotionKind::linear || (cut.axes_unknown & cut.axes_commanded) != 0) return;
-  const double way = way_mm(cut);
+  const double way = distance_mm(cut);
   if (!(way > 0.0)) return;
   for (const checks::MachineAxis& axis : settings_.machine.axes) {
     const auto i = static_cast<std::size_t>(axis.axis);
@@ -131,7 +131,7 @@ void Speeds::check_cut(const ir::Motion& cut) {
       highest_per_min_ = std::max(highest_per_min_, cut.feed);
       break;
     case ir::FeedMode::per_rev: feed_mm_min = feed_of_turns(cut, diameter_mm); break;
-    case ir::FeedMode::inverse_time: feed_mm_min = way_mm(cut) * cut.feed; break;
+    case ir::FeedMode::inverse_time: feed_mm_min = distance_mm(cut) * cut.feed; break;
   }
   report_.feed_max_mm_min = std::max(report_.feed_max_mm_min, feed_mm_min);
   check_axis_feeds(cut, feed_mm_min);

@@ -21,7 +21,7 @@ class Speeds {
   [[nodiscard]] double smallest_diameter_mm(const ir::Motion& cut) const;
   [[nodiscard]] double feed_of_turns(const ir::Motion& cut, double diameter_mm);
   [[nodiscard]] double highest_lead(const ir::Motion& cut) const;
-  [[nodiscard]] double way_mm(const ir::Motion& cut) const;
+  [[nodiscard]] double distance_mm(const ir::Motion& cut) const;
   void check_axis_feeds(const ir::Motion& cut, double feed_mm_min);
 
   const Settings& settings_;

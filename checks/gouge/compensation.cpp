@@ -26,7 +26,7 @@ using curves::Point;
 using curves::Segment;
 
 constexpr double kSame_mm = 1e-6;
-constexpr double kNoWay_mm = 1e-9;
+constexpr double kNoDistance_mm = 1e-9;
 constexpr double kStraightOn = 1e-6;   // sine of the angle at a corner that is none
 constexpr double kSmallGap_mm = 5e-3;  // centres of arcs are rounded: what joins this well is joined straight
 constexpr std::size_t kMostWaiting = 256;
@@ -43,9 +43,9 @@ PathPiece path_of(const ir::Motion& move) {
   return curves::arc_between(start_of(move), end_of(move), center, turn);
 }
 
-bool has_way(const ir::Motion& move) {
-  if (curves::distance(start_of(move), end_of(move)) > kNoWay_mm) return true;
-  return checks::is_arc(move) && std::hypot(move.center[0], move.center[1]) > kNoWay_mm;
+bool moves_in_plane(const ir::Motion& move) {
+  if (curves::distance(start_of(move), end_of(move)) > kNoDistance_mm) return true;
+  return checks::is_arc(move) && std::hypot(move.center[0], move.center[1]) > kNoDistance_mm;
 }
 
 // Beside the path by `by`, to the left where positive; an arc that has no radius left keeps a hair of one.
@@ -55,7 +55,7 @@ PathPiece beside(const PathPiece& path, double by) {
     return Segment{segment->a + shift, segment->b + shift};
   }
   Arc arc = std::get<Arc>(path);
-  arc.radius = std::max(kNoWay_mm, arc.radius - (arc.sweep > 0.0 ? by : -by));
+  arc.radius = std::max(kNoDistance_mm, arc.radius - (arc.sweep > 0.0 ? by : -by));
   return arc;
 }
 
@@ -119,7 +119,7 @@ std::optional<Point> crossing(const PathPiece& one, const PathPiece& other, Poin
     const Arc& d = std::get<Arc>(other);
     const Point away = d.center - c.center;
     const double distance = curves::norm(away);
-    if (distance < kNoWay_mm) return std::nullopt;
+    if (distance < kNoDistance_mm) return std::nullopt;
     const double foot = (c.radius * c.radius - d.radius * d.radius + distance * distance) / (2.0 * distance);
     const double under = c.radius * c.radius - foot * foot;
     if (under < 0.0) return std::nullopt;
@@ -136,7 +136,7 @@ Compensation::Piece Compensation::piece_of(const ir::Motion& move, double radius
   Piece piece{.move = move, .path = path_of(move), .led = {}, .radius = radius, .start_up_from = {}};
   if (const auto* arc = std::get_if<Arc>(&piece.path)) {
     const bool inside = (arc->sweep > 0.0) == (move.comp == ir::CompSide::left);
-    if (inside && !(arc->radius > radius + kNoWay_mm))
+    if (inside && !(arc->radius > radius + kNoDistance_mm))
       notes_.add("an arc is tighter than the cutter: the control would alarm, the axis was taken to turn on the spot",
                  move.place.line);
   }
@@ -147,7 +147,7 @@ Compensation::Piece Compensation::piece_of(const ir::Motion& move, double radius
 void Compensation::add(const ir::Motion& move, double radius_mm) {
   constexpr std::uint16_t kPlane = 3U;
   const bool known = (move.axes_unknown & kPlane) == 0;
-  if (known && !has_way(move)) {
+  if (known && !moves_in_plane(move)) {
     if (pending_ && waiting_.size() == kMostWaiting) flush();
     if (pending_) {
       if (!waiting_.empty())
@@ -294,7 +294,7 @@ void Compensation::forget() {
 
 // Without compensation again: straight from where the axis stands to the programmed end.
 void Compensation::lead_away(const ir::Motion& move) {
-  const bool off_the_path = curves::norm(offset_) > kNoWay_mm;
+  const bool off_the_path = curves::norm(offset_) > kNoDistance_mm;
   if (checks::is_arc(move) && off_the_path)
     notes_.add("compensation ends with an arc: the control would alarm, it was taken as a line", move.place.line);
   const bool known = (move.axes_unknown & 3U) == 0;
@@ -308,7 +308,8 @@ void Compensation::lead_away(const ir::Motion& move) {
 
 void Compensation::emit_straight(const ir::Motion& like, Point from, Point to) {
   ir::Motion move = like;
-  const bool stands = curves::distance(from, to) <= kNoWay_mm && std::fabs(like.end[2] - like.start[2]) <= kNoWay_mm;
+  const bool stands =
+      curves::distance(from, to) <= kNoDistance_mm && std::fabs(like.end[2] - like.start[2]) <= kNoDistance_mm;
   if (stands && like.axes_unknown == 0) return;
   if (checks::is_arc(move)) move.kind = ir::MotionKind::linear;
   move.comp = ir::CompSide::off;

@@ -207,7 +207,7 @@ double corner_speed2(const AxisVector& before, const AxisVector& after, const Ax
 namespace {
 
 // Along the path, mm. A thread's lead counts along the axis that moves most; of one that changes, its mean does.
-double way_per_turn(const ir::Motion& motion, const PathShape& shape) {
+double distance_per_turn(const ir::Motion& motion, const PathShape& shape) {
   if (motion.kind != ir::MotionKind::thread) return motion.feed;
   double share = 0.0;
   for (std::size_t i = 0; i < 3; ++i) share = std::max(share, std::fabs(shape.start_direction[i]));
@@ -225,7 +225,7 @@ double feed_speed(const ir::Motion& motion, const PathShape& shape, bool x_is_di
     case ir::FeedMode::inverse_time: return shape.length * motion.feed * kPerSecond;
     case ir::FeedMode::per_rev: {
       const double minutes = minutes_per_turn(motion, x_is_diameter, spindle_max_rpm);
-      if (minutes > 0.0) return way_per_turn(motion, shape) / minutes * kPerSecond;
+      if (minutes > 0.0) return distance_per_turn(motion, shape) / minutes * kPerSecond;
       return motion.surface_speed_m_min > 0.0 ? kNoLimit : 0.0;  // at the centre nothing but limits is left
     }
   }

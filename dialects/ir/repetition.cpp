@@ -56,11 +56,11 @@ RepeatedPart part_of(const Program& program, std::uint32_t statement) {
 std::optional<LabelledBlock> labelled_block(const Program& program, Section range, std::string_view name) {
   const auto number = name.starts_with('N') ? text::parse_integer(name.substr(1)) : std::nullopt;
   for (const Label& label : program.labels) {
-    const bool is_behind_all = label.statement == range.last && range.last == program.statements.size();
-    if (!is_behind_all && (label.statement < range.first || label.statement >= range.last)) continue;
+    const bool is_after_all = label.statement == range.last && range.last == program.statements.size();
+    if (!is_after_all && (label.statement < range.first || label.statement >= range.last)) continue;
     const bool meant = label.name == StringId::none ? number == label.number : program.strings.at(label.name) == name;
     if (!meant) continue;
-    if (is_behind_all) return LabelledBlock{range.last - 1, range.last - 1, true};
+    if (is_after_all) return LabelledBlock{range.last - 1, range.last - 1, true};
     const std::uint32_t last = last_of_block(program, label.statement);
     const bool is_bare = last == label.statement && program.statements[last].kind == StatementKind::empty;
     return LabelledBlock{label.statement, last, is_bare};

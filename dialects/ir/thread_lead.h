@@ -8,15 +8,15 @@ namespace dripfeed::ir {
 
 // The lead in mm after a way along the thread's axis, from a lead at its start that is not below 0; 0 where it falls to
 // nothing before.
-inline double lead_after(double start_lead_mm, double change_mm, double way_mm) {
+inline double lead_after(double start_lead_mm, double change_mm, double distance_mm) {
   if (change_mm == 0.0) return start_lead_mm;
-  const double square = start_lead_mm * start_lead_mm + 2.0 * change_mm * way_mm;
+  const double square = start_lead_mm * start_lead_mm + 2.0 * change_mm * distance_mm;
   return square > 0.0 ? std::sqrt(square) : 0.0;
 }
 
 // Way divided by turns.
-inline double mean_lead(double start_lead_mm, double change_mm, double way_mm) {
-  return (start_lead_mm + lead_after(start_lead_mm, change_mm, way_mm)) / 2.0;
+inline double mean_lead(double start_lead_mm, double change_mm, double distance_mm) {
+  return (start_lead_mm + lead_after(start_lead_mm, change_mm, distance_mm)) / 2.0;
 }
 
 }  // namespace dripfeed::ir

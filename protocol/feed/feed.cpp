@@ -234,7 +234,7 @@ bool Feed::holds(Condition condition) const {
     case Condition::block_clocked: return at_block_end_ && line_settled();
     case Condition::line_drained: return line_settled();
     case Condition::shut:
-      return settings_.end.quiet && is_shut_behind_the_end() && now_ >= flow_off_at_ + *settings_.end.quiet;
+      return settings_.end.quiet && is_shut_after_the_end() && now_ >= flow_off_at_ + *settings_.end.quiet;
     case Condition::round_left: return job_ && round_ < job_->rounds;
     case Condition::quiet: return settings_.end.quiet && line_settled() && now_ >= quiet_at();
   }
@@ -261,7 +261,7 @@ bool Feed::starts_by_itself() const {
 
 // The control stopped us when, by line time, no more than trailer was left to send; one character is within what the
 // clocks and the look at the line may be off. What the driver still has goes out by itself if the control ever asks.
-bool Feed::is_shut_behind_the_end() const {
+bool Feed::is_shut_after_the_end() const {
   return flow_stopped() && counters_.handed + 1 >= program_end_wire_ + clock_.left_at_pause() &&
          counters_.handed >= program_end_wire_;
 }

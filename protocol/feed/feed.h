@@ -162,7 +162,7 @@ class Feed {
   bool cts_holds() const { return settings_.watch_cts || cts_is_flow(settings_.flow); }
   bool flow_stopped() const { return (cts_holds() && !cts_on_) || (dsr_is_flow(settings_.flow) && !dsr_on_); }
   bool starts_by_itself() const;
-  bool is_shut_behind_the_end() const;
+  bool is_shut_after_the_end() const;
   void change_line(LineChange change, bool on);
   bool hears_trigger(Signal signal, std::uint8_t byte);
   void moved_below();

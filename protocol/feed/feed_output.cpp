@@ -122,7 +122,7 @@ std::optional<Time> Feed::deadline() const {
   const bool wants_more = may_hand(state_) && !(ends_with_block(state_) && at_block_end_);
   if (wants_more && source_ == FillStatus::not_ready) at(source_retry_at_);
   const bool may_be_shut = state_ == State::trailer || state_ == State::draining || state_ == State::ending;
-  if (may_be_shut && is_shut_behind_the_end() && settings_.end.quiet) at(flow_off_at_ + *settings_.end.quiet);
+  if (may_be_shut && is_shut_after_the_end() && settings_.end.quiet) at(flow_off_at_ + *settings_.end.quiet);
   if (clock_.paused()) return first;
   if (stands_since_ && !stands_below() && is_on_the_line(state_)) at(*stands_since_ + kStandstill);
   const bool has_more = out_end_ > out_begin_ && reserve_ > counters_.handed;

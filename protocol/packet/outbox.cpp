@@ -37,7 +37,7 @@ void Outbox::frame(std::size_t size, bool to_block_end) {
 
 void Outbox::accept() {
   if (framed_ == 0) return;
-  ends_before_ = block_ends_behind();
+  ends_before_ = block_ended_before();
   std::ranges::copy(std::span(bytes_).subspan(framed_, size_ - framed_), bytes_.begin());
   std::ranges::copy(std::span(ends_).subspan(framed_, size_ - framed_), ends_.begin());
   size_ -= framed_;
@@ -45,7 +45,7 @@ void Outbox::accept() {
   framed_ = 0;
 }
 
-bool Outbox::block_ends_behind() const {
+bool Outbox::block_ended_before() const {
   if (framed_ == 0) return ends_before_;
   return ends_[framed_ - 1] != 0 || (complete() && framed_ == size_);
 }

@@ -36,7 +36,7 @@ class Outbox {
   std::uint64_t accepted() const { return accepted_; }
   // No block of the program is unfinished here: before the frame, after it.
   bool block_ends_before() const { return ends_before_; }
-  bool block_ends_behind() const;
+  bool block_ended_before() const;
   std::optional<tape_code::WirePosition> locate(std::uint64_t offset) const;
 
  private:

@@ -43,7 +43,7 @@ class S3964ReceiveRules final : public ReceiveRules {
   bool acknowledges_at_once() const override { return true; }
 
  private:
-  enum class Part : std::uint8_t { text, behind_dle, check };
+  enum class Part : std::uint8_t { text, after_dle, check };
 
   Received hear_frame(std::uint8_t byte);
   Received keep(std::uint8_t byte);

@@ -36,7 +36,7 @@ Received S3964ReceiveRules::hear_frame(std::uint8_t byte) {
   xor_ ^= byte;
   if (part_ == Part::text) {
     if (byte != kDle) return keep(byte);
-    part_ = Part::behind_dle;
+    part_ = Part::after_dle;
     return {};
   }
   part_ = Part::text;

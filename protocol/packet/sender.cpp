@@ -287,7 +287,7 @@ void Sender::end_job(Action action, Cause cause) {
 
 bool Sender::in_block() const {
   if (!outbox_.block_ends_before()) return true;
-  return counters_.handed > outbox_.accepted() && !outbox_.block_ends_behind();
+  return counters_.handed > outbox_.accepted() && !outbox_.block_ended_before();
 }
 
 feed::Interval Sender::interval() const {

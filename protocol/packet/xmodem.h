@@ -120,7 +120,7 @@ class XmodemReceiveRules final : public ReceiveRules {
   std::uint8_t expected_ = 1;
   bool first_ = true;
   bool ended_ = false;                   // the end was sent once
-  bool asks_anew_ = false;               // after its acknowledgement the sender waits to be asked
+  bool asks_again_ = false;              // after its acknowledgement the sender waits to be asked
   bool headed_ = false;                  // YMODEM: the header came
   bool file_over_ = false;               // YMODEM: the end of the file was acknowledged, the end of the batch is due
   std::size_t kept_ = 0;                 // of the block: what the length of the header leaves

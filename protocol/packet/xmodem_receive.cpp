@@ -32,7 +32,7 @@ void XmodemReceiveRules::begin() {
   crc_ = settings_.protocol != Protocol::xmodem;
   expected_ = 1;
   first_ = true;
-  ended_ = asks_anew_ = headed_ = file_over_ = false;
+  ended_ = asks_again_ = headed_ = file_over_ = false;
   left_.reset();
   cans_ = 0;
 }
@@ -76,7 +76,7 @@ Received XmodemReceiveRules::hear_end() {
   const bool begun = headed_ || !first_;
   if (!begun || left_.value_or(0) > 0) return {ReceiveInput::out_of_step, Cause::broken_off};
   if (!headed_) return {ReceiveInput::end};
-  file_over_ = asks_anew_ = true;
+  file_over_ = asks_again_ = true;
   return {ReceiveInput::aside};
 }
 
@@ -104,11 +104,11 @@ Received XmodemReceiveRules::judge() {
 
 // The header that YMODEM sends before the first block: name and length. XMODEM did not ask for it and takes no notice.
 Received XmodemReceiveRules::judge_header() {
-  asks_anew_ = true;
+  asks_again_ = true;
   if (!is_batch()) return {ReceiveInput::aside};
   const auto data = std::span<const std::byte>(frame_).subspan(kHead, size_);
   if (data.front() == std::byte{0}) {
-    asks_anew_ = false;
+    asks_again_ = false;
     return {ReceiveInput::end};
   }
   if (file_over_) return {ReceiveInput::out_of_step, Cause::second_file};
@@ -146,7 +146,7 @@ std::span<const std::byte> XmodemReceiveRules::payload() const {
 // Behind a header of YMODEM, and behind the end of a file, the sender waits to be asked once more.
 std::size_t XmodemReceiveRules::acknowledge(std::span<std::byte> out) {
   put(out, kAck);
-  if (!std::exchange(asks_anew_, false)) return 1;
+  if (!std::exchange(asks_again_, false)) return 1;
   return 1 + put(out.subspan(1), crc_ ? kWantCrc : kNak);
 }
 

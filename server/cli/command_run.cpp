@@ -112,7 +112,7 @@ class Output {
         traces_(options.trace == "motions" && !options.text.json),
         writer_(control, names, [this](std::string_view text) { take(text); }) {}
 
-  ir::MotionSink& sink() { return traces_ ? static_cast<ir::MotionSink&>(writer_) : nobody_; }
+  ir::MotionSink& sink() { return traces_ ? static_cast<ir::MotionSink&>(writer_) : no_motions_; }
   // False, with a message, when it could not be written.
   bool finish(const interpreter::RunResult& result) {
     if (traces_ && !options_.text.output.empty()) written_ = write_output(options_.text.output, kept_);
@@ -132,7 +132,7 @@ class Output {
   bool traces_;
   bool written_ = true;
   std::string kept_;
-  compile::NoMotions nobody_;
+  compile::NoMotions no_motions_;
   interpreter::TraceWriter writer_;
 };
 

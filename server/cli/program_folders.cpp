@@ -53,7 +53,7 @@ bool is_directory_of_control(const fs::path& folder) {
 }
 
 // The other directories of the control that `folder` is one of; a workpiece lies one level deeper.
-std::vector<std::string> directories_beside(const fs::path& folder) {
+std::vector<std::string> sibling_directories(const fs::path& folder) {
   std::error_code error;
   const fs::path whole = fs::absolute(folder, error).lexically_normal();
   const bool is_workpiece = lower(whole.filename().string()).ends_with(".wpd");
@@ -90,7 +90,7 @@ std::vector<std::string> folders_for(const TextOptions& options, const std::stri
   if (file == "-" || file == "<stdin>") return folders;
   const fs::path own = fs::path(file).parent_path();
   folders.push_back(own.empty() ? "." : own.string());
-  std::ranges::move(directories_beside(folders.back()), std::back_inserter(folders));
+  std::ranges::move(sibling_directories(folders.back()), std::back_inserter(folders));
   return folders;
 }
 

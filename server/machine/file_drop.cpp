@@ -45,7 +45,7 @@ std::expected<void, std::string> obeys(std::string_view stem, const NameRule& ru
 }
 
 // Where the next line begins.
-std::size_t behind_line(std::string_view text, std::size_t at) {
+std::size_t after_line(std::string_view text, std::size_t at) {
   at = text.find_first_of("\r\n", at);
   if (at == std::string_view::npos) return text.size();
   return at + (text.substr(at).starts_with("\r\n") ? 2 : 1);
@@ -61,8 +61,8 @@ bool drops_bare_files(const Profile& profile) {
 
 std::size_t archive_head(std::string_view beginning) {
   if (!beginning.starts_with('%')) return 0;
-  std::size_t at = behind_line(beginning, 0);
-  if (beginning.substr(at).starts_with(";$PATH=")) at = behind_line(beginning, at);
+  std::size_t at = after_line(beginning, 0);
+  if (beginning.substr(at).starts_with(";$PATH=")) at = after_line(beginning, at);
   return at;
 }
 

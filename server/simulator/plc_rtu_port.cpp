@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kLongest = 256;
 constexpr std::size_t kCrcBytes = 2;
 constexpr std::chrono::milliseconds kSilence{20};
-constexpr std::chrono::milliseconds kNobodyThere{5};
+constexpr std::chrono::milliseconds kNoPeer{5};
 
 struct FrameRow {
   std::uint8_t function;
@@ -113,7 +113,7 @@ class RtuPort final : public PlcPort {
   void serve(int wait_ms, const PlcAnswer& answer) override {
     pollfd file{wire_->descriptor(), POLLIN, 0};
     ::poll(&file, 1, wait_ms);
-    if ((file.revents & (POLLHUP | POLLERR)) != 0) std::this_thread::sleep_for(kNobodyThere);
+    if ((file.revents & (POLLHUP | POLLERR)) != 0) std::this_thread::sleep_for(kNoPeer);
     const auto now = Clock::now();
     if (gathered_ > 0 && now - last_ > kSilence) gathered_ = 0;
     if (file.revents == 0) return;

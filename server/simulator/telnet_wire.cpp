@@ -72,7 +72,7 @@ class TelnetWire final : public Wire {
 
 }  // namespace
 
-std::unique_ptr<Wire> behind_telnet(std::unique_ptr<Wire> socket) {
+std::unique_ptr<Wire> over_telnet(std::unique_ptr<Wire> socket) {
   return std::make_unique<TelnetWire>(std::move(socket));
 }
 

@@ -8,6 +8,6 @@
 namespace dripfeed::simulator {
 
 // `socket`: a wire that listens.
-std::unique_ptr<Wire> behind_telnet(std::unique_ptr<Wire> socket);
+std::unique_ptr<Wire> over_telnet(std::unique_ptr<Wire> socket);
 
 }  // namespace dripfeed::simulator

@@ -161,7 +161,7 @@ Opened Wire::open(const machine::LinkUrl& url) {
   if (url.kind == machine::LinkKind::rfc2217_listen) {
     auto socket = open_tcp(url);
     if (!socket) return socket;
-    return behind_telnet(std::move(*socket));
+    return over_telnet(std::move(*socket));
   }
   return std::unexpected(fmt::format(
       "{}: a simulated control lives on pty:/path, tcp-listen://:port or rfc2217-listen://:port", url.text));

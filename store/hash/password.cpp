@@ -24,8 +24,8 @@ std::optional<std::string> password_hash(std::string_view password) {
 // A name that nobody has must not answer sooner than one with a wrong password.
 bool is_password_of(std::string_view password, const std::string& hash) {
   start_sodium();
-  static const std::optional<std::string> kNobodys = password_hash(std::string_view("\0", 1));
-  const std::string& against = hash.empty() && kNobodys ? *kNobodys : hash;
+  static const std::optional<std::string> kOfNoUser = password_hash(std::string_view("\0", 1));
+  const std::string& against = hash.empty() && kOfNoUser ? *kOfNoUser : hash;
   const bool is_right = crypto_pwhash_str_verify(against.c_str(), password.data(), password.size()) == 0;
   return is_right && !hash.empty();
 }

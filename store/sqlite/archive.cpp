@@ -24,7 +24,7 @@ using store::Result;
 // Removes a file that did not get its name.
 class Unfinished {
  public:
-  Unfinished(const std::string& path, std::string_view ending) : path_(name_beside(path, ending)) {}
+  Unfinished(const std::string& path, std::string_view ending) : path_(name_with_ending(path, ending)) {}
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
   ~Unfinished() { remove_store(path_); }

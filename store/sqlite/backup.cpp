@@ -71,7 +71,7 @@ Result<void> copy(Connection& source, Connection& target, const Synced& file) {
 
 }  // namespace
 
-std::string name_beside(const std::string& path, std::string_view ending) {
+std::string name_with_ending(const std::string& path, std::string_view ending) {
   return fmt::format("{}.{}.{}", path, ::getpid(), ending);
 }
 
@@ -113,7 +113,7 @@ Result<void> give_name(const std::string& unfinished, const std::string& path) {
 Result<void> copy_to_new_file(Connection& source, const std::string& path) {
   std::error_code fault;
   if (std::filesystem::exists(path, fault)) return std::unexpected(Error{ErrorCode::exists, path});
-  const std::string unfinished = name_beside(path, "unfinished");
+  const std::string unfinished = name_with_ending(path, "unfinished");
   auto done = copy_aside(source, unfinished);
   if (done) done = give_name(unfinished, path);
   if (!done) remove_store(unfinished);

@@ -13,7 +13,7 @@ store::Result<void> copy_aside(Connection& source, const std::string& unfinished
 store::Result<void> give_name(const std::string& unfinished, const std::string& path);
 
 // A name beside `path` that no other process takes.
-std::string name_beside(const std::string& path, std::string_view ending);
+std::string name_with_ending(const std::string& path, std::string_view ending);
 // With SQLite's files beside it. What is not there needs no removing.
 void remove_store(const std::string& path);
 

@@ -70,7 +70,7 @@ TEST_F(Concurrency, OfManyChangesOfOneRevisionOneWins) {
 
 // Two processes on one file, as a server and a command: what one changes the other waits for.
 TEST_F(Concurrency, TwoStoresOnOneFileWaitForEachOther) {
-  const auto guest = must(open_beside());
+  const auto guest = must(open_second());
   must(store_->machines().add("a", "0", by("anna")));
   must(store_->machines().add("b", "0", by("anna")));
   const auto change = [](Store& store, const char* name) {
@@ -148,7 +148,7 @@ TEST_F(StoreVersion, IsAnotherAfterEveryChangeByThisStoreOrAnotherProcess) {
   EXPECT_TRUE(is_another());
   EXPECT_EQ(sql("UPDATE token SET revoked_at_ms = 9 WHERE name = 'wall'"), "");
   EXPECT_TRUE(is_another());
-  const auto beside = must(open_beside());
+  const auto beside = must(open_second());
   must(beside->machines().add("b", "0", by("bert")));
   EXPECT_TRUE(is_another());
   EXPECT_FALSE(is_another());

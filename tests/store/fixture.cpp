@@ -153,10 +153,10 @@ StoreTest::~StoreTest() {
 
 void StoreTest::reopen(const sqlite::OpenSettings& settings) {
   store_.reset();
-  store_ = must(open_beside(settings));
+  store_ = must(open_second(settings));
 }
 
-Result<std::unique_ptr<Store>> StoreTest::open_beside(const sqlite::OpenSettings& settings) const {
+Result<std::unique_ptr<Store>> StoreTest::open_second(const sqlite::OpenSettings& settings) const {
   return database_.empty() ? sqlite::open(path(), settings) : open_postgresql(database_, settings);
 }
 

@@ -77,7 +77,7 @@ class StoreTest : public ::testing::Test {
   ~StoreTest() override;
   void reopen(const sqlite::OpenSettings& settings = {});
   // The same store once more, as another process has it.
-  [[nodiscard]] store::Result<std::unique_ptr<store::Store>> open_beside(
+  [[nodiscard]] store::Result<std::unique_ptr<store::Store>> open_second(
       const sqlite::OpenSettings& settings = {}) const;
   [[nodiscard]] std::string path() const { return folder_.file("dripfeed.db"); }  // on SQLite
   // Runs SQL beside the store; the engine's words, "" when it went well.

@@ -54,7 +54,7 @@ TEST_F(OpenTest, ANewerSchemaIsRefused) {
   must(store_->machines().add("mill-1", "p", by("anna")));
   store_.reset();
   EXPECT_EQ(sql("INSERT INTO migration VALUES (9999, 'from the future', 'x')"), "");
-  const auto refused = open_beside();
+  const auto refused = open_second();
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::newer_schema);
   EXPECT_NE(refused.error().detail.find("9999"), std::string::npos);
@@ -66,13 +66,13 @@ TEST_F(OpenTest, ANewerSchemaIsRefused) {
 TEST_F(OpenTest, ASchemaOfAnotherHistoryIsRefused) {
   store_.reset();
   EXPECT_EQ(sql("UPDATE migration SET sha256 = 'other' WHERE version = 1"), "");
-  EXPECT_EQ(refusal(open_beside()), ErrorCode::migration_failed);
+  EXPECT_EQ(refusal(open_second()), ErrorCode::migration_failed);
 }
 
 TEST_F(OpenTest, OneOwner) {
   reopen({.own = true});
-  EXPECT_EQ(refusal(open_beside({.own = true})), ErrorCode::in_use);
-  const auto guest = must(open_beside());
+  EXPECT_EQ(refusal(open_second({.own = true})), ErrorCode::in_use);
+  const auto guest = must(open_second());
   must(guest->tokens().add({.name = "mes", .role = Role::viewer, .hash = "hash"}, by("anna")));
   EXPECT_EQ(must(store_->tokens().find("hash")).name, "mes") << "the owner sees a guest's change";
   store_.reset();
@@ -80,7 +80,7 @@ TEST_F(OpenTest, OneOwner) {
 }
 
 TEST_F(OpenTest, AnotherProcessHoldsTheLockTooLong) {
-  const auto guest = must(open_beside({.busy_timeout_ms = 20}));
+  const auto guest = must(open_second({.busy_timeout_ms = 20}));
   must(store_->atomically([&]() -> Result<void> {
     EXPECT_EQ(refusal(store_->machines().get("mill-1")), ErrorCode::not_found);
     EXPECT_EQ(refusal(guest->machines().add("mill-2", "p", by("anna"))), ErrorCode::busy)

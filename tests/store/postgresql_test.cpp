@@ -63,7 +63,7 @@ TEST_F(PostgresqlTest, AnOwnerWhomAnotherOneReplacedWritesNoMore) {
   reopen({.own = true});
   EXPECT_EQ(add_machine("mill-1"), "");
   cut_connections(database_);
-  must(open_beside({.own = true}));  // it has come, and gone
+  must(open_second({.own = true}));  // it has come, and gone
   EXPECT_EQ(add_machine("mill-2"), "in-use");
   EXPECT_EQ(add_machine("mill-2"), "in-use") << "for good";
   must(store_->machines().get("mill-1"));

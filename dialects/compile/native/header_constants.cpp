@@ -132,7 +132,7 @@ Tokens token_at(const ir::Program& program, std::uint32_t offset) {
 }
 
 // The token of the comment behind the offset, in its line; the end of all without one.
-Tokens comment_behind(const ir::Program& program, std::uint32_t offset) {
+Tokens comment_after(const ir::Program& program, std::uint32_t offset) {
   for (Tokens token = token_at(program, offset); token != program.tokens.end(); ++token) {
     if (token->kind == ir::TokenKind::eob) break;
     if (token->kind == ir::TokenKind::comment) return token;
@@ -146,8 +146,8 @@ std::vector<HeaderConstant> header_constants(const ir::Program& program, const i
   return HeaderReader(program, control).read();
 }
 
-std::string_view comment_beside(const ir::Program& program, std::uint32_t offset) {
-  const Tokens comment = comment_behind(program, offset);
+std::string_view comment_on_line(const ir::Program& program, std::uint32_t offset) {
+  const Tokens comment = comment_after(program, offset);
   if (comment == program.tokens.end()) return {};
   Tokens first = comment;
   while (first != program.tokens.begin()) {
@@ -162,7 +162,7 @@ std::string_view comment_beside(const ir::Program& program, std::uint32_t offset
 }
 
 std::string_view comment_at(const ir::Program& program, std::uint32_t offset) {
-  const Tokens comment = comment_behind(program, offset);
+  const Tokens comment = comment_after(program, offset);
   return comment == program.tokens.end() ? std::string_view{}
                                          : text_of_comment(comment->span.in(program.source.text()));
 }

@@ -26,7 +26,7 @@ std::vector<HeaderConstant> header_constants(const ir::Program& program, const i
 
 // The comment behind the number at `offset`; "" where the line sets another number as well, because only a person knows
 // which of them is meant.
-std::string_view comment_beside(const ir::Program& program, std::uint32_t offset);
+std::string_view comment_on_line(const ir::Program& program, std::uint32_t offset);
 
 // The comment of the line, without its delimiters; "" when there is none.
 std::string_view comment_at(const ir::Program& program, std::uint32_t offset);

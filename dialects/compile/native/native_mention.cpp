@@ -45,7 +45,7 @@ std::optional<std::size_t> end_of_name(std::string_view text, std::size_t at, st
   return close + 1;
 }
 
-bool is_set_behind(std::string_view text, std::size_t end) {
+bool is_set_after(std::string_view text, std::size_t end) {
   end = text.find_first_not_of(" \t", end);
   return end != std::string_view::npos && text[end] == '=' && !text.substr(end).starts_with("==");
 }
@@ -59,7 +59,7 @@ Mention mention_of(std::string_view text, std::string_view target) {
     if (at > 0 && target.front() != '#' && is_in_name(upper[at - 1])) continue;
     const auto end = end_of_name(upper, at, target);
     if (!end) continue;
-    if (is_set_behind(upper, *end)) return Mention::sets;
+    if (is_set_after(upper, *end)) return Mention::sets;
     found = Mention::reads;
   }
   return found;
@@ -71,17 +71,17 @@ bool is_given_back(std::string_view text, std::string_view target) {
   constexpr std::string_view kProcedures[] = {"READ",     "WRITE",    "DELETE",   "EXTOPEN",  "EXTCLOSE",
                                               "FILEDATE", "FILETIME", "FILESIZE", "FILESTAT", "FILEINFO"};
   const std::string upper = text::upper_case(text);
-  const auto behind_blanks = [&upper](std::size_t at) {
+  const auto after_blanks = [&upper](std::size_t at) {
     return std::min(upper.find_first_not_of(" \t", at), upper.size());
   };
   for (const std::string_view name : kProcedures) {
     for (std::size_t at = upper.find(name); at != std::string::npos; at = upper.find(name, at + 1)) {
-      const std::size_t open = behind_blanks(at + name.size());
+      const std::size_t open = after_blanks(at + name.size());
       if ((at > 0 && is_in_name(upper[at - 1])) || open == upper.size() || upper[open] != '(') continue;
-      const std::size_t argument = behind_blanks(open + 1);
+      const std::size_t argument = after_blanks(open + 1);
       if (argument == upper.size()) continue;
       const auto end = end_of_name(upper, argument, target);
-      const std::size_t next = end ? behind_blanks(*end) : upper.size();
+      const std::size_t next = end ? after_blanks(*end) : upper.size();
       if (next < upper.size() && (upper[next] == ',' || upper[next] == ')')) return true;
     }
   }

@@ -17,7 +17,7 @@ namespace {
 
 using ir::StatementKind;
 
-std::optional<std::uint32_t> number_behind(std::string_view name, char letter) {
+std::optional<std::uint32_t> number_after(std::string_view name, char letter) {
   if (name.size() < 2 || name.front() != letter) return std::nullopt;
   const std::optional<std::int64_t> number = text::parse_integer(name.substr(1));
   if (!number || *number < 0 || *number > 99'999'999) return std::nullopt;
@@ -68,13 +68,13 @@ std::optional<NativeVariable> NativeVariable::named(const ir::Program& program, 
                                                     std::string_view name) {
   NativeVariable out;
   const bool numbered = ir::has_numbered_variables(control);
-  if (const auto number = number_behind(name, '#')) {
+  if (const auto number = number_after(name, '#')) {
     out.bank_ = ir::Bank::hash;
     out.number_ = *number;
     return numbered && *number != 0 ? std::optional(out) : std::nullopt;
   }
   if (numbered) return std::nullopt;
-  if (const auto number = number_behind(name, 'R')) {
+  if (const auto number = number_after(name, 'R')) {
     out.bank_ = ir::Bank::r;
     out.number_ = *number;
     return out;

@@ -142,7 +142,7 @@ class Proposer {
 
   std::string parameter(const ir::Program& program, const HeaderConstant& one, const NativeConstant& constant,
                         const Taken& taken, const NativeUnits& units) {
-    const std::string_view comment = comment_beside(program, constant.span.begin);
+    const std::string_view comment = comment_on_line(program, constant.span.begin);
     const auto [row, inches] = kind_of(one, constant, taken, units);
     const std::string_view unit = inches ? row.inch_unit : row.unit;
     const auto [low, high] = range_around(constant.value, row);

@@ -179,7 +179,7 @@ class ThinConverter {
     for (const ir::PlainStretch& one : thin_.stretches.all) lines += one.line_count;
     origins_.reserve(lines);
     for (std::size_t i = 0; i < thin_.stretches.all.size(); ++i) {
-      const std::uint32_t behind = thin_.line_behind(i);
+      const std::uint32_t behind = thin_.line_after(i);
       const auto at = std::find(origins.begin() + static_cast<std::ptrdiff_t>(copied), origins.end(), behind);
       const auto index = static_cast<std::size_t>(at - origins.begin());
       if (index < copied + ThinProgram::kKeptBefore || !has_form(printed, origins, index, behind)) return false;
@@ -194,7 +194,7 @@ class ThinConverter {
   // Each line that is kept around a stretch must be one line of the translation, in the form that its look has.
   [[nodiscard]] bool has_form(const std::vector<std::string_view>& printed, const std::vector<std::uint32_t>& origins,
                               std::size_t index, std::uint32_t behind) const {
-    for (std::size_t k = 0; k < ThinProgram::kKeptBefore + ThinProgram::kKeptBehind; ++k) {
+    for (std::size_t k = 0; k < ThinProgram::kKeptBefore + ThinProgram::kKeptAfter; ++k) {
       const std::size_t at = index - ThinProgram::kKeptBefore + k;
       const auto line = static_cast<std::uint32_t>(behind - ThinProgram::kKeptBefore + k);
       std::string again;

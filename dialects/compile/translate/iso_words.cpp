@@ -29,7 +29,7 @@ constexpr IncrementRow kIncrements[] = {
 constexpr Function kWithOwnR[] = {Function::rotate,           Function::scale,        Function::data_input,
                                   Function::repetitive_cycle, Function::hole_pattern, Function::nurbs};
 
-bool sets_way(const ir::Code& c) {
+bool sets_motion(const ir::Code& c) {
   return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::cycle_off;
 }
 bool has_own_r(const ir::Code& c) { return std::ranges::find(kWithOwnR, c.function) != std::end(kWithOwnR); }
@@ -49,7 +49,7 @@ void IsoWords::follow(std::span<const ir::Code> codes) {
   for (const ir::Code& c : codes) {
     if (c.function == Function::polar_words_on) state_.polar = true;
     if (c.function == Function::polar_words_off) state_.polar = false;
-    if (!sets_way(c)) continue;
+    if (!sets_motion(c)) continue;
     state_.drills = c.function == Function::drill;
     state_.turns = c.function == Function::turning_cycle;
     if (c.group != ModalGroup::motion) continue;

@@ -94,11 +94,11 @@ class TapWalk {
     bool names = false;
     for (const ir::Code& c : program_.codes_of(*block)) {
       if (c.group != ModalGroup::motion && c.group != ModalGroup::cycle && c.function != Function::cycle_off) continue;
-      const bool behind_another = taps_ && by_m29_;
+      const bool after_another = taps_ && by_m29_;
       names = taps_ = is_foreign_tap(c);
       if (!taps_) continue;
       by_m29_ = announced_;
-      shares_m29_ = behind_another && !announced_;
+      shares_m29_ = after_another && !announced_;
       rigid_ = announced_ || passes::is_written_rigid(c.span.in(program_.source.text()));
       announced_ = false;
     }

@@ -15,7 +15,7 @@ namespace dripfeed::compile {
 namespace {
 
 constexpr std::uint32_t kKeptBefore = ThinProgram::kKeptBefore;
-constexpr std::uint32_t kKeptBehind = ThinProgram::kKeptBehind;
+constexpr std::uint32_t kKeptAfter = ThinProgram::kKeptAfter;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -114,15 +114,15 @@ class StretchFinder {
 
   void remember(std::size_t begin) {
     if (count_ == kKeptBefore + 1) inner_begin_ = begin;
-    recent_[count_ % kKeptBehind] = begin;
+    recent_[count_ % kKeptAfter] = begin;
   }
 
   void finish(std::string& thin, std::size_t& copied, std::vector<ir::PlainStretch>& out) {
     const std::uint32_t count = std::exchange(count_, 0);
-    if (count < options_.least_lines + kKeptBefore + kKeptBehind) return;
-    const std::size_t inner_end = recent_[(count + 1) % kKeptBehind];
+    if (count < options_.least_lines + kKeptBefore + kKeptAfter) return;
+    const std::size_t inner_end = recent_[(count + 1) % kKeptAfter];
     ir::PlainStretch stretch{.line = whole_.position(static_cast<std::uint32_t>(inner_begin_)).line,
-                             .line_count = count - kKeptBefore - kKeptBehind,
+                             .line_count = count - kKeptBefore - kKeptAfter,
                              .begin = inner_begin_,
                              .end = inner_end};
     thin += whole_.text().substr(copied, inner_begin_ - copied);
@@ -135,7 +135,7 @@ class StretchFinder {
   std::set<std::string> looks_;
   std::uint32_t count_ = 0;  // lines of the run at hand
   std::size_t inner_begin_ = 0;
-  std::array<std::size_t, kKeptBehind> recent_{};
+  std::array<std::size_t, kKeptAfter> recent_{};
   bool is_unnumbered_ = false;
   std::string_view code_;
 };

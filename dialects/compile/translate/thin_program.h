@@ -39,7 +39,7 @@ struct ThinOptions {
 class ThinProgram {
  public:
   static constexpr std::uint32_t kKeptBefore = 8;  // lines of a stretch that are read
-  static constexpr std::uint32_t kKeptBehind = 2;
+  static constexpr std::uint32_t kKeptAfter = 2;
 
   // nullptr where nothing is gained, or where something in the program might tell the difference: jumps, contours by
   // their labels, calls behind each block.
@@ -56,7 +56,7 @@ class ThinProgram {
   ir::PlainStretches stretches;  // for RunOptions::stretches
 
   // Of the thin text: the first line behind a stretch, by its number.
-  [[nodiscard]] std::uint32_t line_behind(std::size_t stretch) const { return cuts_[stretch].line; }
+  [[nodiscard]] std::uint32_t line_after(std::size_t stretch) const { return cuts_[stretch].line; }
   [[nodiscard]] std::uint32_t line_in_whole(std::uint32_t thin_line) const;
 
   // Puts what was found in the program to its place in the whole text.

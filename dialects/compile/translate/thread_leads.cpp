@@ -182,8 +182,8 @@ class Leads {
   // taken as Z, with a warning.
   void lead_along_axis(const LatheState& before, std::vector<ir::Word>& words) {
     const auto lead = std::ranges::find(words, Address::f, &ir::Word::address);
-    const std::optional<double> x = way_along(Address::x, before.x, words);
-    const std::optional<double> z = way_along(Address::z, before.z, words);
+    const std::optional<double> x = distance_along(Address::x, before.x, words);
+    const std::optional<double> z = distance_along(Address::z, before.z, words);
     if ((x && *x == 0.0) || (z && *z == 0.0)) return;
     if (!x || !z) {
       findings_.warn("which axis the lead of a cone counts along, taken as Z,");
@@ -193,8 +193,8 @@ class Leads {
     if (*x / factor > *z) lead->address = Address::i;
   }
   // How far the block goes along X or Z as it is written there; nothing where that is not known.
-  [[nodiscard]] std::optional<double> way_along(Address axis, const std::optional<double>& from,
-                                                const std::vector<ir::Word>& words) const {
+  [[nodiscard]] std::optional<double> distance_along(Address axis, const std::optional<double>& from,
+                                                     const std::vector<ir::Word>& words) const {
     const auto word = std::ranges::find_if(
         words, [&](const ir::Word& w) { return turning_axis(w.address, from_).value_or(Address::f) == axis; });
     if (word == words.end()) return 0.0;

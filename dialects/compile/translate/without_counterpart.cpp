@@ -58,20 +58,20 @@ class Walk {
         return has_row(to_, c.function, c.argument) ? WithoutCounterpart::no : WithoutCounterpart::removal;
       if (c.function == Function::hole_pattern && !has_row(to_, c.function, c.argument))
         return WithoutCounterpart::drilling;
-      if (!sets_way(c)) continue;
-      way_ = way_of(c);
-      names = way_ != WithoutCounterpart::no;
+      if (!sets_motion(c)) continue;
+      motion_ = motion_of(c);
+      names = motion_ != WithoutCounterpart::no;
     }
     const auto words = program_.words_of(block);
-    return way_ != WithoutCounterpart::no && (names || std::ranges::any_of(words, moves)) ? way_
-                                                                                          : WithoutCounterpart::no;
+    return motion_ != WithoutCounterpart::no && (names || std::ranges::any_of(words, moves)) ? motion_
+                                                                                             : WithoutCounterpart::no;
   }
 
-  static bool sets_way(const ir::Code& c) {
+  static bool sets_motion(const ir::Code& c) {
     return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::cycle_off;
   }
 
-  [[nodiscard]] WithoutCounterpart way_of(const ir::Code& c) const {
+  [[nodiscard]] WithoutCounterpart motion_of(const ir::Code& c) const {
     const bool arc = c.function == Function::arc_via || c.function == Function::arc_tangent;
     if (arc && !has_row(to_, c.function, c.argument)) return WithoutCounterpart::arc;
     const bool lathe = c.function == Function::drill && c.argument >= ir::kDrillAlongZ && !passes::is_tap(c);
@@ -81,7 +81,7 @@ class Walk {
   const ir::Program& program_;
   const ir::Control& from_;
   const ir::Control& to_;
-  WithoutCounterpart way_ = WithoutCounterpart::no;  // in effect
+  WithoutCounterpart motion_ = WithoutCounterpart::no;  // in effect
 };
 
 }  // namespace

@@ -34,13 +34,13 @@ StatementCompiler::StatementCompiler(CodeBuilder& builder)
       flow_(builder, expressions_),
       calls_(builder, expressions_) {}
 
-void StatementCompiler::compile(std::uint32_t returns_behind) {
+void StatementCompiler::compile(std::uint32_t returns_after) {
   const ir::Program& program = builder_.source();
   const bool whole = program.sections.empty();
   const std::uint32_t first = whole ? 0 : program.sections[builder_.out().section].first;
   const std::uint32_t last =
       whole ? static_cast<std::uint32_t>(program.statements.size()) : program.sections[builder_.out().section].last;
-  compile_statements(first, last, returns_behind);
+  compile_statements(first, last, returns_after);
   builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));
   flow_.resolve(code_, first);
 }
@@ -51,7 +51,7 @@ void StatementCompiler::compile_part(std::uint32_t first, std::uint32_t last) {
   flow_.resolve(code_, first);
 }
 
-void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_behind) {
+void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_after) {
   builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
   const ir::Program& program = builder_.source();
   builder_.reserve(last - first);
@@ -65,7 +65,7 @@ void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t la
     code_[i - first].end = builder_.here();  // a loop that ends here leads to the end of the part, too
     for (std::uint32_t id = 0; id < repeated_.size(); ++id)
       if (repeated_[id].last == i) flow_.compile_section_end(repeated_[id].repeat, id);
-    if (i == returns_behind) builder_.emit(Opcode::back, program.statements[i].span);
+    if (i == returns_after) builder_.emit(Opcode::back, program.statements[i].span);
   }
   end_block();
 }

@@ -15,7 +15,7 @@ class StatementCompiler {
  public:
   explicit StatementCompiler(CodeBuilder& builder);
   // All statements of the program, and what happens at the end of its text. It returns behind that statement, too.
-  void compile(std::uint32_t returns_behind = ir::kNoIndex);
+  void compile(std::uint32_t returns_after = ir::kNoIndex);
   // The statements [first, last), and a return from the foreign part that they are.
   void compile_part(std::uint32_t first, std::uint32_t last);
 
@@ -27,7 +27,7 @@ class StatementCompiler {
   };
   static const Row kRows[];
 
-  void compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_behind);
+  void compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_after);
   // The stretches that run before a statement of the main program.
   void compile_stretches(std::uint32_t statement);
   // Around the statements that keep a foreign part as written.

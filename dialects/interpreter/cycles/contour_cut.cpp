@@ -132,7 +132,7 @@ class ContourCutter {
   // The allowances lie on the side of the tool: FAL beside the contour, those along the axes besides. False when a
   // piece is too short.
   bool shift() {
-    forward_ = pieces_.back().segment.to.way < pieces_.front().segment.from.way ? -1.0 : 1.0;
+    forward_ = pieces_.back().segment.to.travel < pieces_.front().segment.from.travel ? -1.0 : 1.0;
     first_ = pieces_.front().segment.from;
     rough_ = pieces_;
     if (cycle_.allowance_mm > 0.0) {
@@ -140,13 +140,13 @@ class ContourCutter {
       if (!beside.has_value()) return false;
       rough_ = std::move(*beside);
     }
-    const double in_way = along_z_ ? cycle_.allowance_z_mm : cycle_.allowance_x_mm;
+    const double travel_allowance = along_z_ ? cycle_.allowance_z_mm : cycle_.allowance_x_mm;
     const double in_level = along_z_ ? cycle_.allowance_x_mm : cycle_.allowance_z_mm;
-    const double dw = -forward_ * std::abs(in_way);
+    const double dw = -forward_ * std::abs(travel_allowance);
     const double dl = -side_ * std::abs(in_level);
     for (Piece& p : rough_) {
       for (ShapePoint* at : {&p.segment.from, &p.segment.to, &p.segment.center}) {
-        at->way += dw;
+        at->travel += dw;
         at->level += dl;
       }
     }
@@ -157,7 +157,7 @@ class ContourCutter {
 
   [[nodiscard]] double bottom() const { return rough_.front().segment.from.level; }
   [[nodiscard]] double top() const { return rough_.back().segment.to.level; }
-  [[nodiscard]] double first_way() const { return rough_.front().segment.from.way - forward_ * cycle_.lift_mm; }
+  [[nodiscard]] double first_travel() const { return rough_.front().segment.from.travel - forward_ * cycle_.lift_mm; }
   [[nodiscard]] double clear_level() const { return top() - side_ * cycle_.lift_mm; }
 
   // At most kPassesAtMost: more are an alarm before the first.
@@ -166,7 +166,7 @@ class ContourCutter {
   }
 
   void rough(double total) {
-    to(MotionKind::rapid, first_way(), clear_level());
+    to(MotionKind::rapid, first_travel(), clear_level());
     const int count = passes_for(total);
     for (int n = 1; n <= count; ++n) {
       const double level = n == count ? bottom() : top() + side_ * total * n / count;
@@ -174,8 +174,8 @@ class ContourCutter {
       pass(level, above);
     }
     for (const Relief& relief : reliefs_) rough(relief);
-    to(MotionKind::rapid, here().way, clear_level());
-    to(MotionKind::rapid, first_way(), clear_level());
+    to(MotionKind::rapid, here().travel, clear_level());
+    to(MotionKind::rapid, first_travel(), clear_level());
   }
 
   void rough(const Relief& relief) {
@@ -191,29 +191,30 @@ class ContourCutter {
   // What lies over the level above is cut already, and so is the way over the height.
   void pass(const Relief& relief, double level, double above) {
     const double over = relief.begin().level - side_ * cycle_.lift_mm;
-    const ShapePoint begin{way_down(relief, above), above};
-    to(MotionKind::rapid, here().way, over);
-    to(MotionKind::rapid, begin.way, over);
-    to(MotionKind::rapid, begin.way, above - side_ * cycle_.lift_mm);
+    const ShapePoint begin{travel_down(relief, above), above};
+    to(MotionKind::rapid, here().travel, over);
+    to(MotionKind::rapid, begin.travel, over);
+    to(MotionKind::rapid, begin.travel, above - side_ * cycle_.lift_mm);
     const double rough_feed = std::exchange(state_.feed, cycle_.relief_feed);
-    to(MotionKind::linear, begin.way, begin.level);
+    to(MotionKind::linear, begin.travel, begin.level);
     along(relief.down, begin, level, side_);
     state_.feed = rough_feed;
     ShapePoint met = relief.up.front().segment.from;
     for (const Piece& p : relief.up)
-      if ((p.segment.from.level - level) * -side_ <= kSmall) met = {way_at(p.segment, level).value_or(met.way), level};
-    cut_along(met.way, level);
+      if ((p.segment.from.level - level) * -side_ <= kSmall)
+        met = {travel_at(p.segment, level).value_or(met.travel), level};
+    cut_along(met.travel, level);
     along(relief.up, met, above, -side_);
-    const double room = std::abs(here().way - begin.way);
-    to(MotionKind::rapid, here().way - forward_ * std::min(cycle_.lift_mm, room),
+    const double room = std::abs(here().travel - begin.travel);
+    to(MotionKind::rapid, here().travel - forward_ * std::min(cycle_.lift_mm, room),
        here().level - side_ * cycle_.lift_mm);
   }
 
   // Where the flank that goes down has the level.
-  [[nodiscard]] static double way_down(const Relief& relief, double level) {
+  [[nodiscard]] static double travel_down(const Relief& relief, double level) {
     for (const Piece& p : relief.down)
-      if (const auto way = way_at(p.segment, level)) return *way;
-    return relief.begin().way;
+      if (const auto travel = travel_at(p.segment, level)) return *travel;
+    return relief.begin().travel;
   }
 
   // From a point on one of the pieces to where they reach the level, in which `direction` says how levels go there.
@@ -222,7 +223,7 @@ class ContourCutter {
       if ((p.segment.to.level - from.level) * direction <= kSmall) continue;
       const bool ends = (p.segment.to.level - level) * direction >= -kSmall;
       const ShapePoint end =
-          ends ? ShapePoint{way_at(p.segment, level).value_or(p.segment.to.way), level} : p.segment.to;
+          ends ? ShapePoint{travel_at(p.segment, level).value_or(p.segment.to.travel), level} : p.segment.to;
       follow(p, from, end);
       from = end;
       if (ends) return;
@@ -231,50 +232,50 @@ class ContourCutter {
 
   // Along the level to the contour, up the contour to the level above, off and back.
   void pass(double level, double above) {
-    to(MotionKind::rapid, first_way(), here().level);
-    to(MotionKind::rapid, first_way(), level);
+    to(MotionKind::rapid, first_travel(), here().level);
+    to(MotionKind::rapid, first_travel(), level);
     std::size_t at = 0;
     while (at + 1 < rough_.size() && (rough_[at].segment.to.level - level) * -side_ <= kSmall) ++at;
     const ShapeSegment& met = rough_[at].segment;
-    ShapePoint from{way_at(met, level).value_or(met.from.way), level};
-    cut_along(from.way, level);
+    ShapePoint from{travel_at(met, level).value_or(met.from.travel), level};
+    cut_along(from.travel, level);
     for (; at < rough_.size(); ++at) {
       const ShapeSegment& s = rough_[at].segment;
       const bool ends = (s.to.level - above) * -side_ >= -kSmall;
-      const ShapePoint end = ends ? ShapePoint{way_at(s, above).value_or(s.to.way), above} : s.to;
+      const ShapePoint end = ends ? ShapePoint{travel_at(s, above).value_or(s.to.travel), above} : s.to;
       follow(rough_[at], from, end);
       from = end;
       if (ends) break;
     }
-    to(MotionKind::rapid, from.way - forward_ * cycle_.lift_mm, from.level - side_ * cycle_.lift_mm);
-    to(MotionKind::rapid, first_way(), here().level);
+    to(MotionKind::rapid, from.travel - forward_ * cycle_.lift_mm, from.level - side_ * cycle_.lift_mm);
+    to(MotionKind::rapid, first_travel(), here().level);
   }
 
   // Interrupted every DAM by a dwell that breaks the chip.
-  void cut_along(double way, double level) {
-    const double length = std::abs(way - here().way);
-    const double piece = cycle_.dwell_way_mm;
+  void cut_along(double travel, double level) {
+    const double length = std::abs(travel - here().travel);
+    const double piece = cycle_.dwell_distance_mm;
     if (piece > 0.0 && length / piece < kDwellsAtMost) {
-      const double begin = here().way;
+      const double begin = here().travel;
       for (double n = 1.0; n * piece < length - kSmall; ++n) {
-        to(MotionKind::linear, begin + (way > begin ? piece : -piece) * n, level);
+        to(MotionKind::linear, begin + (travel > begin ? piece : -piece) * n, level);
         if (cycle_.dwell_s > 0.0) emit_event(MotionKind::dwell, state_, out_).feed = cycle_.dwell_s;
       }
     }
-    to(MotionKind::linear, way, level);
+    to(MotionKind::linear, travel, level);
   }
 
   void follow(const Piece& piece, ShapePoint from, ShapePoint end) {
-    if (!piece.segment.arc) return to(MotionKind::linear, end.way, end.level);
-    if (std::abs(from.way - end.way) < kSmall && std::abs(from.level - end.level) < kSmall) return;
+    if (!piece.segment.arc) return to(MotionKind::linear, end.travel, end.level);
+    if (std::abs(from.travel - end.travel) < kSmall && std::abs(from.level - end.level) < kSmall) return;
     const ShapePoint c = piece.segment.center;
     ir::Motion& arc = out_.add(piece.ccw ? MotionKind::arc_ccw : MotionKind::arc_cw);
     fill_common(arc, state_);
-    arc.end[kX] = (along_z_ ? end.level : end.way) * factor_;
-    arc.end[kZ] = along_z_ ? end.way : end.level;
+    arc.end[kX] = (along_z_ ? end.level : end.travel) * factor_;
+    arc.end[kZ] = along_z_ ? end.travel : end.level;
     arc.center = {};
-    arc.center[0] = along_z_ ? c.level - from.level : c.way - from.way;
-    arc.center[2] = along_z_ ? c.way - from.way : c.level - from.level;
+    arc.center[0] = along_z_ ? c.level - from.level : c.travel - from.travel;
+    arc.center[2] = along_z_ ? c.travel - from.travel : c.level - from.level;
     arc.feed = state_.feed;
     arc.axes_commanded = 1U << kX | 1U << kZ;
     arc.axes_unknown = state_.unknown;
@@ -284,25 +285,25 @@ class ContourCutter {
   // --- finishing
 
   void finish() {
-    const double way = first_.way - forward_ * cycle_.lift_mm;
+    const double travel = first_.travel - forward_ * cycle_.lift_mm;
     const double clear = pieces_.back().segment.to.level - side_ * cycle_.lift_mm;
-    to(MotionKind::rapid, way, std::max(clear * -side_, here().level * -side_) * -side_);
-    to(MotionKind::rapid, way, first_.level);
-    to(MotionKind::linear, first_.way, first_.level);
+    to(MotionKind::rapid, travel, std::max(clear * -side_, here().level * -side_) * -side_);
+    to(MotionKind::rapid, travel, first_.level);
+    to(MotionKind::linear, first_.travel, first_.level);
     for (const Piece& p : pieces_) follow(p, p.segment.from, p.segment.to);
     const ShapePoint last = pieces_.back().segment.to;
-    to(MotionKind::rapid, last.way - forward_ * cycle_.lift_mm, last.level - side_ * cycle_.lift_mm);
-    to(MotionKind::rapid, way, here().level);
+    to(MotionKind::rapid, last.travel - forward_ * cycle_.lift_mm, last.level - side_ * cycle_.lift_mm);
+    to(MotionKind::rapid, travel, here().level);
   }
 
   // --- motions
 
   [[nodiscard]] ShapePoint point(double x, double z) const { return along_z_ ? ShapePoint{z, x} : ShapePoint{x, z}; }
   [[nodiscard]] ShapePoint here() const { return point(state_.position[kX] / factor_, state_.position[kZ]); }
-  void to(MotionKind kind, double way, double level) {
+  void to(MotionKind kind, double travel, double level) {
     Target target{.end = state_.position};
-    target.end[kX] = (along_z_ ? level : way) * factor_;
-    target.end[kZ] = along_z_ ? way : level;
+    target.end[kX] = (along_z_ ? level : travel) * factor_;
+    target.end[kZ] = along_z_ ? travel : level;
     for (const std::size_t axis : {kX, kZ}) {
       const bool moves = std::abs(target.end[axis] - state_.position[axis]) > kSmall;
       const bool unknown = (state_.unknown >> axis & 1U) != 0;

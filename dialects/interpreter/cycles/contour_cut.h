@@ -24,9 +24,9 @@ struct ContourCycle {
   double relief_feed = 0.0;     // FF2: down into a relief cut
   double finish_feed = 0.0;     // FF3
   int kind = 0;
-  double dwell_s = 0.0;       // DT, each
-  double dwell_way_mm = 0.0;  // DAM of a pass
-  double lift_mm = 1.0;       // _VRT
+  double dwell_s = 0.0;            // DT, each
+  double dwell_distance_mm = 0.0;  // DAM of a pass
+  double lift_mm = 1.0;            // _VRT
 };
 
 // What came of it: an alarm of the cycle by number, or what of it is not interpreted here; then nothing was cut.

@@ -45,7 +45,7 @@ class Offset {
   }
 
  private:
-  [[nodiscard]] PlanePoint turned(ShapePoint p) const { return {p.way * side_.forward, p.level * side_.rise}; }
+  [[nodiscard]] PlanePoint turned(ShapePoint p) const { return {p.travel * side_.forward, p.level * side_.rise}; }
   [[nodiscard]] PathPiece turned(const ShapeSegment& s) const {
     const bool left = s.turn * side_.forward * side_.rise > 0.0;
     return {turned(s.from), turned(s.to), s.arc, turned(s.center), left ? Turn::counterclockwise : Turn::clockwise};

@@ -18,7 +18,7 @@ class Sections {
 
   ContourSections run() {
     ContourSections out;
-    if (const std::uint32_t line = line_of_way_back(); line != 0)
+    if (const std::uint32_t line = line_of_reversal(); line != 0)
       return {{}, {}, "along a contour that reverses in line " + std::to_string(line)};
     for (at_ = 0; at_ < pieces_.size();) {
       const ContourPiece& piece = pieces_[at_];
@@ -42,10 +42,10 @@ class Sections {
   [[nodiscard]] double height(ShapePoint p) const { return rise_ * p.level; }
 
   // Line of the first piece against the direction of the way, 0 when there is none.
-  [[nodiscard]] std::uint32_t line_of_way_back() const {
+  [[nodiscard]] std::uint32_t line_of_reversal() const {
     double direction = 0.0;
     for (const ContourPiece& piece : pieces_) {
-      const double step = piece.segment.to.way - piece.segment.from.way;
+      const double step = piece.segment.to.travel - piece.segment.from.travel;
       if (std::abs(step) <= kSmall) continue;
       if (step * direction < 0.0) return piece.segment.line;
       direction = step;
@@ -68,7 +68,7 @@ class Sections {
       if (falls) return false;
       relief.up.push_back(piece);
       if (height(piece.segment.to) < rise_ * level - kSmall) continue;
-      const ShapePoint end{way_at(piece.segment, level).value_or(piece.segment.to.way), level};
+      const ShapePoint end{travel_at(piece.segment, level).value_or(piece.segment.to.travel), level};
       relief.up.back().segment.to = end;
       reshape(relief.up.back().segment);
       const bool used = height(piece.segment.to) <= rise_ * level + kSmall;

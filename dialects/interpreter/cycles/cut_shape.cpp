@@ -154,7 +154,7 @@ class ShapeCutter {
   }
   [[nodiscard]] double way0() const { return along_z_ ? z0_ : x0_ / factor_; }
   [[nodiscard]] double forward() const {
-    const double end = segments_.empty() ? begin_.way : segments_.back().to.way;
+    const double end = segments_.empty() ? begin_.travel : segments_.back().to.travel;
     return end < way0() ? -1.0 : 1.0;
   }
 
@@ -166,19 +166,19 @@ class ShapeCutter {
   };
   [[nodiscard]] std::vector<Stretch> stretches(double level, bool pockets) const {
     std::vector<Stretch> found;
-    const double last = segments_.empty() ? begin_.way : segments_.back().to.way;
+    const double last = segments_.empty() ? begin_.travel : segments_.back().to.travel;
     const auto is_free = [&](double at) { return side() < 0.0 ? at < level - 1e-9 : at > level + 1e-9; };
     bool open = is_free(begin_.level) || std::abs(begin_.level - level) <= 1e-9;
     double from = way0();
     for (const ShapeSegment& s : segments_) {
       const bool free_after = is_free(s.to.level);
       if (open && !free_after) {
-        if (const auto at = way_at(s, level)) {
+        if (const auto at = travel_at(s, level)) {
           found.push_back({from, *at});
           open = false;
         }
       } else if (!open && free_after && pockets) {
-        if (const auto at = way_at(s, level)) {
+        if (const auto at = travel_at(s, level)) {
           from = *at;
           open = true;
         }
@@ -206,7 +206,7 @@ class ShapeCutter {
   void along_shape() {
     to(MotionKind::rapid, way0(), here().level);
     const bool by_rapid = moves_.front().kind == MotionKind::rapid;
-    to(by_rapid ? MotionKind::rapid : MotionKind::linear, begin_.way, begin_.level);
+    to(by_rapid ? MotionKind::rapid : MotionKind::linear, begin_.travel, begin_.level);
     const double dx = data_.allowance_x_mm * factor_;
     for (std::size_t i = 1; i < moves_.size(); ++i) {
       ir::Motion m = moves_[i];
@@ -223,8 +223,8 @@ class ShapeCutter {
     const double z = state_.position[kZ];
     return along_z_ ? ShapePoint{z, x} : ShapePoint{x, z};
   }
-  void to(MotionKind kind, double way, double level) {
-    straight(kind, (along_z_ ? level : way) * factor_, along_z_ ? way : level);
+  void to(MotionKind kind, double travel, double level) {
+    straight(kind, (along_z_ ? level : travel) * factor_, along_z_ ? travel : level);
   }
   void straight(MotionKind kind, double x, double z) {
     Target target{.end = state_.position};

@@ -12,7 +12,7 @@
 namespace dripfeed::interpreter {
 
 struct ShapePoint {
-  double way = 0.0;
+  double travel = 0.0;
   double level = 0.0;
 };
 struct ShapeSegment {
@@ -28,7 +28,7 @@ struct ShapeSegment {
 // is positive where the way is Z and negative where it is X.
 double turn_of(const ShapeSegment& arc, bool positive);
 // Where it cuts the level, as a way; the first place in the direction of the segment. Nothing when it does not.
-std::optional<double> way_at(const ShapeSegment& segment, double level);
+std::optional<double> travel_at(const ShapeSegment& segment, double level);
 // The same in pieces of which both coordinates only rise or only fall.
 std::vector<ShapeSegment> split_at_turns(const ShapeSegment& segment);
 // True when both coordinates only rise or only fall; what goes back by no more than `tolerance_mm` does not count.

@@ -65,7 +65,7 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
                     .finish_feed = numbers[6] * feed_mm,
                     .kind = numbers[7] >= 0.0 && numbers[7] < 1000.0 ? static_cast<int>(numbers[7]) : 0,
                     .dwell_s = numbers[8],
-                    .dwell_way_mm = numbers[9] * mm,
+                    .dwell_distance_mm = numbers[9] * mm,
                     .lift_mm = numbers[10] == 0.0 ? 1.0 : numbers[10] * mm};
   // What waits for the next move must not be taken for one of the contour's.
   if (state_.spline.active) end_spline(rules_, state_, out_);

@@ -83,8 +83,8 @@ class Mover {
 
   // arcs that lie in no plane of the control's own: mover_space.cpp
   // From where the block starts, radius values.
-  [[nodiscard]] Vector way_to_via() const;
-  [[nodiscard]] Vector way_to(const Target& target) const;
+  [[nodiscard]] Vector vector_to_via() const;
+  [[nodiscard]] Vector vector_to(const Target& target) const;
   void arc_in_space(const SpaceArc& arc, const Target& target);
   // By arc_cw, arc_ccw or arc_tangent in the plane as it is programmed, which the frame turns out of itself.
   void arc_in_tilted_plane(ir::Function function, const Target& target);

@@ -37,8 +37,8 @@ void Mover::arc_via(const Target& target) {
   if ((block_.present & kVia) == 0 || block_.has(Address::turns)) return lose(target, kNoteArcUndefined);
   if (state_.modes.has_matrix && !keeps_shapes(state_.modes.matrix)) return lose(target, kNoteArcInFrame);
   if (state_.modes.has_matrix && (state_.unknown & 7U) != 0) return lose(target);
-  const Vector via = way_to_via();
-  const Vector end = way_to(target);
+  const Vector via = vector_to_via();
+  const Vector end = vector_to(target);
   const bool rises = std::abs(via[axes.normal]) > kFlat_mm || std::abs(end[axes.normal]) > kFlat_mm;
   if (rises && (state_.unknown >> axes.normal & 1U) != 0) return lose(target);
   const std::optional<SpaceArc> arc = arc_through(via, end);

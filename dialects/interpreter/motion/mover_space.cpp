@@ -38,7 +38,7 @@ ModalState as_programmed(const BlockRules& rules, const ModalState& state) {
 }  // namespace
 
 // PGA, "Circular interpolation via intermediate point (CIP)": with G91 it counts from the start, as the end does.
-Vector Mover::way_to_via() const {
+Vector Mover::vector_to_via() const {
   const bool in_frame = state_.modes.has_matrix;
   Vector way{};
   if (in_frame) way = programmed_position(rules_, state_);
@@ -61,7 +61,7 @@ Vector Mover::way_to_via() const {
   return multiply(state_.modes.matrix, way);
 }
 
-Vector Mover::way_to(const Target& target) const {
+Vector Mover::vector_to(const Target& target) const {
   Vector way{};
   for (std::size_t axis = 0; axis < way.size(); ++axis)
     way[axis] = radius_of(axis, target.end[axis] - state_.position[axis]);

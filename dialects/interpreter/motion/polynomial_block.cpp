@@ -23,7 +23,7 @@ using ir::Address;
 
 constexpr std::array kLetters = {Address::x, Address::y, Address::z};
 constexpr std::size_t kX = 0;
-constexpr double kNoWay_mm = 1e-9;
+constexpr double kNoDistance_mm = 1e-9;
 constexpr double kShortestInterval = 0.0001;  // PGA: the range of PL
 constexpr double kLongestInterval = 99'999.9999;
 
@@ -73,7 +73,7 @@ class Polynomial {
         way[axis] += bends_[power][axis] * static_cast<double>(power - 1);
     }
     if (x_is_diameter) way[kX] /= 2.0;
-    if (std::hypot(way[0], way[1], way[2]) < kNoWay_mm) return std::nullopt;
+    if (std::hypot(way[0], way[1], way[2]) < kNoDistance_mm) return std::nullopt;
     return way;
   }
 

@@ -76,7 +76,7 @@ bool moves_in_space(const AxisValues& a, const AxisValues& b) {
   return false;
 }
 
-double length_of_way(const AxisValues& a, const AxisValues& b, bool x_is_diameter) {
+double distance_of(const AxisValues& a, const AxisValues& b, bool x_is_diameter) {
   return std::hypot((b[0] - a[0]) / (x_is_diameter ? 2.0 : 1.0), b[1] - a[1], b[2] - a[2]);
 }
 
@@ -125,7 +125,7 @@ class SplineMaker {
     for (std::size_t i = first; i < made_.size(); ++i)
       if (const double own = length(made_[i]); own > 0.0) made_[i].feed *= total / own;
   }
-  [[nodiscard]] double length(const ir::Motion& m) const { return length_of_way(m.start, m.end, x_is_diameter_); }
+  [[nodiscard]] double length(const ir::Motion& m) const { return distance_of(m.start, m.end, x_is_diameter_); }
 
   const SplineRun& run_;
   const SplineCurve& curve_;

@@ -104,8 +104,8 @@ ExpressionId ExpressionReader::factor(std::string_view after) {
   const bool minus = cursor_.is_symbol('-');
   if (minus || cursor_.is_symbol('+')) {
     // Behind an operator a minus is the value's sign (#1*-1); a plus is one operator too many.
-    const bool behind_operator = after == "+" || after == "-" || after == "*" || after == "/";
-    if (behind_operator && !minus) {
+    const bool after_operator = after == "+" || after == "-" || after == "*" || after == "/";
+    if (after_operator && !minus) {
       faults_.fail(syntax_error, cursor_.span(), {"two signs one after the other"}, ir::AlarmDetail::two_signs);
       return ExpressionId::none;
     }

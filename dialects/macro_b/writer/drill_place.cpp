@@ -38,7 +38,7 @@ bool is_by_angle(Address a) {
 
 bool is_distance(const ir::Code& c) { return facts::mode_of(c) == facts::Mode::distance; }
 
-bool meets_ways(StatementKind kind) { return kind >= StatementKind::if_begin && kind <= StatementKind::loop_end; }
+bool joins_paths(StatementKind kind) { return kind >= StatementKind::if_begin && kind <= StatementKind::loop_end; }
 
 }  // namespace
 
@@ -56,7 +56,7 @@ void DrillPlace::move_to(std::uint32_t index) {
   index_ = index;
   const std::optional<facts::Setting> motion = modes_.certain(facts::Mode::motion, index);
   motion_ = motion ? std::optional(motion->function) : std::nullopt;
-  if (is_target_[index] || meets_ways(statement().kind)) forget();
+  if (is_target_[index] || joins_paths(statement().kind)) forget();
 }
 
 // --- over all ways

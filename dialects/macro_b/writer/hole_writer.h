@@ -54,7 +54,7 @@ class HoleWriter {
   void shift(const Hole& hole, const PlaneAxes& axes, double way, double lift);
   void turn_again(const Hole& hole);
   // How the spindle turns on the way in; nothing where that is not known.
-  [[nodiscard]] std::optional<ir::Function> cutting_way(const Hole& hole) const;
+  [[nodiscard]] std::optional<ir::Function> cutting_direction(const Hole& hole) const;
   [[nodiscard]] std::optional<double> number(ir::ExpressionId id) const { return constant_value(program_, id); }
 
   ir::ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }

@@ -182,7 +182,7 @@ ir::Word BlockRaiser::word_of(Address address, ExpressionId value) const {
 
 void BlockRaiser::code(const ir::Code& code) {
   const Function f = code.function;
-  follow_way(code);
+  follow_direction(code);
   if (f == Function::absolute || f == Function::incremental) incremental_ = f == Function::incremental;
   if (f == Function::unit_inch || f == Function::unit_mm) inch_ = f == Function::unit_inch;
   if (f == Function::unit_inch || f == Function::unit_mm) feed_in_mm_ = inch_ && code.argument == kLengthsOnly;
@@ -234,7 +234,7 @@ void BlockRaiser::code_by_name(const ir::Code& code) {
 }
 
 // What moves, as the blocks behind it count on it.
-void BlockRaiser::follow_way(const ir::Code& code) {
+void BlockRaiser::follow_direction(const ir::Code& code) {
   const Function f = code.function;
   if (f >= Function::plane_xy && f <= Function::plane_yz) plane_is_xy_ = f == Function::plane_xy;
   if (code.group != ir::ModalGroup::motion && code.group != ir::ModalGroup::cycle && f != Function::cycle_off) return;

@@ -57,7 +57,7 @@ class BlockRaiser {
   Traits traits_of(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) const;
   void code(const ir::Code& code);
   void code_by_name(const ir::Code& code);
-  void follow_way(const ir::Code& code);
+  void follow_direction(const ir::Code& code);
   [[nodiscard]] bool is_plain_number(const ir::Word& word, const Traits& traits) const;
   [[nodiscard]] bool begins_transformation() const;
   void word(const ir::Word& word, const Traits& traits);

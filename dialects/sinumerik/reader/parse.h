@@ -80,11 +80,11 @@ class Parser {
   void switch_line(text::Span start);
   [[nodiscard]] bool switches_mode(std::uint32_t code) const;
   [[nodiscard]] std::uint32_t named_switch() const;
-  static TokenCursor behind_comments(TokenCursor at);
+  static TokenCursor after_comments(TokenCursor at);
   void begin_iso_mode(std::uint32_t statement, std::uint32_t text_begin);
   void end_iso_mode(std::uint32_t text_end, bool by_switch);
   [[nodiscard]] bool calls_from_iso_mode() const;
-  [[nodiscard]] TokenCursor behind_block_number() const;
+  [[nodiscard]] TokenCursor after_block_number() const;
   static bool is_code(const TokenCursor& at, char letter);
 
   // values: parse_expression.cpp

@@ -63,7 +63,7 @@ bool Parser::iso_line(text::Span start) {
 // The block does nothing but that. Comments stand in brackets here.
 void Parser::switch_line(text::Span start) {
   block_head();
-  cursor_ = behind_comments(cursor_);
+  cursor_ = after_comments(cursor_);
   lower_.add_code(*find_g_code(kSiemensMode), cursor_.span());
   skip_block();
   finish_line(start);
@@ -74,8 +74,8 @@ bool Parser::is_code(const TokenCursor& at, char letter) {
          at.after().kind() == TokenKind::number;
 }
 
-TokenCursor Parser::behind_block_number() const {
-  TokenCursor probe = behind_comments(cursor_);
+TokenCursor Parser::after_block_number() const {
+  TokenCursor probe = after_comments(cursor_);
   if (probe.kind() == TokenKind::skip) probe.advance();
   const bool main_block = probe.is_symbol(':') && probe.after().kind() == TokenKind::number;
   if (!main_block && !is_code(probe, 'N')) return probe;
@@ -86,7 +86,7 @@ TokenCursor Parser::behind_block_number() const {
 
 // A call as Siemens mode writes it, which ISO mode takes, too (Diagnostics Manual, alarm 12710; from memory).
 bool Parser::calls_from_iso_mode() const {
-  const TokenCursor probe = behind_block_number();
+  const TokenCursor probe = after_block_number();
   if (probe.kind() != TokenKind::name || is_of_macro_language(probe.text())) return false;
   if (const Keyword* keyword = find_keyword(probe.text())) {
     constexpr Verb kCalls[] = {Verb::call, Verb::call_modal, Verb::call_path, Verb::call_external, Verb::call_iso};
@@ -97,14 +97,14 @@ bool Parser::calls_from_iso_mode() const {
 
 // G290 or G291, alone in its block but for comments in brackets.
 bool Parser::switches_mode(std::uint32_t code) const {
-  TokenCursor probe = behind_block_number();
+  TokenCursor probe = after_block_number();
   if (!is_code(probe, 'G') || whole_number(probe.after().text()) != code) return false;
   probe.advance();
   probe.advance();
-  return behind_comments(probe).at_block_end();
+  return after_comments(probe).at_block_end();
 }
 
-TokenCursor Parser::behind_comments(TokenCursor at) {
+TokenCursor Parser::after_comments(TokenCursor at) {
   while (at.is_symbol('(')) {
     while (!at.at_block_end() && !at.is_symbol(')')) at.advance();
     if (!at.at_block_end()) at.advance();

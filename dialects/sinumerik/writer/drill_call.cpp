@@ -272,7 +272,7 @@ std::optional<ExpressionId> DrillCall::word(const Fact<ExpressionId>& fact, std:
 std::optional<ExpressionId> DrillCall::carried(const Fact<ExpressionId>& fact, std::string_view address) {
   if (!fact.known) {
     raising_.report(text::DiagnosticId::unknown_modal_state, span_,
-                    {std::string(address) + " of the drilling cycle", std::string(kTwoWays)});
+                    {std::string(address) + " of the drilling cycle", std::string(kTwoPaths)});
     return std::nullopt;
   }
   const bool written_here = std::ranges::find(own_, fact.value, &ir::Word::value) != own_.end();

@@ -15,7 +15,7 @@
 
 namespace dripfeed::sinumerik {
 
-inline constexpr std::string_view kTwoWays = "two control-flow paths lead to this block and differ";
+inline constexpr std::string_view kTwoPaths = "two control-flow paths lead to this block and differ";
 inline constexpr auto kBackBore = static_cast<std::int16_t>(ir::DrillCycle::back_bore);
 
 bool turns_spindle(ir::Function function);

@@ -77,7 +77,7 @@ class CycleRaiser {
     if (!own_words &&
         std::ranges::any_of(words, [](const ir::Word& w) { return ir::is_axis(w.address) || w.address == Address::r; }))
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
-                      {"the drilling cycle", std::string(kTwoWays)});
+                      {"the drilling cycle", std::string(kTwoPaths)});
     out_.keep();
   }
 
@@ -121,7 +121,7 @@ class CycleRaiser {
       codes.push_back(motion_code(before.motion.value));
     } else if (!motion) {
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
-                      {"the motion after the cycle", std::string(kTwoWays)});
+                      {"the motion after the cycle", std::string(kTwoPaths)});
     }
     out_.emit_block(codes, words);
   }
@@ -130,7 +130,7 @@ class CycleRaiser {
     if (after.cycle.value >= ir::kDrillAlongZ) return raising_.cannot("a drilling cycle of a lathe", statement_->span);
     if (!after.plane.known)
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
-                      {"the plane of the cycle", std::string(kTwoWays)});
+                      {"the plane of the cycle", std::string(kTwoPaths)});
     DrillBlock parts =
         drill_block(raising_, block, drilling_axis(after.plane.value), static_cast<DrillCycle>(after.cycle.value));
     parts.redefines |= changes_tap(before, after) || changes_level(before, after);

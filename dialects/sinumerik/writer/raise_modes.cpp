@@ -35,7 +35,7 @@ class FeedAndSpeed {
     if (uses(Function::feed_per_min) || uses(Function::feed_per_rev)) find_feed_modes();
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
       const ir::Statement& s = program_.statements[i];
-      if (branches_ && joins_ways(s)) surface_known_ = false;
+      if (branches_ && joins_paths(s)) surface_known_ = false;
       if (s.kind != StatementKind::block) continue;
       feed_is_certain_ = !uncertain_.contains(i);
       block(program_.blocks[s.payload]);
@@ -62,7 +62,7 @@ class FeedAndSpeed {
   }
 
   // Two ways that differ may meet here.
-  static bool joins_ways(const ir::Statement& s) {
+  static bool joins_paths(const ir::Statement& s) {
     return s.is_label || (s.kind >= StatementKind::if_begin && s.kind <= StatementKind::loop_end);
   }
 

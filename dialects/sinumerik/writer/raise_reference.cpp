@@ -115,7 +115,7 @@ class ReferenceRaiser {
     std::vector<ir::Code> before;
     std::vector<ir::Code> after;
     for (const ir::Code& c : codes)
-      if (!is_reference(c)) (acts_behind(c) ? after : before).push_back(c);
+      if (!is_reference(c)) (acts_after(c) ? after : before).push_back(c);
     std::vector<ir::Word> words;
     std::vector<ir::Word> axes;
     for (const ir::Word& w : program_.words_of(block)) {
@@ -146,7 +146,7 @@ class ReferenceRaiser {
     code.group = ir::ModalGroup::motion;
     return code;
   }
-  static bool acts_behind(const ir::Code& c) {
+  static bool acts_after(const ir::Code& c) {
     return c.function == Function::program_stop || c.function == Function::optional_stop ||
            c.function == Function::coolant_off || c.function == Function::spindle_stop;
   }

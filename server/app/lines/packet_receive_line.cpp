@@ -19,7 +19,7 @@ namespace dripfeed::app {
 
 namespace {
 
-constexpr feed::Time kAnewAfter = std::chrono::seconds(1);
+constexpr feed::Time kRestartAfter = std::chrono::seconds(1);
 constexpr std::uint8_t kFilling = 0x1A;  // SUB, behind the text in XMODEM's last block
 
 class PacketReceiveLine final : public Line, private LinkListener, private Ticker, private packet::Sink {
@@ -103,8 +103,8 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
     link_.tick(time);
     receiver_.tick(time);
     if (conclude_at_ && time >= *conclude_at_ && receiver_.conclude(time)) conclude_at_.reset();
-    if (anew_at_ && time >= *anew_at_ && link_.is_up()) {
-      anew_at_.reset();
+    if (restart_at_ && time >= *restart_at_ && link_.is_up()) {
+      restart_at_.reset();
       begin();
     }
     settle();
@@ -112,7 +112,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
 
   [[nodiscard]] std::optional<feed::Time> deadline() const override {
     std::optional<feed::Time> due;
-    for (const auto& one : {link_.deadline(), receiver_.deadline(), conclude_at_, anew_at_}) {
+    for (const auto& one : {link_.deadline(), receiver_.deadline(), conclude_at_, restart_at_}) {
       if (one) due = due ? std::min(*due, *one) : *one;
     }
     return due;
@@ -148,7 +148,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
   }
 
   void finish() {
-    if (over_ || anew_at_) return;
+    if (over_ || restart_at_) return;
     conclude_at_.reset();
     if (packet::is_xmodem(protocol_)) {
       while (!raw_.empty() && (std::to_integer<unsigned>(raw_.back()) & tape_code::kLowSevenBits) == kFilling)
@@ -157,7 +157,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
     const packet::Cause cause = receiver_.end_cause();
     cause_ = cause == packet::Cause::none ? std::string_view() : packet::name(cause);
     if (raw_.empty()) {
-      anew_at_ = now() + kAnewAfter;
+      restart_at_ = now() + kRestartAfter;
       return;
     }
     over_ = true;
@@ -182,7 +182,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
 
   [[nodiscard]] LineState state_now() const {
     if (!link_.is_up()) return LineState::disconnected;
-    const bool quiet = over_ || receiver_.state() == packet::ReceiveState::inviting || anew_at_.has_value();
+    const bool quiet = over_ || receiver_.state() == packet::ReceiveState::inviting || restart_at_.has_value();
     return quiet ? LineState::idle : LineState::receiving;
   }
 
@@ -212,7 +212,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
   bool over_ = false;
   feed::Time begun_at_{};
   std::optional<feed::Time> conclude_at_;
-  std::optional<feed::Time> anew_at_;
+  std::optional<feed::Time> restart_at_;
   mutable LineMutex report_mutex_{"a line's report"};
   LineReport report_;
   std::vector<Reception> receptions_;

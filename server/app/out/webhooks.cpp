@@ -154,7 +154,7 @@ void Webhooks::send(const store::Webhook& webhook, const store::WebhookDelivery&
   sender_.begin(delivery.id, post);
 }
 
-store::DeliveryTry Webhooks::judge(const OnItsWay& sent, const HttpOutcome& outcome) {
+store::DeliveryTry Webhooks::judge(const InFlight& sent, const HttpOutcome& outcome) {
   store::DeliveryTry tried{
       .state = store::DeliveryState::dead, .at_ms = clock_.wall_ms(), .status = outcome.status, .error = outcome.error};
   if (is_taken(outcome.status)) {
@@ -170,7 +170,7 @@ store::DeliveryTry Webhooks::judge(const OnItsWay& sent, const HttpOutcome& outc
 void Webhooks::note(const HttpOutcome& outcome) {
   const auto found = on_.extract(outcome.ticket);
   if (found.empty()) return;
-  const OnItsWay& sent = found.mapped();
+  const InFlight& sent = found.mapped();
   const store::DeliveryTry tried = judge(sent, outcome);
   if (tried.state == store::DeliveryState::dead)
     spdlog::warn("webhook {}: event {} is given up: {}", sent.webhook.id, store::id_of(sent.delivery.event),

@@ -59,7 +59,7 @@ class Webhooks {
   void stop();
 
  private:
-  struct OnItsWay {
+  struct InFlight {
     store::Webhook webhook;
     store::WebhookDelivery delivery;
   };
@@ -68,7 +68,7 @@ class Webhooks {
   void begin_due();
   void send(const store::Webhook& webhook, const store::WebhookDelivery& delivery);
   void note(const HttpOutcome& outcome);
-  [[nodiscard]] store::DeliveryTry judge(const OnItsWay& sent, const HttpOutcome& outcome);
+  [[nodiscard]] store::DeliveryTry judge(const InFlight& sent, const HttpOutcome& outcome);
   void forget();
   [[nodiscard]] Result<void> check(const store::WebhookSettings& settings) const;
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
@@ -82,7 +82,7 @@ class Webhooks {
 
   // Of the thread alone.
   LineEvents line_events_;
-  std::map<store::Id, OnItsWay> on_;       // by delivery; one a webhook
+  std::map<store::Id, InFlight> on_;       // by delivery; one a webhook
   std::map<store::Id, feed::Time> rests_;  // webhooks whose last try could not be written
   std::minstd_rand random_{std::random_device{}()};
   feed::Time next_forget_{};

@@ -11,7 +11,7 @@ namespace {
 
 ir::Control mill(const std::string& dialect) { return control(dialect, ir::MachineKind::mill); }
 
-void expect_same_way(const std::vector<ir::Motion>& a, const std::vector<ir::Motion>& b, const std::string& what) {
+void expect_same_path(const std::vector<ir::Motion>& a, const std::vector<ir::Motion>& b, const std::string& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].kind, b[i].kind) << what << ", move " << i;
@@ -34,7 +34,7 @@ TEST(Boring, ModalCyclesOfHashControlsAsCalls) {
   EXPECT_NE(made.text.find("CYCLE86"), std::string::npos) << made.text;
   EXPECT_NE(made.text.find("CYCLE88"), std::string::npos) << made.text;
   const auto moves = real_moves(run_text(made.text, mill("sinumerik-840d")).motions);
-  expect_same_way(original, moves, made.text);
+  expect_same_path(original, moves, made.text);
   EXPECT_EQ(moves.back().spindle, ir::SpindleState::clockwise);
 }
 
@@ -47,7 +47,7 @@ TEST(Boring, CalledCyclesAsBlocks) {
     const ConvertResult made = translated(text, "sinumerik-840d", to);
     ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
     const auto moves = silent(run_text(made.text, mill(to)).motions);
-    expect_same_way(real_moves(original), real_moves(moves), made.text);
+    expect_same_path(real_moves(original), real_moves(moves), made.text);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(Boring, AShiftAtTheBottom) {
   for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const ConvertResult made = translated(text, "sinumerik-840d", to);
     ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
-    expect_same_way(original, real_moves(run_text(made.text, mill(to)).motions), made.text);
+    expect_same_path(original, real_moves(run_text(made.text, mill(to)).motions), made.text);
   }
   // At an angle of the spindle: no code of these controls says it.
   EXPECT_TRUE(text::has_error(translated("G17 G71 G90 G94\nG0 Z10\nS500 M3\nF200\nCYCLE86(10,0,2,-20,,0,3,1,0,0,90)\n"
@@ -78,7 +78,7 @@ TEST(Boring, FineAndBackBoringOfHashControls) {
   ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
   EXPECT_NE(made.text.find("CYCLE86"), std::string::npos) << made.text;
   EXPECT_NE(made.text.find("X=IC(-2"), std::string::npos) << made.text;
-  expect_same_way(original, real_moves(run_text(made.text, mill("sinumerik-840d")).motions), made.text);
+  expect_same_path(original, real_moves(run_text(made.text, mill("sinumerik-840d")).motions), made.text);
   // Which way Q shifts a parameter of the machine says.
   const std::string by_q =
       "%\nO1\nG21 G17 G90 G94\nG00 X0. Y0. Z10.\nS500 M03\nG98 G76 X1. Z-20. R2. Q1. F200.\nG80\nM30\n%\n";

@@ -156,7 +156,7 @@ std::vector<ir::Motion> lathe_moves(const std::string& text, const std::string& 
   return real_moves(run_text(text, machine).motions);
 }
 
-void expect_equal_ways(const std::string& text, const std::string& from, const std::string& to) {
+void expect_equal_paths(const std::string& text, const std::string& from, const std::string& to) {
   const ConvertResult made = lathe_translated(text, from, to);
   ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
   const auto original = lathe_moves(text, from);
@@ -180,12 +180,12 @@ TEST(PolarInterpolation, BetweenControls) {
   for (const char* word : {"TRANSMIT", "TRACYL(40)", "TRAFOOF", "Y=IC(5.)", "Y31.4159"})
     EXPECT_NE(made.text.find(word), std::string::npos) << word << "\n" << made.text;
   for (const std::string to : {"sinumerik-840d", "mazak", "mitsubishi-m80"})
-    expect_equal_ways(kFaceAndCylinder, "fanuc", to);
+    expect_equal_paths(kFaceAndCylinder, "fanuc", to);
   const std::string siemens =
       "G18 G90 G94 G71 DIAMON G40\nG0 X50 Z5 C0\nTRANSMIT\nG17 G1 X20 Y10 F100\nX-20\nG3 X20 Y10 CR=30\nG1 Y=IC(4)\n"
       "TRAFOOF\nG18\nG0 X60 C40\nTRACYL(40)\nG19 G1 Z-5 Y31.4159 F100\nY=IC(-3)\nTRAFOOF\nG18\nG1 C10\nG0 X100\n"
       "M30\n";
-  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) expect_equal_ways(siemens, "sinumerik-840d", to);
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) expect_equal_paths(siemens, "sinumerik-840d", to);
 }
 
 // From G18, whose first axis is Z, to G19, whose first one is Y.
