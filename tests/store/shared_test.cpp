@@ -118,7 +118,7 @@ TEST_F(Shared, WhatOneThrowsComesToItsOwnCaller) {
 
 // Whichever write or sync of their commit fails: nobody is told that his change was done, and none is there.
 TEST_F(Shared, ACommitThatFailsFailsForAll) {
-  int told = 0;
+  int changed = 0;
   bool met = true;
   for (std::uint64_t step = 1; met; ++step) {
     ASSERT_LT(step, 500U);
@@ -131,13 +131,13 @@ TEST_F(Shared, ACommitThatFailsFailsForAll) {
     const std::size_t found = machines();
     if (found == before) {
       for (const auto& result : results) EXPECT_EQ(refusal(result), ErrorCode::io_failed) << "at step " << step;
-      ++told;
+      ++changed;
     } else {
       for (const auto& result : results) EXPECT_TRUE(result) << "at step " << step << message_of(result.error());
       EXPECT_EQ(found, before + kCallers) << "at step " << step;
     }
   }
-  EXPECT_GT(told, 2);
+  EXPECT_GT(changed, 2);
 }
 
 // A ledger that comes in the midst of a group is written before those of it that had not begun.
@@ -220,21 +220,21 @@ TEST_F(SharedCrash, WhatWasAcknowledgedIsThereAfterAKill) {
       callers.clear();
     }
     ::close(pipe[1]);
-    std::vector<Id> told(1);
-    ASSERT_EQ(::read(pipe[0], told.data(), sizeof(Id)), static_cast<ssize_t>(sizeof(Id)));
+    std::vector<Id> changed(1);
+    ASSERT_EQ(::read(pipe[0], changed.data(), sizeof(Id)), static_cast<ssize_t>(sizeof(Id)));
     std::this_thread::sleep_for(std::chrono::milliseconds(40 + 23 * round));
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));
     Id id = 0;
-    while (::read(pipe[0], &id, sizeof id) == static_cast<ssize_t>(sizeof id)) told.push_back(id);
+    while (::read(pipe[0], &id, sizeof id) == static_cast<ssize_t>(sizeof id)) changed.push_back(id);
     ::close(pipe[0]);
     reopen({.own = true});
     must(store_->check());
     EXPECT_EQ(must(store_->audit().verify()).first_broken, std::nullopt);
-    for (const Id one : told) EXPECT_TRUE(store_->jobs().get(one)) << "acknowledged, but lost: " << one;
-    acknowledged += told.size();
+    for (const Id one : changed) EXPECT_TRUE(store_->jobs().get(one)) << "acknowledged, but lost: " << one;
+    acknowledged += changed.size();
     store_.reset();
   }
   EXPECT_GT(acknowledged, 30U);

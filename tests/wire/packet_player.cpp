@@ -269,7 +269,7 @@ std::string PacketPlayer::command(const std::string& rest) {
 }
 
 std::string PacketPlayer::one_command(const std::string& name, const std::string& argument) {
-  const auto said = [](const std::expected<void, feed::Refusal>& taken) {
+  const auto command_result = [](const std::expected<void, feed::Refusal>& taken) {
     return taken ? std::string() : std::string(message(taken.error()));
   };
   if (name == "link") {
@@ -277,16 +277,16 @@ std::string PacketPlayer::one_command(const std::string& name, const std::string
     return {};
   }
   if (receiver_) {
-    if (name == "start") return said(receiver_->start(now_));
-    if (name == "stop") return said(receiver_->stop(now_));
-    if (name == "end") return said(receiver_->conclude(now_));
+    if (name == "start") return command_result(receiver_->start(now_));
+    if (name == "stop") return command_result(receiver_->stop(now_));
+    if (name == "end") return command_result(receiver_->conclude(now_));
     if (name != "room") return "unknown command";
     sink_.space = std::stoul(argument);
     receiver_->tick(now_);
     return {};
   }
   for (const auto& [key, one] : kCommands) {
-    if (key == name) return said(sender_->command(one, now_));
+    if (key == name) return command_result(sender_->command(one, now_));
   }
   if (name == "reserve") {
     sender_->extend_reserve(std::stoul(argument), now_);
@@ -304,7 +304,7 @@ std::string PacketPlayer::one_command(const std::string& name, const std::string
     if (!argument.empty()) job.reserve = std::stoul(argument);
     const auto taken = sender_->arm(job, now_, name_);
     if (taken) source_ = std::move(source);
-    return said(taken);
+    return command_result(taken);
   } else {
     return "unknown command " + name;
   }

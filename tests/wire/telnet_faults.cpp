@@ -45,7 +45,7 @@ class FaultyServer {
   }
 
   // What reaches the client by now.
-  std::vector<std::byte> say(Time now) {
+  std::vector<std::byte> answer(Time now) {
     for (const std::byte byte : server_.pending_out()) spoil(byte, now);
     server_.mark_sent(server_.pending_out().size());
     std::vector<std::byte> due;
@@ -64,8 +64,8 @@ class FaultyServer {
 
   void spoil(std::byte byte, Time now) {
     const bool hit = random_() % 12 == 0;
-    ++said_;
-    if (fault_ == Fault::falls_silent && said_ > silent_from_) return;
+    ++answers_;
+    if (fault_ == Fault::falls_silent && answers_ > silent_from_) return;
     if (fault_ == Fault::drops && hit) return;
     if (fault_ == Fault::flips && hit) byte ^= static_cast<std::byte>(1U << random_() % 8);
     if (fault_ == Fault::babbles && hit) line_.push_back({now, static_cast<std::byte>(random_())});
@@ -77,7 +77,7 @@ class FaultyServer {
   std::mt19937& random_;
   std::size_t silent_from_;
   Time delay_;
-  std::size_t said_ = 0;
+  std::size_t answers_ = 0;
   telnet::ComPortServer server_;
   std::vector<Late> line_;
 };
@@ -107,7 +107,7 @@ Outcome play(Fault fault, unsigned seed) {
   Outcome outcome;
   client.begin(Time(0));
   for (Time now{}; now < 12s; now += kStep) {
-    const std::vector<std::byte> came = server.say(now);
+    const std::vector<std::byte> came = server.answer(now);
     std::vector<std::byte> data(came.size());
     client.receive(came, data, now);
     client.tick(now);

@@ -31,7 +31,7 @@ TEST(Envelope, SaysWhatItDoesNotKnowOfAnOffset) {
   const Report report = run({move(rapid, 0, 0, 9000, 9000)}, 1);
   EXPECT_TRUE(report.findings.empty());
   EXPECT_TRUE(report.machine[0].empty());
-  EXPECT_TRUE(says(report, "work offset 1 is not known for X: its travel was not checked"));
+  EXPECT_TRUE(reports(report, "work offset 1 is not known for X: its travel was not checked"));
 }
 
 TEST(Envelope, FollowsTheOffsetAndMachineCoordinates) {
@@ -103,8 +103,9 @@ TEST(Envelope, SaysWhatTheProfileHasNoAxisFor) {
   turn.axes_commanded |= 1U << 3U;
   turn.end[3] = 90;
   const Report report = run({turn});
-  EXPECT_TRUE(says(report, "the machine's profile has no axis A: its moves were not checked"));
-  EXPECT_FALSE(says(run({move(rapid, 0, 0, 0, 0)}), "the machine's profile has no axis A: its moves were not checked"));
+  EXPECT_TRUE(reports(report, "the machine's profile has no axis A: its moves were not checked"));
+  EXPECT_FALSE(
+      reports(run({move(rapid, 0, 0, 0, 0)}), "the machine's profile has no axis A: its moves were not checked"));
 }
 
 TEST(Envelope, SaysTheTravelThatIsNotKnownOfWhatMoves) {
@@ -112,13 +113,13 @@ TEST(Envelope, SaysTheTravelThatIsNotKnownOfWhatMoves) {
   settings.machine.axes.push_back({.axis = ir::Axis::c});
   constexpr std::string_view kSaid = "the travel of C is not known";
   const ir::Motion straight = move(rapid, 0, 0, 10, 0);
-  EXPECT_FALSE(says(run({}, settings), kSaid));
-  EXPECT_FALSE(says(run({straight}, settings), kSaid));
+  EXPECT_FALSE(reports(run({}, settings), kSaid));
+  EXPECT_FALSE(reports(run({straight}, settings), kSaid));
   ir::Motion turn = move(rapid, 10, 0, 10, 0);
   turn.axes_commanded |= 1U << 5U;
   turn.end[5] = 90;
   const Report report = run({straight, turn, turn}, settings);
-  EXPECT_TRUE(says(report, kSaid));
+  EXPECT_TRUE(reports(report, kSaid));
   EXPECT_EQ(std::ranges::count(report.not_checked.list(), kSaid, &checks::NotChecked::text), 1);
   EXPECT_TRUE(report.findings.empty());
 }
@@ -138,7 +139,7 @@ TEST(Envelope, MissesTools) {
   named.text = 0;
   const Report report = run({named});
   EXPECT_TRUE(report.findings.empty());
-  EXPECT_TRUE(says(report, "a tool is called by its name: whether the machine has it was not checked"));
+  EXPECT_TRUE(reports(report, "a tool is called by its name: whether the machine has it was not checked"));
 }
 
 TEST(Envelope, ACutNeedsATool) {
@@ -174,7 +175,7 @@ TEST(Envelope, ACutNeedsASpindleThatTurns) {
   EXPECT_EQ(standing({on, turning, event(spindle), move(thread, 100, -10, 100, -20)}), 0U) << "a tap brings its turns";
   const Report never = run({still});
   EXPECT_EQ(never.findings.count(DiagnosticId::spindle_not_turning), 0U);
-  EXPECT_TRUE(says(never, "no spindle is started before the first cut: whether it turns is not known"));
+  EXPECT_TRUE(reports(never, "no spindle is started before the first cut: whether it turns is not known"));
 }
 
 TEST(Envelope, MovesThatAreNoNumbersAreFindings) {

@@ -84,7 +84,7 @@ inline Report run(const std::vector<ir::Motion>& motions, std::int32_t work_offs
   return run(motions, {.machine = lathe(), .work_offset = work_offset, .part_size_mm = part_size_mm});
 }
 
-inline bool says(const Report& report, std::string_view sentence) {
+inline bool reports(const Report& report, std::string_view sentence) {
   return std::ranges::any_of(report.not_checked.list(), [&](const auto& one) { return one.text == sentence; });
 }
 

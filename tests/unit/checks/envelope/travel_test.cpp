@@ -65,13 +65,13 @@ TEST(Travel, ALengthThatIsNotKnownIsSaid) {
             "Z moves to -510 in machine coordinates without the tool length of offset 4, which is not known; the "
             "travel is -500 to 0");
   EXPECT_TRUE(low.machine[2].empty());
-  EXPECT_TRUE(says(low, "the tool length of offset 4 is not known: the travel of Z was checked without it"));
+  EXPECT_TRUE(reports(low, "the tool length of offset 4 is not known: the travel of Z was checked without it"));
   EXPECT_EQ(on_mill({with_length(451, kPlus, 4)}).findings.count(DiagnosticId::travel_exceeded), 1U)
       << "any tool makes it worse";
   EXPECT_EQ(on_mill({with_length(451, kMinus, 4)}).findings.count(DiagnosticId::travel_uncertain), 1U);
   EXPECT_TRUE(on_mill({with_length(0, kPlus, 4)}).findings.empty());
-  EXPECT_TRUE(says(on_mill({with_length(0, kPlus, 99)}),
-                   "the tool length of offset 99 is not known: the travel of Z was checked without it"));
+  EXPECT_TRUE(reports(on_mill({with_length(0, kPlus, 99)}),
+                      "the tool length of offset 99 is not known: the travel of Z was checked without it"));
 }
 
 TEST(Travel, ALengthThatTheProgramChangesIsNotKnown) {
@@ -93,8 +93,8 @@ TEST(Travel, AnEdgeIsOfTheToolInTheSpindle) {
   EXPECT_DOUBLE_EQ(top(1, 2), 60);
   EXPECT_DOUBLE_EQ(top(1, 0), 100) << "no D: the first edge";
   EXPECT_DOUBLE_EQ(top(5, 1), 20);
-  EXPECT_TRUE(says(run({event(tool, 1), with_length(0, kPlus, 0)}, settings),
-                   "tool 1 is called without D: its edge 1 is taken to be in effect"));
+  EXPECT_TRUE(reports(run({event(tool, 1), with_length(0, kPlus, 0)}, settings),
+                      "tool 1 is called without D: its edge 1 is taken to be in effect"));
   EXPECT_DOUBLE_EQ(top(5, 2), 0) << "not known";
   ir::Motion across = with_length(0, kPlus, 1);
   across.plane = ir::Plane::zx;  // G18: the tool lies along Y
@@ -118,7 +118,7 @@ TEST(Travel, OfALatheTheLengthHasTwoParts) {
   const Report unknown = run({cut});
   EXPECT_EQ(unknown.findings.count(DiagnosticId::travel_exceeded), 0U);
   EXPECT_EQ(unknown.findings.count(DiagnosticId::travel_uncertain), 1U);
-  EXPECT_TRUE(says(unknown, "the tool length of offset 7 is not known: the travel of Z was checked without it"));
+  EXPECT_TRUE(reports(unknown, "the tool length of offset 7 is not known: the travel of Z was checked without it"));
 }
 
 TEST(Travel, TheOriginStandsForOffsetsWithoutValues) {
@@ -127,16 +127,16 @@ TEST(Travel, TheOriginStandsForOffsetsWithoutValues) {
   const Report report = run({move(rapid, 0, 0, 300, 100)}, settings);
   EXPECT_TRUE(report.findings.empty());
   EXPECT_DOUBLE_EQ(report.machine[2].high, 400);
-  EXPECT_TRUE(says(report, "work offset 1 is not known for X: its travel was not checked"));
+  EXPECT_TRUE(reports(report, "work offset 1 is not known for X: its travel was not checked"));
   EXPECT_EQ(run({move(rapid, 0, 0, 300, 100.01)}, settings).findings.count(DiagnosticId::travel_exceeded), 1U);
   settings.work_offset = 2;
   EXPECT_DOUBLE_EQ(run({move(rapid, 0, 0, 300, 100)}, settings).machine[2].high, 300) << "its own value counts";
 }
 
 TEST(Travel, AnOffsetThatNobodyNamedIsSaid) {
-  EXPECT_TRUE(says(run({move(rapid, 0, 0, 10, 10)}), "no work offset is named: 2 is taken to be in effect"));
-  EXPECT_FALSE(
-      says(run({event(offset, 2), move(rapid, 0, 0, 10, 10)}), "no work offset is named: 2 is taken to be in effect"));
+  EXPECT_TRUE(reports(run({move(rapid, 0, 0, 10, 10)}), "no work offset is named: 2 is taken to be in effect"));
+  EXPECT_FALSE(reports(run({event(offset, 2), move(rapid, 0, 0, 10, 10)}),
+                       "no work offset is named: 2 is taken to be in effect"));
 }
 
 TEST(Travel, WhatTheProgramChangesIsNotClaimed) {
@@ -148,7 +148,7 @@ TEST(Travel, WhatTheProgramChangesIsNotClaimed) {
   EXPECT_TRUE(changed.lost_place);
   EXPECT_FALSE(run({move(rapid, 0, 0, 10, 10)}).lost_place);
   EXPECT_TRUE(
-      says(changed, "the program changes coordinates or work offsets: the travel of X was not checked from there"));
+      reports(changed, "the program changes coordinates or work offsets: the travel of X was not checked from there"));
   far.machine_coordinates = true;
   EXPECT_EQ(run({far}).findings.count(DiagnosticId::travel_exceeded), 2U);
 }
@@ -160,8 +160,8 @@ TEST(Travel, AnIncrementFromAnUnknownPlaceIsNotClaimed) {
   const Report report = run({step});
   EXPECT_EQ(report.findings.count(DiagnosticId::travel_exceeded), 1U) << "Z is known";
   EXPECT_EQ(report.findings.kept()[0].text.substr(0, 1), "Z");
-  EXPECT_TRUE(
-      says(report, "X is at a place that is not known, and an increment moves it: its travel was not checked there"));
+  EXPECT_TRUE(reports(
+      report, "X is at a place that is not known, and an increment moves it: its travel was not checked there"));
   step.gaps = 0;  // an absolute word: only its start is not known
   EXPECT_EQ(run({step}).findings.count(DiagnosticId::travel_exceeded), 2U);
 }

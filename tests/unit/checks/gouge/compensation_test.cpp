@@ -86,7 +86,7 @@ void expect_ends(const Led& led, const std::vector<XY>& wanted) {
   }
 }
 
-bool says(const Led& led, std::string_view part) {
+bool reports(const Led& led, std::string_view part) {
   return std::ranges::any_of(led.notes.list(),
                              [&](const auto& one) { return one.text.find(part) != std::string::npos; });
 }
@@ -175,7 +175,7 @@ TEST(Compensation, ArcsKeepTheirCentreAndChangeTheirRadius) {
   }
   Path tight({0, 0});
   tight.line({2, 0}, kLeft).arc({2, 0}, {0, 0}, MotionKind::arc_ccw, kLeft).line({1, 0}, kOff);
-  EXPECT_TRUE(says(lead(tight, 3), "tighter than the cutter"));
+  EXPECT_TRUE(reports(lead(tight, 3), "tighter than the cutter"));
 }
 
 // A line along x into a circle around (0, 0) with radius 10, a hollow corner: the axis turns where both offsets meet.
@@ -205,19 +205,19 @@ TEST(Compensation, DownMovesBetweenWaitForTheWay) {
   EXPECT_TRUE(led.notes.empty());
   Path twice({0, 0});
   twice.line({0, 10}, kRight).down(-5, kRight).down(-6, kRight).line({20, 10}, kRight).line({40, 0}, kOff);
-  EXPECT_TRUE(says(lead(twice, 2), "look beyond"));
+  EXPECT_TRUE(reports(lead(twice, 2), "look beyond"));
 }
 
 TEST(Compensation, WhatTheControlWouldRefuseIsSaid) {
   Path narrow({0, 0});  // a slot narrower than the cutter
   narrow.line({0, 5}, kLeft).line({10, 5}, kLeft).line({10, 7}, kLeft).line({0, 7}, kLeft).line({0, 20}, kOff);
-  EXPECT_TRUE(says(lead(narrow, 3), "shorter than the cutter needs"));
+  EXPECT_TRUE(reports(lead(narrow, 3), "shorter than the cutter needs"));
   Path by_arc({0, 0});
   by_arc.arc({10, 10}, {0, 10}, MotionKind::arc_ccw, kLeft).line({10, 30}, kLeft).line({0, 30}, kOff);
-  EXPECT_TRUE(says(lead(by_arc, 2), "begins with an arc"));
+  EXPECT_TRUE(reports(lead(by_arc, 2), "begins with an arc"));
   Path off_by_arc({0, 0});
   off_by_arc.line({0, 5}, kLeft).line({10, 5}, kLeft).arc({20, 15}, {10, 15}, MotionKind::arc_ccw, kOff);
-  EXPECT_TRUE(says(lead(off_by_arc, 2), "ends with an arc"));
+  EXPECT_TRUE(reports(lead(off_by_arc, 2), "ends with an arc"));
 }
 
 TEST(Compensation, OthersPassAsTheyAre) {

@@ -206,31 +206,31 @@ TEST(Milling, AxesThatRunAtTheirOwnSpeedAreAWarning) {
 }
 
 TEST(Milling, WhatIsNotKnownIsSaid) {
-  const auto says = [](const Report& report, std::string_view part) {
+  const auto reports = [](const Report& report, std::string_view part) {
     return std::ranges::any_of(report.not_checked.list(),
                                [&](const checks::NotChecked& one) { return one.text.find(part) != std::string::npos; });
   };
-  EXPECT_TRUE(says(run(block(), {rapid({0, 0, 10}, {0, 0, -6})}, 7), "diameter of tool 7"));
+  EXPECT_TRUE(reports(run(block(), {rapid({0, 0, 10}, {0, 0, -6})}, 7), "diameter of tool 7"));
   ir::Motion compensated = cut({0, 0, -5}, {1, 0, -5});
   compensated.comp = ir::CompSide::left;
   compensated.plane = ir::Plane::zx;
-  EXPECT_TRUE(says(run(block(), {compensated}), "compensation in another plane"));
+  EXPECT_TRUE(reports(run(block(), {compensated}), "compensation in another plane"));
   compensated.plane = ir::Plane::xy;
   MillingSettings by_number = block();
   by_number.comp_radius = CompRadius::of_number;
-  EXPECT_TRUE(says(run(by_number, {compensated}), "D0"));
+  EXPECT_TRUE(reports(run(by_number, {compensated}), "D0"));
   compensated.tool_offset = 77;
-  EXPECT_TRUE(says(run(by_number, {compensated}), "D77 is the offset of no tool"));
+  EXPECT_TRUE(reports(run(by_number, {compensated}), "D77 is the offset of no tool"));
   EXPECT_TRUE(run(block(), {compensated}).not_checked.list().size() == run(block(), {}).not_checked.list().size());
   ir::Motion turned = cut({0, 0, -5}, {1, 0, -5});
   turned.end[3] = 10;
-  EXPECT_TRUE(says(run(block(), {turned}), "rotary"));
+  EXPECT_TRUE(reports(run(block(), {turned}), "rotary"));
   ir::Motion unknown = rapid({0, 0, 0}, {0, 0, -6});
   unknown.axes_unknown = 7;
   const Report report = run(block(), {unknown});
-  EXPECT_TRUE(says(report, "not known: its end alone"));
+  EXPECT_TRUE(reports(report, "not known: its end alone"));
   EXPECT_EQ(report.findings.count(DiagnosticId::rapid_into_nominal), 1U);
-  EXPECT_TRUE(says(run({}, {}), "no stock"));
+  EXPECT_TRUE(reports(run({}, {}), "no stock"));
 }
 
 TEST(Milling, AbsurdStockIsBounded) {

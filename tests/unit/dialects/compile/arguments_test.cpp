@@ -36,12 +36,12 @@ ConvertResult file_as(const std::string& name, const std::string& text, std::str
 // Each file by itself; calls must find each other by the names that both sides have.
 void expect_files_kept(const std::string& main, const Files& files, std::string_view from, std::string_view to) {
   const ConvertResult there = file_as("MAIN", main, from, to);
-  ASSERT_FALSE(text::has_error(there.diagnostics)) << said(there.diagnostics, text::Source("MAIN", main));
+  ASSERT_FALSE(text::has_error(there.diagnostics)) << messages_of(there.diagnostics, text::Source("MAIN", main));
   std::string shown = there.text;
   Files translated;
   for (const auto& [name, text] : files) {
     const ConvertResult one = file_as(name, text, from, to);
-    ASSERT_FALSE(text::has_error(one.diagnostics)) << said(one.diagnostics, text::Source(name, text));
+    ASSERT_FALSE(text::has_error(one.diagnostics)) << messages_of(one.diagnostics, text::Source(name, text));
     std::string own = name;
     if (name.front() == 'L' || name.front() == 'O') own.front() = to == kSinumerik ? 'L' : 'O';
     translated[own] = one.text;
@@ -55,7 +55,7 @@ void expect_files_kept(const std::string& main, const Files& files, std::string_
 std::string refusal(const std::string& text, std::string_view from, std::string_view to) {
   const ConvertResult result = file_as("O9010", text, from, to);
   EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
-  return said(result.diagnostics, text::Source("O9010", text));
+  return messages_of(result.diagnostics, text::Source("O9010", text));
 }
 
 const std::string kMain =
@@ -86,22 +86,24 @@ TEST(Arguments, ByPositionBecomeLettersInOneText) {
   ASSERT_EQ(original.size(), played(kMain, kSubprograms, kSinumerik).size());
   for (const std::string& to : dialect_names()) {
     const ConvertResult result = file_as("MAIN", text, kSinumerik, to);
-    ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("MAIN", text));
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("MAIN", text));
     if (to != kSinumerik) expect_same(original, played(result.text, {}, to), 1e-9, result.text);
   }
 }
 
 TEST(Arguments, ThatNoVariableCanHoldAreRefusedAtTheHead) {
-  const auto told = [](const std::string& parameters) {
+  const auto messages = [](const std::string& parameters) {
     return refusal("PROC CUT(" + parameters + ")\nG90 G0 X1\nM17\n", kSinumerik, "fanuc");
   };
-  EXPECT_NE(told("REAL A1_, VAR REAL RESULT").find("O9010:1:29: error"), std::string::npos) << told("VAR REAL RESULT");
-  EXPECT_NE(told("VAR REAL RESULT").find("the parameter RESULT, which gives a value back (VAR),"), std::string::npos);
-  EXPECT_NE(told("STRING[20] NAME").find("the parameter NAME, which is no number,"), std::string::npos);
-  EXPECT_NE(told("AXIS WHICH").find("the parameter WHICH, which is no number,"), std::string::npos);
+  EXPECT_NE(messages("REAL A1_, VAR REAL RESULT").find("O9010:1:29: error"), std::string::npos)
+      << messages("VAR REAL RESULT");
+  EXPECT_NE(messages("VAR REAL RESULT").find("the parameter RESULT, which gives a value back (VAR),"),
+            std::string::npos);
+  EXPECT_NE(messages("STRING[20] NAME").find("the parameter NAME, which is no number,"), std::string::npos);
+  EXPECT_NE(messages("AXIS WHICH").find("the parameter WHICH, which is no number,"), std::string::npos);
   std::string many = "REAL P1_";
   for (int i = 2; i <= 22; ++i) many += ", REAL P" + std::to_string(i) + "_";
-  EXPECT_NE(told(many).find("a program with more than 21 parameters"), std::string::npos) << told(many);
+  EXPECT_NE(messages(many).find("a program with more than 21 parameters"), std::string::npos) << messages(many);
 }
 
 TEST(Arguments, OfSinumerikGiveNoModesBack) {
@@ -134,7 +136,7 @@ TEST(Arguments, ByLetterBecomeParametersInOneText) {
   const std::vector<ir::Motion> original = played(text, {}, "fanuc");
   for (const std::string& to : dialect_names()) {
     const ConvertResult result = file_as("MAIN", text, "fanuc", to);
-    ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("MAIN", text));
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("MAIN", text));
     expect_same(original, played(result.text, {}, to), 1e-9, result.text);
   }
 }
@@ -144,7 +146,7 @@ TEST(Arguments, ComeBackFromSinumerik) {
   const ConvertResult there = file_as("MAIN", text, "fanuc", kSinumerik);
   const ConvertResult back = file_as("MAIN", there.text, kSinumerik, "fanuc");
   EXPECT_TRUE(text::has_error(back.diagnostics)) << back.text;  // $P_SUBPAR has no counterpart: said, not guessed
-  EXPECT_NE(said(back.diagnostics, text::Source("MAIN", there.text)).find("$P_SUBPAR[2]"), std::string::npos);
+  EXPECT_NE(messages_of(back.diagnostics, text::Source("MAIN", there.text)).find("$P_SUBPAR[2]"), std::string::npos);
 }
 
 TEST(Arguments, WithoutAPointCountIncrements) {
@@ -154,7 +156,7 @@ TEST(Arguments, WithoutAPointCountIncrements) {
   request.from.semantics.decimal_mode = ir::DecimalMode::least_increment;
   request.to = mill(kSinumerik);
   const ConvertResult result = convert(request);
-  ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
   EXPECT_NE(result.text.find("L9010(2,,,,,,,,100)\n"), std::string::npos) << result.text;
 }
 
@@ -165,29 +167,29 @@ TEST(Arguments, OfTheSecondKindAreRefused) {
 }
 
 TEST(Arguments, ThatMayBeEmptyAreNotHandedOn) {
-  const auto told = [](const std::string& body) {
+  const auto messages = [](const std::string& body) {
     return refusal("%\nO9010\n" + body + "M99\n%\n", "fanuc", kSinumerik);
   };
-  EXPECT_NE(told("#100=#1\n").find("a value that may be empty, handed on"), std::string::npos);
-  EXPECT_NE(told("G65 P9011 A#1\n").find("an argument that may be empty"), std::string::npos);
-  EXPECT_NE(told("IF[#1EQ#2]GOTO10\nN10 G00 X1.\n").find("two variables that may be empty"), std::string::npos);
-  EXPECT_NE(told("G00 X#1\nM98 P9011\n").find("a subprogram (M98), which would share"), std::string::npos);
+  EXPECT_NE(messages("#100=#1\n").find("a value that may be empty, handed on"), std::string::npos);
+  EXPECT_NE(messages("G65 P9011 A#1\n").find("an argument that may be empty"), std::string::npos);
+  EXPECT_NE(messages("IF[#1EQ#2]GOTO10\nN10 G00 X1.\n").find("two variables that may be empty"), std::string::npos);
+  EXPECT_NE(messages("G00 X#1\nM98 P9011\n").find("a subprogram (M98), which would share"), std::string::npos);
 }
 
 // 6: X#107 moves nothing while #107 is empty; R107 is always a number.
 TEST(Arguments, InCommonVariablesAreToldWhereTheyMayBeEmpty) {
-  const auto told = [](const std::string& body) {
+  const auto messages = [](const std::string& body) {
     const std::string text = "%\nO9010\n" + body + "M99\n%\n";
     const ConvertResult result = file_as("O9010", text, "fanuc", kSinumerik);
-    EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("O9010", text));
-    return said(result.diagnostics, text::Source("O9010", text));
+    EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("O9010", text));
+    return messages_of(result.diagnostics, text::Source("O9010", text));
   };
-  EXPECT_NE(told("G00 X#107\n")
+  EXPECT_NE(messages("G00 X#107\n")
                 .find("O9010:3:6: warning[translation-not-known]: a word that is left out while #107 is empty"),
             std::string::npos)
-      << told("G00 X#107\n");
-  EXPECT_EQ(told("#107=5.\nG00 X#107\n").find("while #107"), std::string::npos);
-  EXPECT_EQ(told("G00 X[#107+1.]\n").find("while #107"), std::string::npos);
+      << messages("G00 X#107\n");
+  EXPECT_EQ(messages("#107=5.\nG00 X#107\n").find("while #107"), std::string::npos);
+  EXPECT_EQ(messages("G00 X[#107+1.]\n").find("while #107"), std::string::npos);
 }
 
 // 10: M98 shares the caller's local variables, G65 does not.

@@ -15,7 +15,7 @@ std::string trace_of(const std::string& text, std::uint32_t switches) {
   const ir::Control machine = control("fanuc", ir::MachineKind::mill);
   const text::Source source("skip.nc", text);
   const ir::ReadResult read = find_dialect("fanuc")->read(source, machine);
-  EXPECT_TRUE(read.diagnostics.empty()) << said(read.diagnostics, source);
+  EXPECT_TRUE(read.diagnostics.empty()) << messages_of(read.diagnostics, source);
   interpreter::RunNames names;
   interpreter::TraceWriter trace(machine, names);
   interpreter::RunOptions options;

@@ -30,7 +30,7 @@ TEST(Boring, ModalCyclesOfHashControlsAsCalls) {
       "G99 G88 X10. Z-15. R2. P300\nY4.\nG80\nG01 X0. F300.\nM30\n%\n";
   const auto original = real_moves(run_text(text, mill("fanuc")).motions);
   const ConvertResult made = translated(text, "fanuc", "sinumerik-840d");
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   EXPECT_NE(made.text.find("CYCLE86"), std::string::npos) << made.text;
   EXPECT_NE(made.text.find("CYCLE88"), std::string::npos) << made.text;
   const auto moves = real_moves(run_text(made.text, mill("sinumerik-840d")).motions);
@@ -45,7 +45,7 @@ TEST(Boring, CalledCyclesAsBlocks) {
   const auto original = silent(run_text(text, mill("sinumerik-840d")).motions);
   for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const ConvertResult made = translated(text, "sinumerik-840d", to);
-    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
     const auto moves = silent(run_text(made.text, mill(to)).motions);
     expect_same_path(real_moves(original), real_moves(moves), made.text);
   }
@@ -58,7 +58,7 @@ TEST(Boring, AShiftAtTheBottom) {
   const auto original = real_moves(run_text(text, mill("sinumerik-840d")).motions);
   for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const ConvertResult made = translated(text, "sinumerik-840d", to);
-    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
     expect_same_path(original, real_moves(run_text(made.text, mill(to)).motions), made.text);
   }
   // At an angle of the spindle: no code of these controls says it.
@@ -75,7 +75,7 @@ TEST(Boring, FineAndBackBoringOfHashControls) {
       "G81 X30. Z-5. R2.\nG80\nG01 X0. F300.\nM30\n%\n";
   const auto original = real_moves(run_text(text, mill("fanuc")).motions);
   const ConvertResult made = translated(text, "fanuc", "sinumerik-840d");
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   EXPECT_NE(made.text.find("CYCLE86"), std::string::npos) << made.text;
   EXPECT_NE(made.text.find("X=IC(-2"), std::string::npos) << made.text;
   expect_same_path(original, real_moves(run_text(made.text, mill("sinumerik-840d")).motions), made.text);
@@ -84,7 +84,7 @@ TEST(Boring, FineAndBackBoringOfHashControls) {
       "%\nO1\nG21 G17 G90 G94\nG00 X0. Y0. Z10.\nS500 M03\nG98 G76 X1. Z-20. R2. Q1. F200.\nG80\nM30\n%\n";
   const ConvertResult guessed = translated(by_q, "fanuc", "sinumerik-840d");
   EXPECT_FALSE(text::has_error(guessed.diagnostics));
-  EXPECT_NE(said(guessed.diagnostics, text::Source("program", by_q)).find("taken as X+"), std::string::npos);
+  EXPECT_NE(messages_of(guessed.diagnostics, text::Source("program", by_q)).find("taken as X+"), std::string::npos);
   // The level to come back to is anywhere.
   EXPECT_TRUE(
       text::has_error(translated("%\nO1\nG21 G17 G90 G94\nS500 M03\nG98 G87 X1. Z-10. R-30. I1. F200.\nG80\nM30\n%\n",
@@ -100,7 +100,7 @@ TEST(Boring, FloatingTaps) {
   const auto original = real_moves(run_text(text, mill("sinumerik-840d")).motions);
   for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const ConvertResult made = translated(text, "sinumerik-840d", to);
-    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
     EXPECT_EQ(made.text.find("M29"), std::string::npos) << made.text;
     const auto moves = real_moves(run_text(made.text, mill(to)).motions);
     ASSERT_EQ(original.size(), moves.size()) << made.text;

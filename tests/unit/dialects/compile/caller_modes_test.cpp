@@ -37,7 +37,7 @@ TEST(CallerModes, MakeATranslationPossible) {
   EXPECT_TRUE(text::has_error(refused.diagnostics));
   request.from = lathe_with("G97 G18 G99");
   const ConvertResult made = convert(request);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.source);
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, request.source);
   EXPECT_NE(made.text.find("G94"), std::string::npos) << made.text;
 }
 

@@ -21,7 +21,7 @@ const std::string kSinumerik =
 
 void expect_same_threads(const std::string& text, const std::string& from, const std::string& to, ConvertMode mode) {
   const ConvertResult made = lathe_to(text, from, to, mode);
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << from << to << said(made.diagnostics, {"program", text});
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << from << to << messages_of(made.diagnostics, {"program", text});
   const auto moves = [](const std::string& program, const std::string& dialect) {
     return moves_of(run_text(program, control(dialect, ir::MachineKind::lathe)).motions);
   };
@@ -134,7 +134,7 @@ TEST(ChangingThreads, TheLeadOfAConeCountsAlongItsLongerAxis) {
   }
   const ConvertResult unknown =
       lathe_to(head + "#100=60.\nG32 X#100 Z0. F2.\nG00 X80.\nM30\n%\n", "fanuc", "sinumerik-840d", ConvertMode::macro);
-  EXPECT_NE(unknown.text.find("K2."), std::string::npos) << said(unknown.diagnostics, {"program", head});
+  EXPECT_NE(unknown.text.find("K2."), std::string::npos) << messages_of(unknown.diagnostics, {"program", head});
   EXPECT_TRUE(std::ranges::any_of(unknown.diagnostics, [](const text::Diagnostic& d) {
     return d.severity == text::Severity::warning && text::message_of(d).contains("lead of a cone");
   }));

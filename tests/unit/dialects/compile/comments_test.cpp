@@ -10,7 +10,7 @@ namespace {
 
 std::string text_of(const std::string& text, const std::string& from, const std::string& to) {
   const ConvertResult result = translated(text, from, to);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("program", text));
   return result.text;
 }
 

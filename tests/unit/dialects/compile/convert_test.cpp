@@ -99,7 +99,7 @@ ConvertResult converted(std::string_view text, const std::string& from, const st
   request.mode = mode;
   request.library = library;
   ConvertResult out = convert(request);
-  EXPECT_FALSE(text::has_error(out.diagnostics)) << said(out.diagnostics, request.source);
+  EXPECT_FALSE(text::has_error(out.diagnostics)) << messages_of(out.diagnostics, request.source);
   return out;
 }
 
@@ -241,7 +241,7 @@ TEST(Convert, OffsetsThatMotionsDoNotCarryAreKept) {
   request.from = request.to = control("fanuc", ir::MachineKind::mill);
   request.mode = ConvertMode::explicit_blocks;
   const ConvertResult result = convert(request);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
   for (const char* word : {"G43", "H3", "G41", "D13", "G40", "G49"}) {
     EXPECT_NE(result.text.find(word), std::string::npos) << word << "\n" << result.text;
   }
@@ -258,7 +258,7 @@ TEST(Convert, MachineFunctionsAndReferenceReturnsAreKept) {
   request.from = request.to = control("fanuc", ir::MachineKind::mill);
   request.mode = ConvertMode::explicit_blocks;
   const ConvertResult result = convert(request);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
   const std::string& text = result.text;
   EXPECT_LT(text.find("M68"), text.find("X5."));
   EXPECT_NE(text.find("M77"), std::string::npos);
@@ -293,7 +293,7 @@ TEST(Convert, CyclesBecomeTheirMoves) {
   request.from = request.to = control("fanuc", ir::MachineKind::mill);
   request.mode = ConvertMode::explicit_blocks;
   const ConvertResult result = convert(request);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
   EXPECT_EQ(result.text.find("G83"), std::string::npos) << result.text;
   expect_same(moves_of(run_text(std::string(request.source.text()), request.from).motions),
               moves_of(run_text(result.text, request.to).motions), 1e-9, result.text);
@@ -323,7 +323,8 @@ TEST(Convert, AFrameMovesTheSameWhateverItIsPrintedAs) {
       request.to = control(to, ir::MachineKind::mill);
       request.mode = ConvertMode::macro;
       const ConvertResult result = convert(request);
-      ASSERT_FALSE(text::has_error(result.diagnostics)) << code << "\n" << said(result.diagnostics, request.source);
+      ASSERT_FALSE(text::has_error(result.diagnostics)) << code << "\n"
+                                                        << messages_of(result.diagnostics, request.source);
       expect_same(moves_of(run_text(std::string(request.source.text()), request.from).motions),
                   moves_of(run_text(result.text, request.to).motions), 1e-9, result.text);
     }
@@ -370,7 +371,8 @@ TEST(Convert, MessagesBecomeCommentsOfTheirWrittenParts) {
   EXPECT_TRUE(result.text.contains("(LAYER ... OF ...)\n(DONE)\n")) << result.text;
   ASSERT_EQ(result.diagnostics.size(), 1U);
   EXPECT_EQ(result.diagnostics[0].severity, text::Severity::warning);
-  EXPECT_EQ(said(result.diagnostics, text::Source("program", text)).rfind("program:3:1: warning[translation-value]", 0),
+  EXPECT_EQ(messages_of(result.diagnostics, text::Source("program", text))
+                .rfind("program:3:1: warning[translation-value]", 0),
             0U);
 }
 
@@ -381,7 +383,7 @@ TEST(Convert, RefusesWhatItsOwnControlRefuses) {
     if (to == "sinumerik-840d") continue;
     const ConvertResult result = translated(text, "sinumerik-840d", to);
     EXPECT_TRUE(result.text.empty()) << result.text;
-    EXPECT_NE(said(result.diagnostics, text::Source("program", text)).find("program:3:5: error[wrong-type]"),
+    EXPECT_NE(messages_of(result.diagnostics, text::Source("program", text)).find("program:3:5: error[wrong-type]"),
               std::string::npos);
   }
 }
@@ -421,7 +423,8 @@ TEST(Convert, CodesWithoutEffectGoWithTheirWords) {
   EXPECT_TRUE(kept.text.contains("\nG05.1 Q1\nX20.")) << kept.text;
   const ConvertResult dropped = translated(text, "fanuc", "sinumerik-840d");
   EXPECT_TRUE(dropped.text.contains("G0 X10. Y0.\nG0 X20.\nMCALL")) << dropped.text;
-  EXPECT_TRUE(said(dropped.diagnostics, text::Source("p", text)).contains("7:1: warning[cannot-translate]: G05.1"));
+  EXPECT_TRUE(
+      messages_of(dropped.diagnostics, text::Source("p", text)).contains("7:1: warning[cannot-translate]: G05.1"));
   const auto before = moves_of(run_text(text, control("fanuc", ir::MachineKind::mill)).motions);
   const std::string plain = head + "G98 G83 X10. Y0. Z-20. R2. Q5. F100.\n\nX20.\nG80\nM30\n%\n";
   expect_same(before, moves_of(run_text(plain, control("fanuc", ir::MachineKind::mill)).motions), 1e-9, "Q of G83");
@@ -439,7 +442,7 @@ TEST(Convert, AnArcWithoutACentreIsNotPassedOn) {
   const std::string text = "G17 G71 G90 G94 G54\nG0 X0 Y0\nG2 X20 Y20 CR=20 F100\nX30\nM30\n";
   const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
   EXPECT_TRUE(
-      said(made.diagnostics, text::Source("p", text)).contains("4:1: error[translation-shape]: an arc without"));
+      messages_of(made.diagnostics, text::Source("p", text)).contains("4:1: error[translation-shape]: an arc without"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Played lathe(const std::string& blocks, const std::string& dialect = "fanuc") {
                   control(dialect, ir::MachineKind::lathe));
 }
 
-bool is_told(const Played& played) {
+bool is_reported(const Played& played) {
   return std::ranges::any_of(played.result.not_interpreted, [](const auto& n) { return n.name.contains("(,A)"); });
 }
 
@@ -40,7 +40,7 @@ TEST(DirectLine, TwoLinesMeetWithACornerBetween) {
   EXPECT_NEAR(moves[1].end[0], 40.0, 1e-9);
   EXPECT_NEAR(moves[1].end[2], -30.0, 1e-9);
   EXPECT_NEAR(moves[2].end[0], 60.0, 1e-9);
-  EXPECT_FALSE(is_told(plain));
+  EXPECT_FALSE(is_reported(plain));
   const auto rounded = moves_of(lathe(",A180. ,R2.\nX60. Z-30. ,A90.\n").motions);
   ASSERT_EQ(rounded.size(), 4U);
   EXPECT_NEAR(rounded[1].end[2], -28.0, 1e-9);
@@ -76,15 +76,15 @@ TEST(DirectLine, OnAMillTheAngleCountsFromX) {
 // What does not follow leaves the places unknown, and is told by name, where the control has no alarm for it.
 TEST(DirectLine, WhatDoesNotFollowIsNotCertain) {
   const Played unfinished = lathe(",A150.\nX60.\nZ-50. X70.\n", "mazak");
-  EXPECT_TRUE(is_told(unfinished));
+  EXPECT_TRUE(is_reported(unfinished));
   const Played parallel = lathe(",A180.\nX60. Z-30. ,A180.\n", "mazak");
-  EXPECT_TRUE(is_told(parallel));
+  EXPECT_TRUE(is_reported(parallel));
   const Played wrong = lathe("X60. Z-30. ,A100.\nX70.\n", "mazak");
-  EXPECT_TRUE(is_told(wrong));
+  EXPECT_TRUE(is_reported(wrong));
   const auto after = moves_of(wrong.motions);
   EXPECT_NE(after.back().axes_unknown & 4U, 0U) << "Z is not known behind it";
   const Played right = lathe("X60. Z-10. ,A135.\n");
-  EXPECT_FALSE(is_told(right));
+  EXPECT_FALSE(is_reported(right));
 }
 
 // ANG= is the same on SINUMERIK.
@@ -95,7 +95,7 @@ TEST(DirectLine, GoesToANGAndBack) {
   request.from = control("fanuc", ir::MachineKind::lathe);
   request.to = control("sinumerik-840d", ir::MachineKind::lathe);
   const ConvertResult there = convert(request);
-  ASSERT_FALSE(text::has_error(there.diagnostics)) << said(there.diagnostics, request.source);
+  ASSERT_FALSE(text::has_error(there.diagnostics)) << messages_of(there.diagnostics, request.source);
   EXPECT_TRUE(there.text.contains("ANG=180")) << there.text;
   const auto before = moves_of(run_text(std::string(request.source.text()), request.from).motions);
   expect_same(before, moves_of(run_text(there.text, request.to).motions), 1e-9, there.text);
@@ -104,7 +104,7 @@ TEST(DirectLine, GoesToANGAndBack) {
   back.from = request.to;
   back.to = request.from;
   const ConvertResult again = convert(back);
-  ASSERT_FALSE(text::has_error(again.diagnostics)) << said(again.diagnostics, back.source);
+  ASSERT_FALSE(text::has_error(again.diagnostics)) << messages_of(again.diagnostics, back.source);
   expect_same(before, moves_of(run_text(again.text, back.to).motions), 1e-9, again.text);
 }
 

@@ -15,7 +15,7 @@ namespace {
 std::string expect_same_holes(const std::string& text, const std::string& from, const std::string& to,
                               double tolerance = 1e-6) {
   const ConvertResult result = translated(text, from, to);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("program", text));
   if (text::has_error(result.diagnostics)) return {};
   const auto before = real_moves(run_text(text, control(from, ir::MachineKind::mill)).motions);
   const auto after = real_moves(run_text(result.text, control(to, ir::MachineKind::mill)).motions);
@@ -27,7 +27,7 @@ void expect_refused(const std::string& text, const std::string& from, const std:
   const ConvertResult result = translated(text, from, to);
   EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
   EXPECT_TRUE(result.text.empty());
-  const std::string all = said(result.diagnostics, text::Source("program", text));
+  const std::string all = messages_of(result.diagnostics, text::Source("program", text));
   EXPECT_TRUE(all.contains(named)) << all;
 }
 
@@ -74,8 +74,8 @@ TEST(DrillingToSinumerik, ChipBreakingGoesBackAtAnotherSpeed) {
   for (const auto& [text, from, to] :
        {std::tuple(numbered, std::string("fanuc"), kTo), std::tuple(named, kTo, std::string("fanuc"))}) {
     const ConvertResult made = translated(text, from, to);
-    EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
-    const std::string all = said(made.diagnostics, text::Source("program", text));
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
+    const std::string all = messages_of(made.diagnostics, text::Source("program", text));
     EXPECT_TRUE(all.contains("the retract between the pecks")) << all;
   }
 }
@@ -161,7 +161,7 @@ TEST(DrillingFromSinumerik, PecksFromAboveAndBelowTheRetractionPlane) {
     for (const std::string height : {"", "Z8\n"}) {
       const std::string text = kOwnHead + height + holes;
       const ConvertResult result = translated(text, kTo, to);
-      ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("p", text));
+      ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("p", text));
       EXPECT_EQ(result.not_verified, "");
       EXPECT_TRUE(result.text.contains("X10. Y10.\nG99 G83 Z-20. R2. Q8.\nG80\nG00 Z10.\n")) << result.text;
       const auto before = real_moves(run_text(text, control(kTo, ir::MachineKind::mill)).motions);
@@ -225,15 +225,15 @@ TEST(DrillingToSinumerik, DwellsAndShiftsBetweenHoles) {
 
 // Whether G84 alone is a rigid tap, a parameter decides; where pecks count from, the cycle.
 TEST(DrillingToSinumerik, WhatThePictureOfTheHoleLeavesOpenIsSaid) {
-  const auto told = [](const std::string& text, const std::string& from, const std::string& to) {
-    return said(translated(text, from, to).diagnostics, text::Source("p", text));
+  const auto messages = [](const std::string& text, const std::string& from, const std::string& to) {
+    return messages_of(translated(text, from, to).diagnostics, text::Source("p", text));
   };
   const std::string tap = "G98 G84 X1. Z-5. R2. F600.\nG80\nM30\n";
-  EXPECT_TRUE(told(kHead + "S600 M3\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
-  EXPECT_FALSE(told(kHead + "S600 M3\nM29 S600\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
+  EXPECT_TRUE(messages(kHead + "S600 M3\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
+  EXPECT_FALSE(messages(kHead + "S600 M3\nM29 S600\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
   const std::string own = "G17 G90 G710 G94 F100 S1000 M3\nT1 D1 M6\nG0 X0 Y0 Z10\n";
-  EXPECT_TRUE(told(own + "CYCLE83(10,0,2,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
-  EXPECT_FALSE(told(own + "CYCLE83(10,0,0,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
+  EXPECT_TRUE(messages(own + "CYCLE83(10,0,2,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
+  EXPECT_FALSE(messages(own + "CYCLE83(10,0,0,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
 }
 
 // Mazak's second feed, of the way out of a reamed hole.

@@ -23,7 +23,7 @@ std::string explicit_text(const std::string& text, const ir::Control& from) {
   request.from = request.to = from;
   request.mode = ConvertMode::explicit_blocks;
   const ConvertResult result = convert(request);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
   return result.text;
 }
 

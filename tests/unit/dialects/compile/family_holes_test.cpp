@@ -31,7 +31,7 @@ std::vector<std::string> path_of(const std::vector<ir::Motion>& motions) {
 
 std::string macro_of(const text::Source& family, const std::string& dialect, const Values& values = {}) {
   const RenderResult result = rendered(family, dialect, RenderMode::macro, values);
-  EXPECT_TRUE(result.diagnostics.empty()) << dialect << said(result.diagnostics, family);
+  EXPECT_TRUE(result.diagnostics.empty()) << dialect << messages_of(result.diagnostics, family);
   return result.text;
 }
 
@@ -117,7 +117,7 @@ TEST(FamilyHoles, ATapTurnsTheSpindleByItsPitch) {
       for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
         const RenderResult result = rendered(family, dialect, mode, {});
         const std::string what = dialect + " " + std::string(name_of(mode)) + "\n" + result.text;
-        ASSERT_TRUE(result.diagnostics.empty()) << what << said(result.diagnostics, family);
+        ASSERT_TRUE(result.diagnostics.empty()) << what << messages_of(result.diagnostics, family);
         std::vector<ir::Motion> cuts =
             real_moves(run_text(result.text, control(dialect, ir::MachineKind::mill)).motions);
         std::erase_if(cuts, [](const ir::Motion& m) { return m.kind == ir::MotionKind::rapid; });

@@ -31,7 +31,7 @@ std::string first_fault(const text::Source& family, const Values& values = {}) {
   const RenderResult result = rendered(family, "fanuc", RenderMode::macro, values);
   EXPECT_TRUE(text::has_error(result.diagnostics));
   EXPECT_TRUE(result.text.empty());
-  return result.diagnostics.empty() ? "" : said({result.diagnostics.front()}, family);
+  return result.diagnostics.empty() ? "" : messages_of({result.diagnostics.front()}, family);
 }
 
 TEST(FamilyLanguage, EveryExampleOfTheDocumentationIsOneTrace) {
@@ -234,7 +234,7 @@ TEST(FamilyLanguage, ASpindleKeepsTheFeedModeOfALathe) {
     request.target = control(dialect, ir::MachineKind::lathe);
     request.mode = RenderMode::macro;
     const RenderResult result = render(request);
-    ASSERT_FALSE(text::has_error(result.diagnostics)) << dialect << said(result.diagnostics, family);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << dialect << messages_of(result.diagnostics, family);
     for (const ir::Motion& one : moves_of(run_text(result.text, request.target).motions))
       EXPECT_GT(one.feed, 0.0) << dialect << "\n" << result.text;
   }
@@ -264,7 +264,7 @@ TEST(FamilyLanguage, ABlockIsNoLongerThanTheControlReads) {
   for (int i = 0; i < 60; ++i) sum += " + " + std::to_string(i) + ".125 mm*sqrt(n/1 mm)";
   const text::Source family = with("param n length 3 mm in 1..9\n", "  cut x " + sum + "\n");
   const RenderResult macro = rendered(family, "mitsubishi-m80", RenderMode::macro, {});
-  EXPECT_NE(said(macro.diagnostics, family).find("block-too-long"), std::string::npos);
+  EXPECT_NE(messages_of(macro.diagnostics, family).find("block-too-long"), std::string::npos);
   const RenderResult automatic = rendered(family, "mitsubishi-m80", RenderMode::automatic, {});
   EXPECT_EQ(automatic.mode, RenderMode::explicit_blocks);
   EXPECT_NE(automatic.because.find("bytes"), std::string::npos) << automatic.because;

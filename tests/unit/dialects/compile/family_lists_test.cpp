@@ -12,7 +12,7 @@ std::string faults_of(const std::string& steps, RenderMode mode) {
   const text::Source family = with("list kept of length 4\n", steps);
   const RenderResult result = rendered(family, "fanuc", mode, {});
   EXPECT_EQ(result.text.empty(), text::has_error(result.diagnostics));
-  return said(result.diagnostics, family);
+  return messages_of(result.diagnostics, family);
 }
 
 TEST(FamilyLists, ANumberThatIsReadBeforeItIsSetIsAnError) {
@@ -72,7 +72,7 @@ TEST(FamilyLists, InterpolationGoesFromPointToPoint) {
 TEST(FamilyLists, InterpolationTakesPointsThatIncreaseAndStay) {
   const auto found = [](const std::string& lists, const std::string& steps) {
     const text::Source family = with(lists, steps);
-    return said(rendered(family, "fanuc", RenderMode::macro, {}).diagnostics, family);
+    return messages_of(rendered(family, "fanuc", RenderMode::macro, {}).diagnostics, family);
   };
   const std::string step = "  let q = 1 mm\n  cut x interpolate(xs, ys, q)\n";
   EXPECT_EQ(found("list xs = 0 mm, 1 mm\nlist ys = 5 mm, 6 mm\n", step), "");

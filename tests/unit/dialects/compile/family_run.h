@@ -55,7 +55,7 @@ inline std::vector<ir::Motion> one_trace(const text::Source& family, const Value
     for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
       const std::string what = dialect + " " + std::string(name_of(mode));
       const RenderResult result = rendered(family, dialect, mode, values);
-      EXPECT_TRUE(result.diagnostics.empty()) << what << "\n" << said(result.diagnostics, family);
+      EXPECT_TRUE(result.diagnostics.empty()) << what << "\n" << messages_of(result.diagnostics, family);
       if (text::has_error(result.diagnostics)) return {};
       const Played run = run_text(result.text, control(dialect, kind_of(family)));
       EXPECT_EQ(run.result.ended, interpreter::Ended::end) << what << "\n" << result.text;

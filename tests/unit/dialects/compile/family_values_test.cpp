@@ -12,7 +12,7 @@ namespace {
 
 std::string faults_of(const text::Source& family, const std::string& dialect, const Values& values = {}) {
   const RenderResult result = rendered(family, dialect, RenderMode::macro, values);
-  return result.diagnostics.empty() ? "" : said({result.diagnostics.front()}, family);
+  return result.diagnostics.empty() ? "" : messages_of({result.diagnostics.front()}, family);
 }
 
 const text::Source kNamed = with("param part text \"FLANGE 7\" count 0..12\nparam depth length 2 mm in 0..9\n",
@@ -102,7 +102,7 @@ TEST(FamilyPoints, ComeFromATable) {
   EXPECT_EQ(list_of_column(table, "", kPoints, "corners").value, "(2 in, 1 mm), (1 mm, 3 mm)");
   EXPECT_EQ(list_of_column(table, "x", kPoints, "corners.x").value, "2 in, 1 mm");
   const TableColumn wrong = list_of_column({"t.csv", "x mm,y mm\n1,2\n3,60\n"}, "", kPoints, "corners");
-  EXPECT_TRUE(said(wrong.diagnostics, table).contains("corners.y"));
+  EXPECT_TRUE(messages_of(wrong.diagnostics, table).contains("corners.y"));
   EXPECT_TRUE(wrong.value.empty());
 }
 
@@ -115,7 +115,7 @@ TEST(FamilySkips, StandInTheOutputOfEveryControl) {
   for (const std::string& dialect : dialect_names()) {
     for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
       const RenderResult made = rendered(kSkips, dialect, mode, {});
-      EXPECT_TRUE(made.diagnostics.empty()) << said(made.diagnostics, kSkips);
+      EXPECT_TRUE(made.diagnostics.empty()) << messages_of(made.diagnostics, kSkips);
       const bool sinumerik = dialect.starts_with("sinumerik");
       if (dialect != "sinumerik-840d" && dialect != "fanuc") continue;
       const std::vector<std::string> fanuc = {"\n/G01 X10.", "\n/2 M08\n", "\n/3 G00", "\n/(OPTION)\n", "\n/M01\n"};

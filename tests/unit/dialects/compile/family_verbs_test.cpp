@@ -40,7 +40,7 @@ void expect_places(const text::Source& family, const std::vector<Place>& wanted,
 
 std::string first_fault(const text::Source& family) {
   const RenderResult result = rendered(family, "fanuc", RenderMode::macro, {});
-  return result.diagnostics.empty() ? "" : said({result.diagnostics.front()}, family);
+  return result.diagnostics.empty() ? "" : messages_of({result.diagnostics.front()}, family);
 }
 
 TEST(FamilyGrooves, APlungeGoesInAndOut) {

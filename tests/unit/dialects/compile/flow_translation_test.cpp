@@ -55,7 +55,8 @@ std::vector<double> places(const std::vector<ir::Motion>& motions) {
 std::pair<std::vector<double>, std::string> places_there(const std::string& text, const std::string& from,
                                                          const std::string& to) {
   const ConvertResult made = translated(text, from, to);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << to << "\n" << said(made.diagnostics, text::Source("p", text));
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << to << "\n"
+                                                  << messages_of(made.diagnostics, text::Source("p", text));
   if (made.text.empty()) return {};
   return {places(run_text(made.text, control(to, ir::MachineKind::mill)).motions), made.text};
 }
@@ -115,7 +116,8 @@ TEST(RepeatedParts, OfAnotherLoopAreRefused) {
   const std::string text = kOwnStart +
                            "R1=0\nWHILE R1<1\nLAB1: G0 X=IC(1)\nLAB2: G0 X=IC(1)\nR1=R1+1\nENDWHILE\n"
                            "REPEAT LAB1 LAB2\nM30\n";
-  EXPECT_TRUE(said(translated(text, kOwn, "fanuc").diagnostics, text::Source("p", text)).contains("from another loop"));
+  EXPECT_TRUE(
+      messages_of(translated(text, kOwn, "fanuc").diagnostics, text::Source("p", text)).contains("from another loop"));
 }
 
 const std::string kStart = "O1\nG17 G21 G90 G94 G40 G80\nG0 X0. Y0. Z0.\n";
@@ -139,7 +141,8 @@ TEST(ComputedJumps, AreComparedWithEachNumberElsewhere) {
 TEST(ReturnsToABlock, OfTheCallerInTheSameText) {
   const std::string text = kStart + "M98 P200\nG0 X1.\nN30 G0 X2.\nM30\nO200\nG17 G21 G90 G94 G0 X5.\nM99 P30\n";
   const ConvertResult made = translated(text, "fanuc", kOwn);
-  EXPECT_TRUE(made.text.contains("RET(\"N30\")")) << said(made.diagnostics, text::Source("p", text)) << made.text;
+  EXPECT_TRUE(made.text.contains("RET(\"N30\")"))
+      << messages_of(made.diagnostics, text::Source("p", text)) << made.text;
   const ir::Control there = control(kOwn, ir::MachineKind::mill);
   const text::Source source("program", made.text);
   Motions motions;
@@ -166,7 +169,7 @@ TEST(MachineMoves, AreTheSameOnlyByRapid) {
   const auto errors = [](const std::string& blocks, const std::string& from, const std::string& to) {
     const std::string text =
         from == kOwn ? "G17 G71 G90 G94\n" + blocks + "M30\n" : "%\nO1\nG17 G21 G90 G94 G54\n" + blocks + "M30\n%\n";
-    return said(translated(text, from, to).diagnostics, text::Source("p", text));
+    return messages_of(translated(text, from, to).diagnostics, text::Source("p", text));
   };
   EXPECT_TRUE(errors("G1 X100 F200\nSUPA X50\n", kOwn, "fanuc").contains("by another motion than G0"));
   EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", kOwn).contains("by another motion than G0"));
@@ -195,7 +198,7 @@ TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
 
   const std::string sub = "%\nO2\nG53 G0 Z0\nM99\n%\n";
   EXPECT_TRUE(translated(sub, "fanuc", kOwn).text.contains("SUPA G0 Z0. D0\nD1\n"));
-  EXPECT_TRUE(said(translated(sub, "fanuc", kOwn).diagnostics, text::Source("p", sub))
+  EXPECT_TRUE(messages_of(translated(sub, "fanuc", kOwn).diagnostics, text::Source("p", sub))
                   .starts_with("p:3:1: warning[unknown-modal-state]: whether the tool length is in effect"));
 
   const std::string own = "G17 G90 G71 G94\nSUPA G0 Z0\nT1 D1\nM6\nG0 X0 Y0\nZ10\n";
@@ -205,7 +208,7 @@ TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
   EXPECT_TRUE(text::has_error(translated(called, kOwn, "fanuc").diagnostics));
   const ConvertResult keeps = translated(own + "SUPA Z0\nM30\n", kOwn, "fanuc");
   ASSERT_TRUE(text::has_error(keeps.diagnostics));
-  EXPECT_TRUE(said(keeps.diagnostics, text::Source("p", own + "SUPA Z0\nM30\n")).starts_with("p:7:1: error"));
+  EXPECT_TRUE(messages_of(keeps.diagnostics, text::Source("p", own + "SUPA Z0\nM30\n")).starts_with("p:7:1: error"));
 }
 
 // How the machine follows the path is no part of it: told and left out.
@@ -215,29 +218,30 @@ TEST(Smoothing, OfAnotherControlIsLeftOut) {
     if (to == kOwn) continue;
     const ConvertResult made = translated(text, kOwn, to);
     EXPECT_TRUE(made.text.contains("G01 X10. F500.\nX20.\n")) << made.text;
-    EXPECT_TRUE(said(made.diagnostics, text::Source("p", text)).contains("p:3:1: warning[cannot-translate]: CYCLE832"));
+    EXPECT_TRUE(
+        messages_of(made.diagnostics, text::Source("p", text)).contains("p:3:1: warning[cannot-translate]: CYCLE832"));
   }
 }
 
 // What an operator has typed in is elsewhere on another control, and nobody has typed it there.
 TEST(OutsideValues, AreToldByName) {
-  const auto told = [](const std::string& text, const std::string& from, const std::string& to) {
-    return said(translated(text, from, to).diagnostics, text::Source("p", text));
+  const auto messages = [](const std::string& text, const std::string& from, const std::string& to) {
+    return messages_of(translated(text, from, to).diagnostics, text::Source("p", text));
   };
   const std::string own = kOwnStart + "R5=3\nG0 X=R1+R5\nY=R2\nR3=R3+1\nM30\n";
   for (const std::string& to : dialect_names()) {
     if (to == kOwn) continue;
-    const std::string all = told(own, kOwn, to);
+    const std::string all = messages(own, kOwn, to);
     EXPECT_TRUE(all.contains("the value of R1, which nothing here sets")) << all;
     EXPECT_TRUE(all.contains("R3, which") && all.contains("(#102, empty")) << all;
     EXPECT_FALSE(all.contains("value of R5")) << all;
   }
   const std::string macro = "%\nO1\nG21 G17 G90 G54 G94\n#102=2\nG0 X[#101+#102]\nM30\n%\n";
-  EXPECT_TRUE(told(macro, "fanuc", kOwn).contains("the value of #101, which nothing here sets"));
-  EXPECT_FALSE(told(macro, "fanuc", kOwn).contains("#102, which"));
-  EXPECT_FALSE(told(macro, "fanuc", "mazak").contains("which nothing here sets"));
+  EXPECT_TRUE(messages(macro, "fanuc", kOwn).contains("the value of #101, which nothing here sets"));
+  EXPECT_FALSE(messages(macro, "fanuc", kOwn).contains("#102, which"));
+  EXPECT_FALSE(messages(macro, "fanuc", "mazak").contains("which nothing here sets"));
   // A subprogram has them from its caller.
-  EXPECT_FALSE(told("G0 X=R1\nM17\n", kOwn, "fanuc").contains("which nothing here sets"));
+  EXPECT_FALSE(messages("G0 X=R1\nM17\n", kOwn, "fanuc").contains("which nothing here sets"));
 }
 
 // A part that is run again begins with what is in effect behind it: positions by angle count otherwise beside G91.
@@ -245,7 +249,7 @@ TEST(RepeatedParts, PolarPositionsInThemAreOfAllWays) {
   const std::string text =
       kOwnStart + "PART:\nG111 X10 Y10\nG1 AP=90 RP=5 F100\nG91\nPARTEND:\nREPEAT PART PARTEND P=1\nM30\n";
   const ConvertResult made = translated(text, kOwn, "fanuc");
-  EXPECT_TRUE(said(made.diagnostics, text::Source("p", text)).contains("absolute or incremental is not known"))
+  EXPECT_TRUE(messages_of(made.diagnostics, text::Source("p", text)).contains("absolute or incremental is not known"))
       << made.text;
 }
 

@@ -60,10 +60,10 @@ TEST(ForeignWords, OffsetsKeepTheirMeaningUnderAnotherNumber) {
 TEST(ForeignWords, MachineFunctionsAreNamedOnce) {
   const ConvertResult result = translated(kHead + "M60\nM61\nM60\nM30\n", "fanuc", "mazak");
   ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
-  const std::string said = complaints(result);
-  EXPECT_NE(said.find("M60"), std::string::npos) << said;
-  EXPECT_EQ(said.find("M60"), said.rfind("M60")) << said;
-  EXPECT_NE(said.find("M61"), std::string::npos) << said;
+  const std::string messages = complaints(result);
+  EXPECT_NE(messages.find("M60"), std::string::npos) << messages;
+  EXPECT_EQ(messages.find("M60"), messages.rfind("M60")) << messages;
+  EXPECT_NE(messages.find("M61"), std::string::npos) << messages;
 }
 
 // M17 would end the program there.

@@ -12,7 +12,7 @@ namespace {
 std::string expect_same_moves(const std::string& text, const std::string& from, const std::string& to,
                               double tolerance = 1e-6) {
   const ConvertResult result = translated(text, from, to);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("program", text));
   if (text::has_error(result.diagnostics)) return {};
   const auto before = moves_of(run_text(text, control(from, ir::MachineKind::mill)).motions);
   expect_same(before, moves_of(run_text(result.text, control(to, ir::MachineKind::mill)).motions), tolerance,
@@ -23,7 +23,7 @@ std::string expect_same_moves(const std::string& text, const std::string& from, 
 void expect_refused(const std::string& text, const std::string& from, const std::string& to, std::string_view named) {
   const ConvertResult result = translated(text, from, to);
   EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
-  const std::string all = said(result.diagnostics, text::Source("program", text));
+  const std::string all = messages_of(result.diagnostics, text::Source("program", text));
   EXPECT_TRUE(all.contains(named)) << all;
 }
 

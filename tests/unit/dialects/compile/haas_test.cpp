@@ -14,7 +14,7 @@ ir::Control haas(ir::MachineKind kind = ir::MachineKind::mill) { return control(
 std::string trace_of(const std::string& text, const ir::Control& on) {
   const text::Source source("program", text);
   const ir::ReadResult read = find_dialect(on.dialect)->read(source, on);
-  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source);
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << messages_of(read.diagnostics, source);
   interpreter::RunNames names;
   interpreter::TraceWriter writer(on, names);
   interpreter::RunOptions options;
@@ -96,14 +96,14 @@ TEST(Haas, IsWrittenInItsOwnForms) {
       "F100. "
       "K0\nX10.\nG91 X10. K3\nG90 G80\nG28 G91 Z0\nM30\n";
   const ConvertResult result = between(fanuc, "fanuc", "haas");
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("p", fanuc));
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("p", fanuc));
   EXPECT_NE(result.text.find("G154 P5"), std::string::npos) << result.text;
   EXPECT_NE(result.text.find("L0"), std::string::npos) << result.text;
   EXPECT_NE(result.text.find("L3"), std::string::npos) << result.text;
   EXPECT_EQ(result.text.find('K'), std::string::npos) << result.text;
   EXPECT_EQ(trace_of(fanuc, control("fanuc", ir::MachineKind::mill)), trace_of(result.text, haas())) << result.text;
   const ConvertResult back = between(result.text, "haas", "fanuc");
-  EXPECT_FALSE(text::has_error(back.diagnostics)) << said(back.diagnostics, text::Source("p", result.text));
+  EXPECT_FALSE(text::has_error(back.diagnostics)) << messages_of(back.diagnostics, text::Source("p", result.text));
   EXPECT_EQ(trace_of(fanuc, control("fanuc", ir::MachineKind::mill)),
             trace_of(back.text, control("fanuc", ir::MachineKind::mill)))
       << back.text;
@@ -113,7 +113,7 @@ TEST(Haas, M29OfAFanucIsLeftOut) {
   const std::string fanuc =
       "O1\nG21 G17 G90 G95 G54\nT1 M6\nG0 X0. Y0.\nG43 H1 Z10.\nM29 S500\nG84 X5. Y5. Z-5. R2. F1.\nG80\nM30\n";
   const ConvertResult result = between(fanuc, "fanuc", "haas");
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("p", fanuc));
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("p", fanuc));
   EXPECT_EQ(result.text.find("M29"), std::string::npos) << "a relay on a Haas: " << result.text;
   const ConvertResult back = between(result.text, "haas", "fanuc");
   EXPECT_NE(back.text.find("M29"), std::string::npos) << "its taps are rigid: " << back.text;

@@ -34,7 +34,7 @@ inline ir::Control control(const std::string& dialect, ir::MachineKind kind) {
   return find_dialect(dialect)->control(kind, ir::GSystem::a);
 }
 
-inline std::string said(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source) {
+inline std::string messages_of(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source) {
   std::string out;
   for (const text::Diagnostic& d : diagnostics) out += text::format_diagnostic(d, source, "");
   return out;
@@ -64,7 +64,7 @@ struct Played {
 inline Played run_text(const std::string& text, const ir::Control& control, ProgramLibrary* library = nullptr) {
   const text::Source source("program", text);
   const ir::ReadResult read = find_dialect(control.dialect)->read(source, control);
-  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source) << text;
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << messages_of(read.diagnostics, source) << text;
   Motions motions;
   Played out;
   ProgramLibrary standard(control, [](std::string_view) { return std::nullopt; });  // the control's own cycles

@@ -13,7 +13,7 @@ const std::string kFigures =
 TEST(HolePatterns, AreCarriedWhereTheyAreKnown) {
   const std::string text = kHead + kFigures + kTail;
   const ConvertResult made = translated(text, "mitsubishi-m80", "mazak");
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, {"program", text});
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, {"program", text});
   EXPECT_NE(made.text.find(kFigures), std::string::npos) << made.text;
   const auto moves = [](const std::string& program, const std::string& dialect) {
     return moves_of(run_text(program, control(dialect, ir::MachineKind::mill)).motions);
@@ -39,7 +39,7 @@ TEST(HolePatterns, AreTheirMovesForTheOthers) {
       request.to = control(to, ir::MachineKind::mill);
       request.mode = mode;
       const ConvertResult plain = convert(request);
-      ASSERT_FALSE(text::has_error(plain.diagnostics)) << said(plain.diagnostics, request.source);
+      ASSERT_FALSE(text::has_error(plain.diagnostics)) << messages_of(plain.diagnostics, request.source);
       expect_same(real_moves(run_text(text, request.from).motions),
                   real_moves(run_text(plain.text, request.to).motions), 6e-4, plain.text);
     }
@@ -59,7 +59,7 @@ TEST(HolePatterns, AreRefusedWithTheirPlace) {
       std::vector<std::uint32_t> places;
       for (const text::Diagnostic& d : refused.diagnostics)
         if (d.severity == text::Severity::error) places.push_back(d.span.begin);
-      ASSERT_EQ(places.size(), 4U) << said(refused.diagnostics, {"program", text});
+      ASSERT_EQ(places.size(), 4U) << messages_of(refused.diagnostics, {"program", text});
       EXPECT_EQ(places[0], text.find("G34"));
       EXPECT_EQ(places[3], text.find("G37.1"));
       EXPECT_EQ(refused.text, "");

@@ -24,7 +24,7 @@ std::string expect_same_there(const std::string& text, const std::string& from, 
                               MachineKind kind) {
   SCOPED_TRACE(to);
   const ConvertResult made = converted(text, from, to, kind);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   const auto a = real_moves(run_text(text, control(from, kind)).motions);
   const auto b = real_moves(run_text(made.text, control(to, kind)).motions);
   EXPECT_GE(a.size(), 4U);
@@ -36,7 +36,7 @@ std::string refusal(const std::string& text, const std::string& from, const std:
   const ConvertResult made = converted(text, from, to, kind);
   EXPECT_TRUE(text::has_error(made.diagnostics)) << made.text;
   EXPECT_EQ(made.text, "");
-  return said(made.diagnostics, text::Source("program", text));
+  return messages_of(made.diagnostics, text::Source("program", text));
 }
 
 const std::vector<std::string> kNumbered = {"fanuc", "mazak", "mitsubishi-m80"};
@@ -59,9 +59,9 @@ TEST(InlineMoves, AnArcInSpace) {
   const auto here = real_moves(run_text(text, control("sinumerik-840d", MachineKind::mill)).motions);
   for (const std::string& to : kNumbered) {
     const ConvertResult made = converted(text, "sinumerik-840d", to, MachineKind::mill);
-    const std::string told = said(made.diagnostics, text::Source("program", text));
-    EXPECT_FALSE(text::has_error(made.diagnostics)) << told;
-    EXPECT_NE(told.find("it is written as its moves"), std::string::npos) << told;
+    const std::string messages = messages_of(made.diagnostics, text::Source("program", text));
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << messages;
+    EXPECT_NE(messages.find("it is written as its moves"), std::string::npos) << messages;
     const auto there = real_moves(run_text(made.text, control(to, MachineKind::mill)).motions);
     ASSERT_EQ(here.size(), there.size());
     for (std::size_t i = 1; i < here.size(); ++i) {
@@ -276,7 +276,7 @@ TEST(InlineMoves, WhatWouldBeLostIsRefused) {
 TEST(InlineMoves, ACycleThatBecameMovesIsSaid) {
   const std::string text = kLathe + "G00 X0 Z5.\nG83 Z-30. R-3. Q5000 F0.1\nG80\nG00 Z20.\nM30\n%\n";
   const ConvertResult made = converted(text, "fanuc", "sinumerik-840d", MachineKind::lathe);
-  const std::string here = said(made.diagnostics, text::Source("program", text));
+  const std::string here = messages_of(made.diagnostics, text::Source("program", text));
   EXPECT_NE(here.find("it is written as its moves"), std::string::npos) << here;
   EXPECT_NE(here.find("warning"), std::string::npos) << here;
 }

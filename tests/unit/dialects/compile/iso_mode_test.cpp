@@ -370,7 +370,7 @@ TEST(IsoMode, ConvertingKeepsItOrMakesItBlocks) {
   request.library = &library;
   request.mode = ConvertMode::explicit_blocks;
   const ConvertResult blocks = convert(request);
-  EXPECT_TRUE(blocks.text.contains("X1.")) << said(blocks.diagnostics, request.source);
+  EXPECT_TRUE(blocks.text.contains("X1.")) << messages_of(blocks.diagnostics, request.source);
   EXPECT_TRUE(blocks.text.contains("X7.")) << blocks.text;
 }
 

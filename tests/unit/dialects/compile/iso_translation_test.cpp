@@ -29,7 +29,7 @@ ConvertResult converted(const std::string& text, const std::string& to, const ir
 std::string expect_same_there(const std::string& text, const std::string& to, const ir::Control& from) {
   SCOPED_TRACE(to);
   const ConvertResult made = converted(text, to, from);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   const auto a = real_moves(run_text(text, from).motions);
   const auto b = real_moves(run_text(made.text, control(to, from.kind)).motions);
   EXPECT_GE(a.size(), 3U);
@@ -45,7 +45,7 @@ std::string refusal(const std::string& text, const std::string& to = "fanuc",
   const ConvertResult made = converted(text, to, from);
   EXPECT_TRUE(text::has_error(made.diagnostics)) << made.text;
   EXPECT_EQ(made.text, "");
-  return said(made.diagnostics, text::Source("program", text));
+  return messages_of(made.diagnostics, text::Source("program", text));
 }
 
 constexpr std::string_view kHead = "G17 G90 G71 G94 F200 S1000 M3\nG0 X0 Y0 Z5\n";
@@ -100,7 +100,8 @@ TEST(IsoTranslation, ToolsAndTheirOffsets) {
   const std::string either = "G17 G90 G71 G94 F200\nT5 M6\nIF R1==1\nG291\nT7 M6\nG290\nENDIF\nD1\nG0 Z10\nM30\n";
   EXPECT_NE(refusal(either).find("a tool that is not known here"), std::string::npos);
   const ConvertResult called = converted(head + "M98 P93\n" + other, "fanuc", sinumerik(MachineKind::mill));
-  EXPECT_NE(said(called.diagnostics, {"", ""}).find("which what line 6 calls may have changed"), std::string::npos);
+  EXPECT_NE(messages_of(called.diagnostics, {"", ""}).find("which what line 6 calls may have changed"),
+            std::string::npos);
 }
 
 // Units and kinds of feed are those on the ways that lead there; K counts holes, F hundredths per revolution.
@@ -148,14 +149,15 @@ TEST(IsoTranslation, ProgramsOfOneTextDoNotMixTheirStates) {
       "%_N_MAIN_MPF\nG17 G90 G71 G94 F100\nTRANS X5\nN10 G0 X0 Y0 Z5\nMCALL CYCLE81(5,0,2,-5)\nX5\nSUB\nM30\n"
       "%_N_SUB_SPF\nG291\nG52 X1.\nN10 G1 X1.\nG52 X0\nG290\nM17\n";
   const ConvertResult made = converted(text, "fanuc", sinumerik(MachineKind::mill));
-  EXPECT_EQ(said(made.diagnostics, {"", ""}).find("ISO mode"), std::string::npos) << said(made.diagnostics, {"", text});
+  EXPECT_EQ(messages_of(made.diagnostics, {"", ""}).find("ISO mode"), std::string::npos)
+      << messages_of(made.diagnostics, {"", text});
 }
 
 TEST(IsoTranslation, CallsGoByName) {
   const std::string text = program("M98 P21 L2\nG65 P9010 X5 K1.5\nG290\nISOCALL \"O0022\"\n");
   for (const std::string& to : kNumbered) {
     const ConvertResult made = converted(text, to, sinumerik(MachineKind::mill));
-    EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
     EXPECT_NE(made.text.find("G65 P9010 X5. K1.5"), std::string::npos) << made.text;
     EXPECT_NE(made.text.find("M98 P0022"), std::string::npos) << made.text;
   }
@@ -179,7 +181,8 @@ TEST(IsoTranslation, MacrosReadWhatTheyWerePassed) {
   EXPECT_EQ(wanted.size(), 9U);
   for (const std::string& to : kNumbered) {
     const ConvertResult called = converted(macro, to, from);
-    EXPECT_FALSE(text::has_error(called.diagnostics)) << said(called.diagnostics, text::Source("program", macro));
+    EXPECT_FALSE(text::has_error(called.diagnostics))
+        << messages_of(called.diagnostics, text::Source("program", macro));
     const ConvertResult calls = converted(main, to, from);
     ProgramLibrary there = library_of(control(to, MachineKind::mill), called.text);
     expect_same(wanted, real_moves(run_text(calls.text, control(to, MachineKind::mill), &there).motions), 1.1e-3,
@@ -249,7 +252,7 @@ TEST(IsoTranslation, ModalMacrosAndSwitchingFunctions) {
   const ConvertResult made =
       converted(program("G66 P9010 A1.\nX5.\nG67\nG290\nG0 Z5\nMCALL CYCLE81(5,0,2,-5)\nX9\nMCALL\n"), "fanuc",
                 sinumerik(MachineKind::mill));
-  EXPECT_NE(made.text.find("G66 P9010 A1."), std::string::npos) << said(made.diagnostics, {"", ""}) << made.text;
+  EXPECT_NE(made.text.find("G66 P9010 A1."), std::string::npos) << messages_of(made.diagnostics, {"", ""}) << made.text;
   const std::string cuts = on_mill(program("G1 X5. M8 M3 S200 F100.\nX6. M5 M9\nX7.\n"), "fanuc");
   EXPECT_NE(cuts.find("M08\nG01 X5. S200 F100. M03\nX6. M05\nM09\n"), std::string::npos) << cuts;
 }

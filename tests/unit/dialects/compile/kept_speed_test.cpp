@@ -98,7 +98,7 @@ TEST(KeptSpeed, IsWrittenWithoutAnS) {
     request.to = control(to.dialect, ir::MachineKind::lathe);
     request.mode = ConvertMode::explicit_blocks;
     const ConvertResult result = convert(request);
-    EXPECT_FALSE(text::has_error(result.diagnostics)) << to.dialect << said(result.diagnostics, request.source);
+    EXPECT_FALSE(text::has_error(result.diagnostics)) << to.dialect << messages_of(result.diagnostics, request.source);
     EXPECT_EQ(result.text.find("1273"), std::string::npos) << result.text;
     const ir::Motion move = moves_of(run_text(result.text, request.to).motions).back();
     EXPECT_NEAR(move.spindle_rpm, rpm_at(200.0, 50.0), 1e-6) << result.text;

@@ -33,7 +33,7 @@ double lead_of(const ir::Motion& m) {
 }
 
 // Moves and dwells; a rapid that only stops on the way of the next one is left out.
-std::vector<ir::Motion> ways_of(const std::vector<ir::Motion>& motions) {
+std::vector<ir::Motion> cuts_of(const std::vector<ir::Motion>& motions) {
   std::vector<ir::Motion> out;
   for (const ir::Motion& m : motions) {
     const bool counts = m.kind == MotionKind::dwell || (ir::is_move(m.kind) && m.start != m.end);
@@ -46,9 +46,9 @@ std::string expect_same_there(const std::string& text, const std::string& from, 
                               MachineKind kind = MachineKind::lathe, ir::GSystem system = ir::GSystem::a) {
   SCOPED_TRACE(to);
   const ConvertResult made = converted(text, from, to, kind, system);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
-  const auto a = ways_of(run_text(text, find_dialect(from)->control(kind, system)).motions);
-  const auto b = ways_of(run_text(made.text, find_dialect(to)->control(kind, system)).motions);
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
+  const auto a = cuts_of(run_text(text, find_dialect(from)->control(kind, system)).motions);
+  const auto b = cuts_of(run_text(made.text, find_dialect(to)->control(kind, system)).motions);
   EXPECT_GE(a.size(), 4U);
   EXPECT_EQ(a.size(), b.size()) << made.text;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -74,7 +74,7 @@ std::string refusal(const std::string& text, const std::string& from, const std:
   const ConvertResult made = converted(text, from, to, kind);
   EXPECT_TRUE(text::has_error(made.diagnostics)) << made.text;
   EXPECT_EQ(made.text, "");
-  return said(made.diagnostics, text::Source("program", text));
+  return messages_of(made.diagnostics, text::Source("program", text));
 }
 
 void expect_has(const std::string& text, const std::string& part) {
@@ -290,7 +290,7 @@ TEST(LatheTap, AsPlainBlocks) {
   };
   const ConvertResult floating = plain(kNumbered + "G84 Z-20. R-2. F1.5\n" + kNumberedEnd, "fanuc", kSinumerik);
   EXPECT_FALSE(text::has_error(floating.diagnostics));
-  expect_has(said(floating.diagnostics, text::Source("", "")), "feed override and feed hold");
+  expect_has(messages_of(floating.diagnostics, text::Source("", "")), "feed override and feed hold");
   EXPECT_TRUE(text::has_error(
       plain(kNumbered + "M29 S300\nG84 Z-20. R-2. F1.5\n" + kNumberedEnd, "fanuc", kSinumerik).diagnostics));
   EXPECT_TRUE(text::has_error(
@@ -307,11 +307,11 @@ TEST(LatheCycles, BesideG91AreAbsoluteMoves) {
        {"G91 G77 X-4. Z-10. F0.2\n", "G91 G78 X-4. Z-10. F1.5\n", "G91 G75 X-10. Z-9. P2000 Q3000 F0.2\n"}) {
     const std::string text = head + cycle + end;
     const ConvertResult made = converted(text, "fanuc", kSinumerik, MachineKind::lathe, ir::GSystem::b);
-    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", text));
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("p", text));
     const auto before = run_text(text, find_dialect("fanuc")->control(MachineKind::lathe, ir::GSystem::b)).motions;
     const auto after =
         run_text(made.text, find_dialect(kSinumerik)->control(MachineKind::lathe, ir::GSystem::b)).motions;
-    expect_same(ways_of(before), ways_of(after), 1e-4, made.text);
+    expect_same(cuts_of(before), cuts_of(after), 1e-4, made.text);
   }
 }
 

@@ -31,7 +31,7 @@ Ran run(const std::string& text, ProgramLibrary* library = nullptr) {
   const ir::Control on = linuxcnc();
   const text::Source source("program", text);
   const ir::ReadResult read = find_reader("linuxcnc")->read(source, on);
-  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source) << text;
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << messages_of(read.diagnostics, source) << text;
   EXPECT_EQ(ir::print_same(read.program), text);
   interpreter::RunNames names;
   interpreter::TraceWriter writer(on, names);

@@ -52,7 +52,7 @@ TEST(ListTable, FaultsStandAtTheirCell) {
   for (const Row& row : rows) {
     const text::Source table("t.csv", row.table);
     const TableColumn found = list_of_column(table, row.name, kFamily, row.parameter);
-    const std::string all = said(found.diagnostics, table);
+    const std::string all = messages_of(found.diagnostics, table);
     EXPECT_TRUE(all.contains(std::string("t.csv") + row.place)) << row.table << all;
     EXPECT_TRUE(all.contains(row.sentence)) << row.table << all;
     EXPECT_TRUE(text::has_error(found.diagnostics));

@@ -426,9 +426,9 @@ TEST(MacroLanguage, ParametersOfTheMachineAreInputs) {
   for (const std::string& to : dialect_names()) {
     if (to == "fanuc") continue;
     const ConvertResult refused = translated(text, "fanuc", to);
-    EXPECT_NE(said(refused.diagnostics, text::Source("program", text)).find("PRM[#1] has no counterpart"),
+    EXPECT_NE(messages_of(refused.diagnostics, text::Source("program", text)).find("PRM[#1] has no counterpart"),
               std::string::npos)
-        << to << said(refused.diagnostics, text::Source("program", text));
+        << to << messages_of(refused.diagnostics, text::Source("program", text));
   }
 }
 

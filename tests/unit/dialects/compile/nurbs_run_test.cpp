@@ -63,7 +63,7 @@ TEST(NurbsRun, PlainBlocksHaveTheChords) {
   request.to = control("sinumerik-840d", ir::MachineKind::mill);
   request.mode = ConvertMode::explicit_blocks;
   const ConvertResult made = convert(request);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.source);
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, request.source);
   const auto moves = moves_of(run_text(made.text, request.to).motions);
   ASSERT_GT(moves.size(), 10U);
   EXPECT_NEAR(moves.back().end[0], 0.0, 1e-4);

@@ -269,11 +269,11 @@ TEST(Pitfalls, OfTranslation) {
     SCOPED_TRACE(std::string(row.name) + ": " + std::string(row.body));
     const ConvertRequest request = request_of(row);
     const ConvertResult result = convert(request);
-    const std::string errors = said(result.diagnostics, request.source);
+    const std::string errors = messages_of(result.diagnostics, request.source);
     EXPECT_EQ(text::has_error(result.diagnostics), row.refused) << errors;
-    const std::string& told = row.refused ? errors : result.text;
+    const std::string& messages = row.refused ? errors : result.text;
     for (const std::string_view words : row.says)
-      EXPECT_NE(told.find(words), std::string::npos) << words << "\n" << told;
+      EXPECT_NE(messages.find(words), std::string::npos) << words << "\n" << messages;
     for (const std::string_view words : row.says_not) {
       EXPECT_EQ(result.text.find(words), std::string::npos) << words << "\n" << result.text;
     }
@@ -288,7 +288,7 @@ TEST(Pitfalls, ASubprogramIsGivenNoModes) {
   for (const std::string_view to : {kS, kM}) {
     request.to = control(std::string(to), ir::MachineKind::mill);
     const ConvertResult result = convert(request);
-    ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
     EXPECT_EQ(result.text.find("G90"), std::string::npos) << result.text;
     EXPECT_EQ(result.text.find("G17"), std::string::npos) << result.text;
   }
@@ -311,7 +311,7 @@ TEST(Pitfalls, LoopsAreUnnestedWhereTheyMayNotBeSoDeep) {
   request.from = control(std::string(kM), ir::MachineKind::mill);
   request.to = control(std::string(kF), ir::MachineKind::mill);
   const ConvertResult result = convert(request);
-  ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
   EXPECT_EQ(result.text.find("DO4"), std::string::npos) << result.text;
   EXPECT_NE(result.text.find("DO3"), std::string::npos) << result.text;
   expect_same(moves_of(run_text(text + "M30\n%\n", request.from).motions),

@@ -290,7 +290,7 @@ TEST(PolynomialRun, OtherControlsGetTheChords) {
     request.to = control(to, ir::MachineKind::mill);
     request.mode = ConvertMode::explicit_blocks;
     const ConvertResult made = convert(request);
-    EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.source);
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, request.source);
     const auto there = moves_of(run_text(made.text, request.to).motions);
     const auto here = moves_of(run(text).motions);
     ASSERT_EQ(there.size(), here.size()) << made.text;
@@ -303,7 +303,7 @@ TEST(PolynomialRun, OtherControlsGetTheChords) {
         return d.severity == text::Severity::error &&
                std::to_string(request.source.position(d.span.begin).line) == line;
       });
-      EXPECT_TRUE(placed) << to << " " << line << said(refused.diagnostics, request.source);
+      EXPECT_TRUE(placed) << to << " " << line << messages_of(refused.diagnostics, request.source);
     }
     // A curve that is not computed is no chord.
     request.source = text::Source("program", "G17 G71 G90 G94 G40\nG1 X0 F500\nPOLY PO[X]=(10) PO[Y]=(0,-4)\nM30\n");

@@ -112,9 +112,9 @@ TEST(ReferencePoint, IsRefusedWithItsReason) {
     const std::string text = "O1\nG17 G21 G90 G94 G40 G80\nG0 X0. Y0. Z0.\n" + row.block + "\nM30\n";
     const ConvertResult made = converted(text, control("fanuc", ir::MachineKind::mill), siemens(row.fixed_point));
     EXPECT_TRUE(text::has_error(made.diagnostics)) << row.block;
-    EXPECT_TRUE(said(made.diagnostics, text::Source("p", text)).contains(row.says))
+    EXPECT_TRUE(messages_of(made.diagnostics, text::Source("p", text)).contains(row.says))
         << row.block << "\n"
-        << said(made.diagnostics, text::Source("p", text)) << made.text;
+        << messages_of(made.diagnostics, text::Source("p", text)) << made.text;
   }
 }
 

@@ -27,7 +27,7 @@ RenderResult rendered(const std::string& family, const std::string& dialect, ir:
   request.delivery = delivery;
   request.program_name = dialect == "fanuc" ? "O0100" : "FAMILY_TEST";
   RenderResult out = render(request);
-  EXPECT_FALSE(text::has_error(out.diagnostics)) << said(out.diagnostics, request.family);
+  EXPECT_FALSE(text::has_error(out.diagnostics)) << messages_of(out.diagnostics, request.family);
   return out;
 }
 
@@ -293,7 +293,7 @@ TEST(Render, ForANamedMachineByItsIncrement) {
     request.mode = RenderMode::explicit_blocks;
     request.program_name = dialect == "sinumerik-840d" ? "FAMILY_TEST" : "O0100";
     const RenderResult made = render(request);
-    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.family);
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, request.family);
     std::size_t positions = 0;
     for (const ir::Motion& m : moves_of(run_text(made.text, request.target).motions)) {
       for (const std::size_t axis : {0U, 2U}) {

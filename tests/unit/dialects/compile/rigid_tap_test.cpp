@@ -28,7 +28,7 @@ std::string refusal(const std::string& text, const std::string& from, const std:
                     MachineKind kind = MachineKind::mill) {
   const ConvertResult made = converted(text, from, to, kind);
   EXPECT_TRUE(text::has_error(made.diagnostics)) << made.text;
-  return said(made.diagnostics, text::Source("program", text));
+  return messages_of(made.diagnostics, text::Source("program", text));
 }
 
 // Ends and leads of the ways into the material.
@@ -45,7 +45,7 @@ std::vector<std::string> cuts_of(const std::string& text, const std::string& dia
 }
 void expect_same_leads(const std::string& text, const std::string& from, const std::string& to) {
   const ConvertResult made = converted(text, from, to);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   const auto here = cuts_of(text, from);
   EXPECT_GE(here.size(), 2U);
   EXPECT_EQ(here, cuts_of(made.text, to)) << made.text;

@@ -61,7 +61,8 @@ TEST(Samples, MoveTheSameAsPlainBlocksOfEveryOtherControl) {
       if (to == sample.dialect) continue;
       SCOPED_TRACE(sample.dialect + "/" + sample.name + " on " + to);
       const ConvertResult result = converted(sample, to, ConvertMode::explicit_blocks);
-      ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("", sample.text));
+      ASSERT_FALSE(text::has_error(result.diagnostics))
+          << messages_of(result.diagnostics, text::Source("", sample.text));
       const auto moves = moves_of(run_text(result.text, control(to, sample.kind)).motions);
       // 0.0001 inch is 0.00254 mm.
       const bool inch = sample.text.contains("G20") || sample.text.contains("G70");
@@ -77,7 +78,8 @@ TEST(Samples, MoveTheSameAsMacrosOfEveryOtherControl) {
       if (to == sample.dialect) continue;
       SCOPED_TRACE(sample.dialect + "/" + sample.name + " on " + to);
       const ConvertResult result = converted(sample, to, ConvertMode::macro);
-      ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("", sample.text));
+      ASSERT_FALSE(text::has_error(result.diagnostics))
+          << messages_of(result.diagnostics, text::Source("", sample.text));
       expect_same(original, real_moves(run_text(result.text, control(to, sample.kind)).motions), kExact, result.text);
     }
   }

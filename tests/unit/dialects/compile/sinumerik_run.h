@@ -43,7 +43,7 @@ inline Result run_on(const ir::Control& control, const std::string& text, const 
                      std::uint32_t skip_switches = 0) {
   const text::Source source("TEST.MPF", text);
   const ir::ReadResult read = find_dialect(control.dialect)->read(source, control);
-  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source) << text;
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << messages_of(read.diagnostics, source) << text;
   ProgramLibrary library(control, [&](std::string_view name) -> std::optional<text::Source> {
     const auto found = called.find(name);
     if (found == called.end()) return std::nullopt;

@@ -337,7 +337,7 @@ TEST(SplineRun, OtherControlsGetTheChords) {
     request.to = control(to, ir::MachineKind::mill);
     request.mode = ConvertMode::explicit_blocks;
     const ConvertResult made = convert(request);
-    EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.source);
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, request.source);
     const auto there = moves_of(run_text(made.text, request.to).motions);
     const auto here = moves_of(run(text).motions);
     ASSERT_EQ(there.size(), here.size()) << made.text;
@@ -347,7 +347,8 @@ TEST(SplineRun, OtherControlsGetTheChords) {
     EXPECT_TRUE(text::has_error(convert(request).diagnostics)) << to;
     // How splines are to end is nothing where there is none.
     request.source = text::Source("program", "G17 G71 G90 G94 G40 BNAT ENAT\nG1 X0 Y0 Z0 F500\nM30\n");
-    EXPECT_FALSE(text::has_error(convert(request).diagnostics)) << said(convert(request).diagnostics, request.source);
+    EXPECT_FALSE(text::has_error(convert(request).diagnostics))
+        << messages_of(convert(request).diagnostics, request.source);
   }
 }
 

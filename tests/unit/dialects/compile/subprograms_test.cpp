@@ -151,8 +151,8 @@ TEST(Subprograms, OfSinumerikNeedToSayTheirDistanceMode) {
   const ConvertResult open = turned("G1 X10 F0.2\nM17\n", "sinumerik-840d", "fanuc");
   EXPECT_NE(complaints(open).find("absolute or incremental is not known here"), std::string::npos) << complaints(open);
   EXPECT_TRUE(text::has_error(open.diagnostics));
-  const ConvertResult said = turned("G90 DIAMON G1 X10 F0.2\nM17\n", "sinumerik-840d", "fanuc");
-  EXPECT_FALSE(text::has_error(said.diagnostics)) << complaints(said);
+  const ConvertResult stated = turned("G90 DIAMON G1 X10 F0.2\nM17\n", "sinumerik-840d", "fanuc");
+  EXPECT_FALSE(text::has_error(stated.diagnostics)) << complaints(messages_of);
 }
 
 TEST(Subprograms, RunByThemselvesTellWhatIsAssumed) {
@@ -223,17 +223,17 @@ TEST(Modes, AFeedWithoutAPointCountsAsItsModeSays) {
   request.from = control("fanuc", ir::MachineKind::lathe);
   request.from.semantics.decimal_mode = ir::DecimalMode::least_increment;
   request.to = control("sinumerik-840d", ir::MachineKind::lathe);
-  const auto said_as = [&](const std::string& text) {
+  const auto written_as = [&](const std::string& text) {
     request.source = text::Source("program", text);
     return convert(request);
   };
   const ConvertResult main =
-      said_as("O0001\nG21 G18 G97 G99\nG00 X35. Z3.\nG01 Z1. F20\nG98 Z2. F200\nG99 Z3. F.3\nM30\n");
+      written_as("O0001\nG21 G18 G97 G99\nG00 X35. Z3.\nG01 Z1. F20\nG98 Z2. F200\nG99 Z3. F.3\nM30\n");
   ASSERT_FALSE(text::has_error(main.diagnostics)) << complaints(main);
   EXPECT_NE(main.text.find("Z1. F0.2\n"), std::string::npos) << main.text;
   EXPECT_NE(main.text.find("Z2. F200\n"), std::string::npos) << main.text;
   EXPECT_NE(main.text.find("Z3. F0.3\n"), std::string::npos) << main.text;
-  const ConvertResult sub = said_as("O0100\nG01 Z1. F20\nM99\n");
+  const ConvertResult sub = written_as("O0100\nG01 Z1. F20\nM99\n");
   EXPECT_TRUE(text::has_error(sub.diagnostics)) << sub.text;
   EXPECT_NE(complaints(sub).find("the feed mode is not known here"), std::string::npos) << complaints(sub);
 }
@@ -362,7 +362,7 @@ TEST(Subprograms, OneThatReturnsToABlockHasNoStartOfItsOwn) {
       "P10\n%\n";
   for (const std::string to : {"mazak", "sinumerik-840d"}) {
     const ConvertResult made = translated(text, "fanuc", to);
-    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", text));
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("p", text));
     expect_same(moves_of(run_text(text, control("fanuc", ir::MachineKind::mill)).motions),
                 moves_of(run_text(made.text, control(to, ir::MachineKind::mill)).motions), 1e-9, made.text);
   }
@@ -375,7 +375,7 @@ TEST(Subprograms, ParametersStartAnewAtEachCall) {
       "TT=5)\nX=TT\nTT=TT+1\nRET\n"
       "%_N_OTHER_SPF\nPROC OTHER(REAL Q=9)\nY=Q\nRET\n";
   const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", text));
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("p", text));
   EXPECT_TRUE(made.text.contains("G65 <INNER> L3\nG65 <OTHER>\n")) << made.text;
   expect_same(moves_of(run_text(text, control("sinumerik-840d", ir::MachineKind::mill)).motions),
               moves_of(run_text(made.text, control("fanuc", ir::MachineKind::mill)).motions), 1e-9, made.text);

@@ -174,7 +174,7 @@ TEST(ThinProgram, IsTranslatedAsTheWholeProgram) {
         ++thin_ones;
         EXPECT_EQ(made->text, whole.text);
         EXPECT_EQ(made->origin_lines, whole.origin_lines);
-        EXPECT_EQ(said(made->diagnostics, request.source), said(whole.diagnostics, request.source));
+        EXPECT_EQ(messages_of(made->diagnostics, request.source), messages_of(whole.diagnostics, request.source));
         EXPECT_EQ(made->not_verified, whole.not_verified);
       }
     }

@@ -42,7 +42,7 @@ Result run(const std::string& text, const std::string& dialect, ir::MachineKind 
   const ir::Control machine = control(dialect, kind);
   const text::Source source("program", text);
   const ir::ReadResult read = find_dialect(dialect)->read(source, machine);
-  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source);
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << messages_of(read.diagnostics, source);
   interpreter::RunNames names;
   interpreter::TraceWriter writer(machine, names);
   Motions motions;
@@ -202,7 +202,7 @@ TEST(ToolMeasuring, IsRefusedWhereItStands) {
       const bool placed = std::ranges::any_of(made.diagnostics, [&](const text::Diagnostic& d) {
         return d.severity == text::Severity::error && source.position(d.span.begin).line == 5;
       });
-      EXPECT_TRUE(placed) << from << " " << to << said(made.diagnostics, source);
+      EXPECT_TRUE(placed) << from << " " << to << messages_of(made.diagnostics, source);
     }
   }
 }

@@ -17,12 +17,12 @@ const std::string kHead = "G17 G90 G71 G94 F200 S1000 M3\n";
 ConvertResult on_mill(const std::string& text) { return translated(text, "sinumerik-840d", "fanuc"); }
 std::string made_of(const std::string& text) {
   const ConvertResult made = on_mill(text);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   return made.text;
 }
-std::string told_of(const std::string& text) {
+std::string messages_from(const std::string& text) {
   const ConvertResult made = on_mill(text);
-  return said(made.diagnostics, text::Source("program", text));
+  return messages_of(made.diagnostics, text::Source("program", text));
 }
 void expect_has(const std::string& text, std::string_view part) {
   EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
@@ -31,11 +31,11 @@ void expect_not(const std::string& text, std::string_view part) {
   EXPECT_EQ(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
-std::string told(const std::string& dialect, const std::string& text) {
+std::string messages(const std::string& dialect, const std::string& text) {
   const ir::Control own = control(dialect, MachineKind::mill);
   const text::Source source("program", text);
   const ir::ReadResult read = find_dialect(dialect)->read(source, own);
-  return said(find_dialect(dialect)->validate(read.program, own, ir::Delivery::memory), source);
+  return messages_of(find_dialect(dialect)->validate(read.program, own, ir::Delivery::memory), source);
 }
 
 TEST(Tools, ATThatPreparesChangesNothing) {
@@ -66,14 +66,14 @@ TEST(Tools, MazakNamesTheNextToolBesideTheChange) {
   EXPECT_EQ(tools, "2 4 5 ");
   for (const std::string to : {"fanuc", "mitsubishi-m80", "sinumerik-840d"}) {
     const ConvertResult made = translated(text, "mazak", to);
-    EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
     const std::string change = to == "sinumerik-840d" ? "T2 M6\nT3\n" : "T2 M06\nT3\n";
     expect_has(made.text, change);
     expect_not(made.text, "T0");
   }
   const std::string twice = "%\nO1\nG21 G17 G90 G94\nT2 T3 M6\nG0 X0.\nM30\n%\n";
-  EXPECT_TRUE(told("mazak", twice).empty()) << told("mazak", twice);
-  EXPECT_TRUE(told("fanuc", twice).contains("the address T stands twice"));
+  EXPECT_TRUE(messages("mazak", twice).empty()) << messages("mazak", twice);
+  EXPECT_TRUE(messages("fanuc", twice).contains("the address T stands twice"));
 }
 
 // What starts stands in the order that the program has, in front of the move.
@@ -93,33 +93,33 @@ TEST(Tools, AChangeWithoutAnEdgeTakesTheFirst) {
   const std::string made = made_of(text);
   expect_has(made, "T5 M06\nG43 H5\nG00 X0.");
   expect_has(made, "T6 M06\nG43 H6\nG00 X10.");
-  expect_has(told_of(text), "a tool change without D is not known here: MD20270 decides");
-  expect_not(told_of(kHead + "T5 M6\nG54\nD1\nG0 X0 Y0 Z50\nM30\n"), "MD20270");
+  expect_has(messages_from(text), "a tool change without D is not known here: MD20270 decides");
+  expect_not(messages_from(kHead + "T5 M6\nG54\nD1\nG0 X0 Y0 Z50\nM30\n"), "MD20270");
   for (const std::string rest : {"M30\n", "TRANS X10\nD1\nG0 Z2\nM30\n", "G0 X0 Y0\nZ2 D1\nM30\n"})
-    expect_not(told_of(kHead + "T5 M6\n" + rest), "MD20270");
-  expect_not(told_of(kHead + "T0 M6\nG0 Z2\nM30\n"), "MD20270");
+    expect_not(messages_from(kHead + "T5 M6\n" + rest), "MD20270");
+  expect_not(messages_from(kHead + "T0 M6\nG0 Z2\nM30\n"), "MD20270");
   // Where the way does not go straight on, the edge is said at once.
   for (const std::string rest :
        {"IF R1==1 GOTOF ON\nD1\nON: G1 Z-5\nM30\n", "IF R1==1\nD1\nENDIF\nG1 Z-5\nM30\n", "M17\n", "SUB1\nM30\n"}) {
-    expect_has(told_of(kHead + "T5 M6\n" + rest), "MD20270");
+    expect_has(messages_from(kHead + "T5 M6\n" + rest), "MD20270");
     expect_has(made_of(kHead + "T5 M6\n" + rest), "T5 M06\nG43 H5");
   }
   expect_has(made_of(kHead + "T5 M6 D1\nG0 Z50\nT0 M6\nG0 Z40\nM30\n"), "T0 M06\nG49\n");
-  expect_has(told_of(kHead + "G18\nT5 M6\nG0 X0 Y0\nZ2 D1\nM30\n"), "MD20270");
+  expect_has(messages_from(kHead + "G18\nT5 M6\nG0 X0 Y0\nZ2 D1\nM30\n"), "MD20270");
 }
 
 TEST(Tools, WaysThatDiffer) {
   const std::string either = kHead + "T5 M6 D1\nIF R1==1\nT7 M6 D1\nENDIF\nG0 X0 Y0 Z50\n";
-  expect_has(told_of(either + "G41 G1 X10\nX20\nG40 X30\nM30\n"), "a tool that is not known here");
-  expect_has(told_of(either + "D0\nD1\nG0 Z10\nM30\n"), "a tool that is not known here");
-  expect_not(told_of(either + "T8 M6\nD1\nG41 G1 X10\nX20\nG40 X30\nM30\n"), "a tool that is not known");
-  expect_not(told_of(kHead + "T5 M6 D1\nIF R1==1\nT5 M6 D1\nENDIF\nG41 G1 X10\nX20\nG40 X30\nM30\n"),
+  expect_has(messages_from(either + "G41 G1 X10\nX20\nG40 X30\nM30\n"), "a tool that is not known here");
+  expect_has(messages_from(either + "D0\nD1\nG0 Z10\nM30\n"), "a tool that is not known here");
+  expect_not(messages_from(either + "T8 M6\nD1\nG41 G1 X10\nX20\nG40 X30\nM30\n"), "a tool that is not known");
+  expect_not(messages_from(kHead + "T5 M6 D1\nIF R1==1\nT5 M6 D1\nENDIF\nG41 G1 X10\nX20\nG40 X30\nM30\n"),
              "a tool that is not known");
-  expect_has(told_of(kHead + "T5 M6\nD1\n/T6 M6\nG0 X0 Y0\nD1\nG0 Z50\nM30\n"), "a tool that is not known here");
-  expect_has(told_of(kHead + "T5 M6\nCHANGE\nD1\nG0 Z50\nM30\n"), "which what line 3 calls may have changed");
+  expect_has(messages_from(kHead + "T5 M6\nD1\n/T6 M6\nG0 X0 Y0\nD1\nG0 Z50\nM30\n"), "a tool that is not known here");
+  expect_has(messages_from(kHead + "T5 M6\nCHANGE\nD1\nG0 Z50\nM30\n"), "which what line 3 calls may have changed");
   const std::string loop = kHead + "T5 M6\nD1\nR1=0\nAGAIN:\nG41 G1 X10\nX20\nG40 X30\nR1=R1+1\n";
   expect_has(made_of(loop + "IF R1<3 GOTOB AGAIN\nM30\n"), "G41 G01 X10. D5");
-  expect_has(told_of(loop + "T6 M6\nD1\nIF R1<3 GOTOB AGAIN\nM30\n"), "a tool that is not known here");
+  expect_has(messages_from(loop + "T6 M6\nD1\nIF R1<3 GOTOB AGAIN\nM30\n"), "a tool that is not known here");
 }
 
 // The length is in effect before its block moves, and the tool before its length.
@@ -147,26 +147,26 @@ TEST(Tools, WhatIsPreparedComesWithM6) {
 TEST(Tools, NumbersThatAreVariables) {
   expect_has(made_of(kHead + "R1=5\nT=R1\nM6\nD1\nG0 Z2\nM30\n"), "G43 H#101");
   const std::string unknown = "a tool that is not known here";
-  expect_has(told_of(kHead + "R1=5\nT=R1 M6 D1\nG0 Z2\nR1=200\nG41 G1 X5\nG40 X9\nM30\n"), unknown);
-  expect_has(told_of(kHead + "T=R1 M6\nR1=7\nG0 X0 Y0 D1\nM30\n"), unknown);
+  expect_has(messages_from(kHead + "R1=5\nT=R1 M6 D1\nG0 Z2\nR1=200\nG41 G1 X5\nG40 X9\nM30\n"), unknown);
+  expect_has(messages_from(kHead + "T=R1 M6\nR1=7\nG0 X0 Y0 D1\nM30\n"), unknown);
   expect_has(made_of(kHead + "R1=0\nAGAIN: R1=R1+1\nT=R1 M6\nD1\nG0 Z2\nIF R1<3 GOTOB AGAIN\nM30\n"), "G43 H#101");
   expect_has(made_of(kHead + "FOR R1=1 TO 3\nT=R1 M6\nG0 Z50 D1\nG1 G41 X10\nG40 X0\nENDFOR\nM30\n"), "X10. D#101");
 }
 
 TEST(Tools, WhatIsCalledBetween) {
   const std::string unknown = "a tool that is not known here";
-  expect_has(told_of(kHead + "T5 M6 D1\nG0 Z2\nT6\nL6\nD1\nG0 Z2\nM30\n"), unknown);
+  expect_has(messages_from(kHead + "T5 M6 D1\nG0 Z2\nT6\nL6\nD1\nG0 Z2\nM30\n"), unknown);
   const std::string at_once = kHead + "T5\nL6\nD1\nG0 Z2\nM30\n";
   expect_has(made_of(at_once), "T5\nM98 P6\nG43 H5 D5\nG00 Z2.\n");
-  expect_has(told_of(at_once), "which what line 3 calls may have changed");
-  expect_has(told_of(kHead + "T5 M6 D1\nL100\nT6\nG41 G1 X5\nG40 X9\nM30\n"), unknown);
-  expect_has(told_of(kHead + "IF R1==1\nT5\nELSE\nT6\nENDIF\nM6\nG0 X0 Z2\nM30\n"), unknown);
-  expect_has(told_of(kHead + "T5\nL6\nG0 Z2\nM30\n"), "a tool that a called program brings in, without D");
+  expect_has(messages_from(at_once), "which what line 3 calls may have changed");
+  expect_has(messages_from(kHead + "T5 M6 D1\nL100\nT6\nG41 G1 X5\nG40 X9\nM30\n"), unknown);
+  expect_has(messages_from(kHead + "IF R1==1\nT5\nELSE\nT6\nENDIF\nM6\nG0 X0 Z2\nM30\n"), unknown);
+  expect_has(messages_from(kHead + "T5\nL6\nG0 Z2\nM30\n"), "a tool that a called program brings in, without D");
   // Another program of the same text changes it.
   const std::string packed = "%_N_MAIN_MPF\n" + kHead + "T5\nTOOLCH\nD1\nG0 Z2\nM30\n%_N_TOOLCH_SPF\nM6\nM17\n";
   expect_has(made_of(packed), "G43 H5");
   // A subprogram's tool is its caller's.
-  expect_has(told_of("G1 G41 X5 Y5 F100\nG40 X0 Y0\nM17\n"), "the number of the compensation (D)");
+  expect_has(messages_from("G1 G41 X5 Y5 F100\nG40 X0 Y0\nM17\n"), "the number of the compensation (D)");
 }
 
 TEST(Tools, HolesBehindHoles) {
@@ -175,48 +175,49 @@ TEST(Tools, HolesBehindHoles) {
   expect_not(made_of(head + "MCALL CYCLE81(3,2,1,-8)\nX10\nMCALL\nMCALL CYCLE81(50,2,1,-8)\nX20\nMCALL\nM30\n"), "G98");
   expect_has(made_of(head + "MCALL CYCLE81(50,2,1,-8)\nX10\nMCALL\nMCALL CYCLE81(50,2,1,-9)\nX20\nMCALL\nM30\n"),
              "G98 G81 Z-9.");
-  expect_has(told_of(head + "MCALL CYCLE81(50,2,1,-8)\nSUB1\nMCALL\nM30\n"), "a call of another program after MCALL");
+  expect_has(messages_from(head + "MCALL CYCLE81(50,2,1,-8)\nSUB1\nMCALL\nM30\n"),
+             "a call of another program after MCALL");
   expect_not(made_of(head + "MCALL CYCLE81(50,2,1,-8)\nX10\nG55 X20\nMCALL\nM30\n"), "G98");
   // A subprogram, or one that a called program changes: told, not refused.
   const std::string called = "G0 X0 Y0 Z10\nCYCLE81(10,2,1,-8)\nG0 X20\nM17\n";
   expect_has(made_of(called), "Z-8.");
-  expect_has(told_of(called), "absolute or incremental is not known here");
-  expect_has(told_of(head + "SUB1\nCYCLE81(50,2,1,-8)\nG0 X20\nM30\n"), "may have changed");
+  expect_has(messages_from(called), "absolute or incremental is not known here");
+  expect_has(messages_from(head + "SUB1\nCYCLE81(50,2,1,-8)\nG0 X20\nM30\n"), "may have changed");
 }
 
 // The other way: H and D of the tool in the spindle are its own edge, whatever T prepares.
 TEST(Tools, OffsetsOfTheToolThatIsIn) {
   const std::string head = "%\nO1\nG21 G17 G90 G94 G40 G49\n";
   const auto to_sinumerik = [&](const std::string& text) { return translated(head + text, "fanuc", "sinumerik-840d"); };
-  const auto told = [&](const std::string& text) {
-    return said(to_sinumerik(text).diagnostics, text::Source("program", head + text));
+  const auto messages = [&](const std::string& text) {
+    return messages_of(to_sinumerik(text).diagnostics, text::Source("program", head + text));
   };
   const std::string cut = "G41 D5 G01 X10. F100.\nX20.\nG40 D0 X30.\nG00 Z100.\n";
   const std::string made =
       to_sinumerik("T5 M06\nT6\nG00 X0 Y0\nG43 H5 Z10.\n" + cut + "M06\nG43 H6 Z10.\nM30\n%\n").text;
   expect_has(made, "T6\nG0 X0. Y0.\nZ10. D1\nG41 G1 X10. D1 F100\n");
   expect_has(made, "G40 X30.\nG0 Z100.\nM6\nZ10. D1\n");  // D0 would take the length away
-  expect_has(told("T5 M06\nT6\nG43 H6 G00 Z10.\nM30\n%\n"), "the length offset of another tool");
-  expect_has(told("T5 M06\nG43 H5 G00 Z10.\nG41 D0 G01 X10. F100.\nX20.\nG40 X30.\nM30\n%\n"),
+  expect_has(messages("T5 M06\nT6\nG43 H6 G00 Z10.\nM30\n%\n"), "the length offset of another tool");
+  expect_has(messages("T5 M06\nG43 H5 G00 Z10.\nG41 D0 G01 X10. F100.\nX20.\nG40 X30.\nM30\n%\n"),
              "compensation without a radius (D0)");
-  expect_has(told("T5 M06\nG43 H5 G00 Z10. D0\nG41 G01 X10. F100.\nX20.\nG40 X30.\nM30\n%\n"),
+  expect_has(messages("T5 M06\nG43 H5 G00 Z10. D0\nG41 G01 X10. F100.\nX20.\nG40 X30.\nM30\n%\n"),
              "compensation without a radius (D0)");
-  expect_has(told("T5 M06\nIF[#1 EQ 1]GOTO10\nT6 M06\nN10 G43 H5 G00 Z10.\nM30\n%\n"),
+  expect_has(messages("T5 M06\nIF[#1 EQ 1]GOTO10\nT6 M06\nN10 G43 H5 G00 Z10.\nM30\n%\n"),
              "not the same on all control-flow paths");
-  expect_has(told("T5 M06\nM98 P200\nG43 H5 G00 Z10.\nM30\n%\n"), "calls may have changed");
+  expect_has(messages("T5 M06\nM98 P200\nG43 H5 G00 Z10.\nM30\n%\n"), "calls may have changed");
 }
 
 TEST(Tools, OffsetsThatAnotherWordChanges) {
-  const auto told = [](const std::string& text) {
+  const auto messages = [](const std::string& text) {
     const std::string whole = "%\nO1\nG21 G17 G90 G94 G40\nT5 M06\nG00 G43 H5 Z50.\n" + text + "M30\n%\n";
-    return said(translated(whole, "fanuc", "sinumerik-840d").diagnostics, text::Source("program", whole));
+    return messages_of(translated(whole, "fanuc", "sinumerik-840d").diagnostics, text::Source("program", whole));
   };
-  expect_has(told("G01 G41 D5 X10. F100.\nY20.\nY30. D0\nY40.\nG40 X0\n"), "compensation without a radius (D0)");
-  expect_has(told("H7\nG01 Z-7. F100.\n"), "the length offset of another tool");
-  expect_has(told("G49\nG41 D5 G01 X10. F100.\nG40 X0\n"), "a radius where the length is off");
-  expect_has(told("G41 D5 G01 X10. F100.\nG40 X0\nT6 M06\nG43 H6 Z50.\nG41 X10.\nG40 X0\n"),
+  expect_has(messages("G01 G41 D5 X10. F100.\nY20.\nY30. D0\nY40.\nG40 X0\n"), "compensation without a radius (D0)");
+  expect_has(messages("H7\nG01 Z-7. F100.\n"), "the length offset of another tool");
+  expect_has(messages("G49\nG41 D5 G01 X10. F100.\nG40 X0\n"), "a radius where the length is off");
+  expect_has(messages("G41 D5 G01 X10. F100.\nG40 X0\nT6 M06\nG43 H6 Z50.\nG41 X10.\nG40 X0\n"),
              "the compensation number of another tool");
-  expect_not(told("G41 D5 G01 X10. F100.\nG40 X0\nG43 H5 D5 Z40.\nH0\n"), "error");
+  expect_not(messages("G41 D5 G01 X10. F100.\nG40 X0\nG43 H5 D5 Z40.\nH0\n"), "error");
 }
 
 // What holds the program does so last.
@@ -227,7 +228,7 @@ TEST(Tools, StopsOfTheSpindleComeBeforeThatOfTheProgram) {
 
 TEST(Tools, JumpsRoundHoles) {
   const std::string head = kHead + "T5 M6 D1\nG0 X0 Y0 Z50\nR1=0\n";
-  expect_has(told_of(head + "MCALL CYCLE81(50,0,2,-8)\nX10\nIF R1==0 GOTOF ON\nX20\nMCALL\nON: G0 X30\nM30\n"),
+  expect_has(messages_from(head + "MCALL CYCLE81(50,0,2,-8)\nX10\nIF R1==0 GOTOF ON\nX20\nMCALL\nON: G0 X30\nM30\n"),
              "a modal call that jumps lead into or out of");
   expect_has(made_of(head + "MCALL CYCLE81(50,0,2,-8)\nAGAIN: X=IC(10)\nR1=R1+1\nIF R1<3 GOTOB AGAIN\nMCALL\nM30\n"),
              "G98 G81");
@@ -238,16 +239,16 @@ TEST(Tools, JumpsRoundHoles) {
 TEST(Tools, ModesAroundAHole) {
   const std::string head = kHead + "T5 M6 D1\nG0 X0 Y0 Z50\n";
   const std::string either = head + "IF R1==1\nG1 X5\nENDIF\nCYCLE81(50,0,2,-5)\n";
-  expect_has(told_of(either + "X10\nM30\n"), "the motion code in effect after a cycle");
-  expect_not(told_of(either + "G0 X10\nM30\n"), "the motion code");
+  expect_has(messages_from(either + "X10\nM30\n"), "the motion code in effect after a cycle");
+  expect_not(messages_from(either + "G0 X10\nM30\n"), "the motion code");
   const std::string turned = head + "IF R1==1\nG18\nENDIF\nCYCLE81(50,0,2,-5)\nG0 X10\nM30\n";
-  expect_has(told_of(turned), "the plane");
+  expect_has(messages_from(turned), "the plane");
   // What is only told first is an error where ways differ behind it.
   const ConvertResult both =
       on_mill(head + "SUB1\nCYCLE81(50,0,2,-5)\nIF R1==1\nG91\nENDIF\nCYCLE81(50,0,2,-5)\nG0 X10\nM30\n");
   EXPECT_TRUE(text::has_error(both.diagnostics)) << both.text;
   const std::string mode = head + "IF R1==1\nG91\nENDIF\nCYCLE81(50,0,2,-5)\nG0 X10\nM30\n";
-  expect_has(told_of(mode), "absolute or incremental");
+  expect_has(messages_from(mode), "absolute or incremental");
   // A jump leads round the block that says G91.
   const std::string round = made_of(head + "GOTOF ON\nG91\nON: CYCLE81(50,0,2,-5)\nG0 X10\nM30\n");
   expect_not(round.substr(round.find("Z-5.")), "G91");
@@ -262,7 +263,7 @@ TEST(Tools, SixDigitsAreThreeForTheToolAndThreeForItsOffset) {
   request.from = on_lathe("mazak");
   request.to = on_lathe("fanuc");
   const ConvertResult made = convert(request);
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.source);
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, request.source);
   expect_has(made.text, "T0101\nG00 X50.");
   expect_has(made.text, "T1010\nG00 X60.");
   expect_has(made.text, "T0303\nG00 X70.");

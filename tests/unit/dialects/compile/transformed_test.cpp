@@ -158,7 +158,7 @@ std::vector<ir::Motion> lathe_moves(const std::string& text, const std::string& 
 
 void expect_equal_paths(const std::string& text, const std::string& from, const std::string& to) {
   const ConvertResult made = lathe_translated(text, from, to);
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   const auto original = lathe_moves(text, from);
   const auto moves = lathe_moves(made.text, to);
   ASSERT_EQ(original.size(), moves.size()) << made.text;
@@ -194,7 +194,7 @@ TEST(CylindricalInterpolation, ArcsGoTheOtherWayRound) {
       "%\nO1\nG21 G18 G98 G97 G40\nG00 X50. Z5. C0.\nG01 X40. Z-5. F100.\nG07.1 C20.\nC90.\nG02 Z-15. C118.6479 R10.\n"
       "G07.1 C0.\nM30\n%\n";
   const ConvertResult made = lathe_translated(text, "fanuc", "sinumerik-840d");
-  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   EXPECT_NE(made.text.find("G3 Z-15."), std::string::npos) << made.text;
   double most = 0.0;
   for (const ir::Motion& m : lathe_moves(made.text, "sinumerik-840d")) {

@@ -21,7 +21,7 @@ std::vector<Move> cut(const std::string& blocks, interpreter::Ended ended = inte
   const ir::Control lathe = control("fanuc", ir::MachineKind::lathe);
   const text::Source source("program", "%\nO1\nG21 G99 G18\n" + blocks + "M30\n%\n");
   const ir::ReadResult read = find_dialect("fanuc")->read(source, lathe);
-  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source);
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << messages_of(read.diagnostics, source);
   Motions motions;
   const interpreter::RunResult result = execute(read.program, lathe, nullptr, motions, {});
   EXPECT_EQ(result.ended, ended);
@@ -251,7 +251,7 @@ ConvertResult lathe_translated(const std::string& text, const std::string& from,
 // The same moves there, to the places that are printed.
 std::string expect_translated(const std::string& text, const std::string& from, const std::string& to) {
   const ConvertResult made = lathe_translated(text, from, to);
-  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
   const auto a = real_moves(run_text(text, control(from, ir::MachineKind::lathe)).motions);
   const auto b = real_moves(run_text(made.text, control(to, ir::MachineKind::lathe)).motions);
   EXPECT_EQ(a.size(), b.size()) << made.text;
@@ -365,7 +365,7 @@ TEST(LoweredTurning, ThreadsInALoop) {
   const std::string own = head + loop + "G1 X22\nG0 X100\nM30\n";
   for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const ConvertResult made = lathe_translated(own, "sinumerik-840d", to);
-    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", own));
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("p", own));
     expect_same(real_moves(run_text(own, control("sinumerik-840d", ir::MachineKind::lathe)).motions),
                 real_moves(run_text(made.text, control(to, ir::MachineKind::lathe)).motions), 1e-9, made.text);
   }
@@ -377,16 +377,16 @@ TEST(LoweredTurning, ThreadsInALoop) {
 
 // T6 of a lathe is offset 6 of the tool that is in; where no T names a tool, it is that of tool 6.
 TEST(LoweredTurning, AnOffsetWithoutATool) {
-  const auto told = [](const std::string& tools) {
+  const auto messages = [](const std::string& tools) {
     const std::string text = "%\nO1\nG21 G18 G40 G97 G99\n" + tools + "G0 X20. Z5.\nM30\n%\n";
-    return said(lathe_translated(text, "fanuc", "sinumerik-840d").diagnostics, text::Source("p", text));
+    return messages_of(lathe_translated(text, "fanuc", "sinumerik-840d").diagnostics, text::Source("p", text));
   };
   const std::string gang = "%\nO1\nG21 G18 G40 G97 G99\nT6\nG0 X20. Z5.\nT9\nX30.\nT0\nM30\n%\n";
   const std::string made = lathe_translated(gang, "fanuc", "sinumerik-840d").text;
   EXPECT_TRUE(made.contains("T6 D1\n") && made.contains("T9 D1\n") && made.contains("\nD0\n")) << made;
-  EXPECT_TRUE(told("T6\n").contains("warning[translation-tool]: an offset without a tool"));
-  EXPECT_TRUE(told("T0101\nT6\n").contains("the offset of another tool"));
-  EXPECT_FALSE(told("T0606\nT6\n").contains("the offset of another tool"));
+  EXPECT_TRUE(messages("T6\n").contains("warning[translation-tool]: an offset without a tool"));
+  EXPECT_TRUE(messages("T0101\nT6\n").contains("the offset of another tool"));
+  EXPECT_FALSE(messages("T0606\nT6\n").contains("the offset of another tool"));
 }
 
 TEST(Repetitive, AnAngleIsNoAxis) {

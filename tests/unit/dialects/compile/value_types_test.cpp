@@ -20,7 +20,7 @@ void expect_moves_kept(const std::string& definitions, const std::string& body) 
   for (const std::string& to : dialect_names()) {
     if (to == "sinumerik-840d") continue;
     const ConvertResult result = translated(text, "sinumerik-840d", to);
-    ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("program", text));
     expect_same(original, real_moves(run_text(result.text, control(to, ir::MachineKind::mill)).motions), 1e-9,
                 to + "\n" + result.text);
   }
@@ -29,7 +29,7 @@ void expect_moves_kept(const std::string& definitions, const std::string& body) 
 std::string refused(const std::string& text) {
   const ConvertResult result = translated(text, "sinumerik-840d", "fanuc");
   EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
-  return said(result.diagnostics, text::Source("program", text));
+  return messages_of(result.diagnostics, text::Source("program", text));
 }
 
 TEST(ValueTypes, AnIntegerIsRoundedWhereItIsSet) {
@@ -54,9 +54,10 @@ TEST(ValueTypes, OneOfTwoAndNotTheOther) {
 }
 
 TEST(ValueTypes, GlobalDataThatIsOnlyReadIsRefused) {
-  const std::string told = refused("G17 G710 G90 G94\nG0 X=FIXTURE_HEIGHT\nM30\n");
-  EXPECT_NE(told.find("program:2:"), std::string::npos) << told;
-  EXPECT_NE(told.find("the global data FIXTURE_HEIGHT, whose value is not known here,"), std::string::npos) << told;
+  const std::string messages = refused("G17 G710 G90 G94\nG0 X=FIXTURE_HEIGHT\nM30\n");
+  EXPECT_NE(messages.find("program:2:"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("the global data FIXTURE_HEIGHT, whose value is not known here,"), std::string::npos)
+      << messages;
   // … also where one way does not set it.
   const std::string way = refused("G17 G710 G90 G94\nIF R1>2\nDEPTH_OF=3\nENDIF\nG0 X=DEPTH_OF\nM30\n");
   EXPECT_NE(way.find("DEPTH_OF, whose value is not known here"), std::string::npos) << way;
@@ -65,21 +66,21 @@ TEST(ValueTypes, GlobalDataThatIsOnlyReadIsRefused) {
 
 // Variables there hold numbers only.
 TEST(ValueTypes, ATextAsAValueIsRefusedAtItsPlace) {
-  const std::string told = refused("G17 G710 G90 G94\nNAME_OF=\"five\"\nG0 X=NAME_OF\nM30\n");
-  EXPECT_NE(told.find("program:2:"), std::string::npos) << told;
-  EXPECT_NE(told.find("\"five\" has no counterpart"), std::string::npos) << told;
+  const std::string messages = refused("G17 G710 G90 G94\nNAME_OF=\"five\"\nG0 X=NAME_OF\nM30\n");
+  EXPECT_NE(messages.find("program:2:"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("\"five\" has no counterpart"), std::string::npos) << messages;
   EXPECT_NE(refused("DEF INT NUM=V\nG17 G710 G90 G94\nR2=NUM\nM30\n").find("program:1:"), std::string::npos);
 }
 
 TEST(ValueTypes, SystemVariablesInExpressionsAreRefused) {
-  const std::string told = refused("G17 G710 G90 G94\nR1=2+$P_TOOLNO*R2\nG0 X=$A_DBB[3]+R1 Y=$P_TOOLR\nM30\n");
-  EXPECT_NE(told.find("$P_TOOLNO"), std::string::npos) << told;
-  EXPECT_NE(told.find("$A_DBB[3]"), std::string::npos) << told;
+  const std::string messages = refused("G17 G710 G90 G94\nR1=2+$P_TOOLNO*R2\nG0 X=$A_DBB[3]+R1 Y=$P_TOOLR\nM30\n");
+  EXPECT_NE(messages.find("$P_TOOLNO"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("$A_DBB[3]"), std::string::npos) << messages;
 }
 
 TEST(ValueTypes, GlobalDataOfSeveralProgramsIsRefused) {
-  const std::string told = refused("G17 G710 G90 G94\nDEPTH_OF=3\nL100\nG0 X1\nM30\n");
-  EXPECT_NE(told.find("the global data DEPTH_OF, which other programs share,"), std::string::npos) << told;
+  const std::string messages = refused("G17 G710 G90 G94\nDEPTH_OF=3\nL100\nG0 X1\nM30\n");
+  EXPECT_NE(messages.find("the global data DEPTH_OF, which other programs share,"), std::string::npos) << messages;
 }
 
 // What a definition file says of the control's data.
@@ -111,7 +112,7 @@ TEST(ValueTypes, GlobalDataOfADefinitionFileHasOnePlaceForAllPrograms) {
   for (const std::string& to : dialect_names()) {
     if (to == "sinumerik-840d") continue;
     const ConvertResult result = with_gud(text, to);
-    ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("program", text));
     std::vector<double> ends;
     for (const ir::Motion& m : real_moves(run_text(result.text, control(to, ir::MachineKind::mill)).motions))
       ends.push_back(m.end[0]);
@@ -124,7 +125,8 @@ TEST(ValueTypes, GlobalDataOfADefinitionFileHasOnePlaceForAllPrograms) {
 // By itself a definition file becomes a program that sets all that is vacant.
 TEST(ValueTypes, ADefinitionFileBecomesItsInitialValues) {
   const ConvertResult result = with_gud(std::string(kGud), "fanuc");
-  ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", kGud.data()));
+  ASSERT_FALSE(text::has_error(result.diagnostics))
+      << messages_of(result.diagnostics, text::Source("program", kGud.data()));
   EXPECT_NE(result.text.find("IF[#500 EQ #0]THEN #500=1.\nIF[#501 EQ #0]THEN #501=2.5\n"), std::string::npos)
       << result.text;
   EXPECT_NE(result.text.find("IF[#504 EQ #0]THEN #504=4.\n"), std::string::npos) << result.text;
@@ -140,22 +142,22 @@ TEST(ValueTypes, AProgramThatOnlySetsGlobalDataSetsIt) {
 }
 
 TEST(ValueTypes, GlobalDataThatDoesNotFitIsRefusedWhereItIsUsed) {
-  const auto told = [](const std::string& text) {
+  const auto messages = [](const std::string& text) {
     const ConvertResult result = with_gud(text, "fanuc");
     EXPECT_TRUE(result.text.empty()) << result.text;
-    return said(result.diagnostics, text::Source("program", text));
+    return messages_of(result.diagnostics, text::Source("program", text));
   };
-  const std::string huge = told("G17 G710 G90 G94\nG0 X=HUGE[3]\nM30\n");
+  const std::string huge = messages("G17 G710 G90 G94\nG0 X=HUGE[3]\nM30\n");
   EXPECT_NE(huge.find("program:2:6"), std::string::npos) << huge;
   EXPECT_NE(huge.find("the global data HUGE (900 numbers), for which no permanent variables are left,"),
             std::string::npos)
       << huge;
-  EXPECT_NE(told("G17 G710 G90 G94\nG0 X=WHEEL[4]\nM30\n").find("an element of WHEEL beyond its 4 elements"),
+  EXPECT_NE(messages("G17 G710 G90 G94\nG0 X=WHEEL[4]\nM30\n").find("an element of WHEEL beyond its 4 elements"),
             std::string::npos);
-  const std::string text = told("G17 G710 G90 G94\nSHAPE=\"A\"\nG0 X1\nM30\n");
+  const std::string text = messages("G17 G710 G90 G94\nSHAPE=\"A\"\nG0 X1\nM30\n");
   EXPECT_NE(text.find("program:2:"), std::string::npos) << text;
   EXPECT_NE(text.find("the variable SHAPE, which is no number,"), std::string::npos) << text;
-  EXPECT_NE(told("G17 G710 G90 G94\nG0 X=NOWHERE\nM30\n").find("NOWHERE, whose value is not known here"),
+  EXPECT_NE(messages("G17 G710 G90 G94\nG0 X=NOWHERE\nM30\n").find("NOWHERE, whose value is not known here"),
             std::string::npos);
 }
 

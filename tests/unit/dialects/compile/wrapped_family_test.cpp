@@ -36,7 +36,7 @@ RenderResult rendered(const std::string& family, const std::string& dialect, con
 
 std::string text_of(const std::string& family, const std::string& dialect, const Values& values = {}) {
   const RenderResult out = rendered(family, dialect, values);
-  EXPECT_FALSE(text::has_error(out.diagnostics)) << said(out.diagnostics, text::Source("f", family));
+  EXPECT_FALSE(text::has_error(out.diagnostics)) << messages_of(out.diagnostics, text::Source("f", family));
   return out.text;
 }
 
@@ -52,7 +52,7 @@ std::string faults_of(const std::string& family, const std::string& dialect, con
 // The diagnostics where the family is stored: without a machine.
 std::string said_of_description(const std::string& family) {
   const text::Source source("holder.family", family);
-  return said(describe_family(source).diagnostics, source);
+  return messages_of(describe_family(source).diagnostics, source);
 }
 
 std::string fanuc_with(const std::string& assignment, const std::string& rest = "G0X#100\n") {
@@ -159,7 +159,7 @@ TEST(WrappedFamily, WhatIsNotPlainIsRefused) {
   struct Row {
     std::string assignment;
     std::string rest;
-    std::string said;
+    std::string messages;
   };
   const std::string use = "G0X#100\n";
   const std::vector<Row> rows = {
@@ -175,9 +175,9 @@ TEST(WrappedFamily, WhatIsNotPlainIsRefused) {
       {"/#100=50.\n", use, "line 4 of the native program may be skipped"},
   };
   for (const Row& row : rows) {
-    const std::string said = faults_of(fanuc_with(row.assignment, row.rest), "fanuc");
-    EXPECT_TRUE(said.starts_with("#100 does not take the value: ")) << said;
-    EXPECT_NE(said.find(row.said), std::string::npos) << said;
+    const std::string messages = faults_of(fanuc_with(row.assignment, row.rest), "fanuc");
+    EXPECT_TRUE(messages.starts_with("#100 does not take the value: ")) << messages;
+    EXPECT_NE(messages.find(row.messages), std::string::npos) << messages;
   }
 }
 
@@ -220,9 +220,9 @@ TEST(WrappedFamily, ParametersNeedTargetsOfTheirOwn) {
 }
 
 TEST(WrappedFamily, AnotherLanguageIsRefused) {
-  const std::string said = faults_of(fanuc_with("#100=50.\n"), "mitsubishi-m80");
-  EXPECT_NE(said.find("fanuc"), std::string::npos) << said;
-  EXPECT_NE(said.find("mitsubishi-m80"), std::string::npos) << said;
+  const std::string messages = faults_of(fanuc_with("#100=50.\n"), "mitsubishi-m80");
+  EXPECT_NE(messages.find("fanuc"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("mitsubishi-m80"), std::string::npos) << messages;
   const std::string unknown = kMill + "native okuma\nM30\n";
   EXPECT_NE(said_of_description(unknown).find("no control here has the language 'okuma'"), std::string::npos);
 }
@@ -282,24 +282,26 @@ TEST(WrappedFamily, LowerCaseStays) {
 }
 
 TEST(WrappedFamily, CallsThatCannotTakeAValueAreRefused) {
-  const auto said = [](const std::string& target, const std::string& native) {
+  const auto messages = [](const std::string& target, const std::string& native) {
     return faults_of(kLathe + "param size length 1.5 mm in 0..100 is " + target + "\nnative sinumerik-840d\n" + native,
                      "sinumerik-840d");
   };
-  EXPECT_NE(said("TURN.DM", kCalls).find("does not set it to a plain decimal number"), std::string::npos);
-  EXPECT_NE(said("TURN.WIDTH", kCalls).find("TURN has no parameter WIDTH; it has DM, PASSES, DEPTH"),
+  EXPECT_NE(messages("TURN.DM", kCalls).find("does not set it to a plain decimal number"), std::string::npos);
+  EXPECT_NE(messages("TURN.WIDTH", kCalls).find("TURN has no parameter WIDTH; it has DM, PASSES, DEPTH"),
             std::string::npos);
-  EXPECT_NE(said("MILL.DM", kCalls).find("holds no program MILL"), std::string::npos);
-  EXPECT_NE(said("DEPTH", kCalls).find("name it with the program, as in PROGRAM.DEPTH"), std::string::npos);
+  EXPECT_NE(messages("MILL.DM", kCalls).find("holds no program MILL"), std::string::npos);
+  EXPECT_NE(messages("DEPTH", kCalls).find("name it with the program, as in PROGRAM.DEPTH"), std::string::npos);
   std::string twice = kCalls;
   twice.replace(twice.find("G0 X=TIMES"), 10, "TURN(1,2,3)");
-  EXPECT_NE(said("TURN.DEPTH", twice).find("TURN is called in lines 8 and 9 of the native program"), std::string::npos);
+  EXPECT_NE(messages("TURN.DEPTH", twice).find("TURN is called in lines 8 and 9 of the native program"),
+            std::string::npos);
   std::string left_out = kCalls;
   left_out.replace(left_out.find(", -2.50"), 7, "");
-  EXPECT_NE(said("TURN.DEPTH", left_out).find("the call in line 8 of the native program leaves it out"),
+  EXPECT_NE(messages("TURN.DEPTH", left_out).find("the call in line 8 of the native program leaves it out"),
             std::string::npos);
   // PASSES is an INT.
-  EXPECT_NE(said("TURN.PASSES", kCalls).find("it takes whole numbers (INT), and 1.5 is none"), std::string::npos);
+  EXPECT_NE(messages("TURN.PASSES", kCalls).find("it takes whole numbers (INT), and 1.5 is none"),
+            std::string::npos);
 }
 
 // --- modes
@@ -324,7 +326,7 @@ TEST(WrappedFamily, LoopsAreFedAsBlocks) {
                            "#100=50.\n#1=1\nWHILE[#1LE3]DO1\nG0X[#100*#1]\n#1=#1+1\nEND1\nM30\n%\n";
   for (const RenderMode mode : {RenderMode::automatic, RenderMode::explicit_blocks}) {
     const RenderResult fed = rendered(loop, "fanuc", {{"width", "10 mm"}}, mode, ir::Delivery::drip);
-    EXPECT_FALSE(text::has_error(fed.diagnostics)) << said(fed.diagnostics, text::Source("f", loop));
+    EXPECT_FALSE(text::has_error(fed.diagnostics)) << messages_of(fed.diagnostics, text::Source("f", loop));
     EXPECT_EQ(fed.mode, RenderMode::explicit_blocks);
     EXPECT_EQ(fed.text.find("WHILE"), std::string::npos);
     for (const char* word : {"X10.", "X20.", "X30."}) EXPECT_NE(fed.text.find(word), std::string::npos) << fed.text;
@@ -352,7 +354,7 @@ Turned turned(const Values& values) {
   request.target = control("sinumerik-840d", ir::MachineKind::lathe);
   request.target.semantics.power_on_known = true;
   const RenderResult result = render(request);
-  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.family);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.family);
   Turned out;
   for (const ir::Motion& m : run_text(result.text, request.target).motions) {
     if (m.kind != ir::MotionKind::linear) continue;

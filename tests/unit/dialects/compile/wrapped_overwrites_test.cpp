@@ -22,7 +22,7 @@ std::vector<text::Diagnostic> found_in(const std::string& target, const std::str
 }
 
 // Errors and warnings, one a line.
-std::string said_by(const std::vector<text::Diagnostic>& found) {
+std::string messages_by(const std::vector<text::Diagnostic>& found) {
   std::string out;
   for (const text::Diagnostic& one : found)
     out.append(one.severity == text::Severity::error ? "error: " : "warning: ").append(text::message_of(one)) += "\n";
@@ -30,11 +30,11 @@ std::string said_by(const std::vector<text::Diagnostic>& found) {
 }
 
 std::string mill(const std::string& target, const std::string& native) {
-  return said_by(found_in(target, "fanuc", ir::MachineKind::mill, native));
+  return messages_by(found_in(target, "fanuc", ir::MachineKind::mill, native));
 }
 
 std::string turn(const std::string& target, const std::string& native) {
-  return said_by(found_in(target, "sinumerik-840d", ir::MachineKind::lathe, native));
+  return messages_by(found_in(target, "sinumerik-840d", ir::MachineKind::lathe, native));
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -41,7 +41,7 @@ std::vector<Override> overrides_in(const std::string& text) {
   return out;
 }
 
-std::string said_of(const fs::path& path) {
+std::string messages_in(const fs::path& path) {
   const std::string text = contents(path);
   const text::Source source(path.filename().string(), text);
   ReadFamilyResult read = read_family(source);
@@ -72,10 +72,10 @@ TEST(FamilyGolden, ErrorsAreSaidAsExpected) {
     if (is_near_miss(path)) continue;
     ++count;
     const fs::path expected = path.string() + ".expected.diagnostics";
-    const std::string said = said_of(path);
-    if (std::getenv("UPDATE_GOLDEN") != nullptr) std::ofstream(expected, std::ios::binary) << said;
-    EXPECT_EQ(said, contents(expected)) << path;
-    EXPECT_NE(said, "") << path << " is not wrong";
+    const std::string messages = messages_in(path);
+    if (std::getenv("UPDATE_GOLDEN") != nullptr) std::ofstream(expected, std::ios::binary) << messages;
+    EXPECT_EQ(messages, contents(expected)) << path;
+    EXPECT_NE(messages, "") << path << " is not wrong";
   }
   EXPECT_GE(count, 18);
 }
@@ -83,7 +83,7 @@ TEST(FamilyGolden, ErrorsAreSaidAsExpected) {
 TEST(FamilyGolden, NearMissesAreFine) {
   for (const fs::path& path : families()) {
     if (is_near_miss(path)) {
-      EXPECT_EQ(said_of(path), "") << path;
+      EXPECT_EQ(messages_in(path), "") << path;
     } else {
       EXPECT_TRUE(fs::exists(kFolder / (path.stem().string() + ".near-miss.family"))) << path << " has no near miss";
     }
@@ -93,7 +93,7 @@ TEST(FamilyGolden, NearMissesAreFine) {
 TEST(FamilyGolden, ShippedFamiliesAreFine) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(DRIPFEED_SOURCE_DIR) / "deploy/families")) {
-    EXPECT_EQ(said_of(entry.path()), "") << entry.path();
+    EXPECT_EQ(messages_in(entry.path()), "") << entry.path();
     ++count;
   }
   EXPECT_GE(count, 3);

@@ -79,24 +79,27 @@ TEST(FamilyNominal, CurvesByPoints) {
 }
 
 TEST(FamilyNominal, FaultsAreSaid) {
-  const auto says = [](const std::string& text, std::string_view part) {
-    const std::string said = faults(text);
-    EXPECT_NE(said.find(part), std::string::npos) << said;
+  const auto expect_reported = [](const std::string& text, std::string_view part) {
+    const std::string messages = faults(text);
+    EXPECT_NE(messages.find(part), std::string::npos) << messages;
   };
   const std::string points = "  point x 0 mm y 0 mm\n  point x 1 mm y 2 mm\n";
-  says(whole("nominal nurbs order 4 tolerance 0.1 mm\n" + points + "end"), "at least as many points");
-  says(whole("nominal nurbs order 99 tolerance 0.1 mm\n" + points + "end"), "2 to 16");
-  says(whole("nominal nurbs order 2 tolerance 0.1 mm\n" + points + "  knots 0 0 1\nend"), "as many knots");
-  says(whole("nominal bezier tolerance 0.1 mm\n  point x 0 mm\nend"), "y");
-  says(whole("nominal bezier tolerance 0.1 mm\n  point x 0 mm y 0 mm weight 0\n" + points + "end"), "above 0");
-  says(whole("nominal bezier tolerance 0.1 mm\n  point x 3 mm y 0 mm\n  point x 3 mm y 0 mm\nend"), "the same");
-  says(whole("nominal bezier tolerance 0.1 mm\n  point x 1 mm/0 y 0 mm\n" + points + "end"), "1 mm/0");
-  says(whole("nominal curve for t in 1 .. 1  x t*size  y size  tolerance 0.1 mm"), "no range");
-  says(whole("nominal x = size for z in 0 mm .. size tolerance 0.1 mm"), "nominals of a mill");
-  says(whole("nominal z = q for x in 0 mm .. size y in 0 mm .. size tolerance 0.1 mm"), "q");
-  says(whole("", "for d from 1 mm to 2 mm step 1 mm\n tool 1 diameter d\nend"), "parameters only");
-  says(whole("", "tool 1 diameter -size"), "negative");
-  says("family t\nmachine lathe, x is diameter\nnominal curve for t in 0 .. 1 x t y t\nprogram p\nend\n", "lathe");
+  expect_reported(whole("nominal nurbs order 4 tolerance 0.1 mm\n" + points + "end"), "at least as many points");
+  expect_reported(whole("nominal nurbs order 99 tolerance 0.1 mm\n" + points + "end"), "2 to 16");
+  expect_reported(whole("nominal nurbs order 2 tolerance 0.1 mm\n" + points + "  knots 0 0 1\nend"), "as many knots");
+  expect_reported(whole("nominal bezier tolerance 0.1 mm\n  point x 0 mm\nend"), "y");
+  expect_reported(whole("nominal bezier tolerance 0.1 mm\n  point x 0 mm y 0 mm weight 0\n" + points + "end"),
+                  "above 0");
+  expect_reported(whole("nominal bezier tolerance 0.1 mm\n  point x 3 mm y 0 mm\n  point x 3 mm y 0 mm\nend"),
+                  "the same");
+  expect_reported(whole("nominal bezier tolerance 0.1 mm\n  point x 1 mm/0 y 0 mm\n" + points + "end"), "1 mm/0");
+  expect_reported(whole("nominal curve for t in 1 .. 1  x t*size  y size  tolerance 0.1 mm"), "no range");
+  expect_reported(whole("nominal x = size for z in 0 mm .. size tolerance 0.1 mm"), "nominals of a mill");
+  expect_reported(whole("nominal z = q for x in 0 mm .. size y in 0 mm .. size tolerance 0.1 mm"), "q");
+  expect_reported(whole("", "for d from 1 mm to 2 mm step 1 mm\n tool 1 diameter d\nend"), "parameters only");
+  expect_reported(whole("", "tool 1 diameter -size"), "negative");
+  expect_reported("family t\nmachine lathe, x is diameter\nnominal curve for t in 0 .. 1 x t y t\nprogram p\nend\n",
+                  "lathe");
 }
 
 TEST(FamilyNominal, FormulasAreWhatEvaluateSays) {

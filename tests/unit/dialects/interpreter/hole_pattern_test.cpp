@@ -31,14 +31,14 @@ struct Place {
 struct Drilled {
   Ran ran;
   std::vector<Place> holes;  // where a feed went down to Z-10
-  std::vector<std::string> told;
+  std::vector<std::string> messages;
 };
 Drilled drilled(Builder& b, const ir::Control& control = mill_control()) {
   b.end();
   Drilled out{run_program(b.build(), control), {}, {}};
   for (const ir::Motion& m : out.ran.motions)
     if (m.kind == ir::MotionKind::linear && m.end[2] == -10.0) out.holes.push_back({m.end[0], m.end[1]});
-  for (const auto& one : out.ran.result.not_interpreted) out.told.push_back(one.name);
+  for (const auto& one : out.ran.result.not_interpreted) out.messages.push_back(one.name);
   return out;
 }
 void begin(Builder& b) {
@@ -70,7 +70,7 @@ TEST(HolePattern, ACircleBeginsAtItsAngleAndGoesCounterclockwise) {
     if (count < 0.0) expected = {six[0], six[5], six[4], six[3], six[2], six[1]};
     expected.push_back({7.0, expected.back().y});  // over the last hole, and the cycle goes on
     expect_holes(run, expected, 1e-5);
-    EXPECT_TRUE(run.told.empty());
+    EXPECT_TRUE(run.messages.empty());
   }
 }
 
@@ -117,7 +117,7 @@ TEST(HolePattern, LineArcAndGrid) {
                      {21, -6},
                      {11, -6},
                      {1, -6}});
-  EXPECT_TRUE(run.told.empty());
+  EXPECT_TRUE(run.messages.empty());
 }
 
 TEST(HolePattern, IncrementsInchAndFramesCountAsInABlock) {
@@ -151,8 +151,8 @@ TEST(HolePattern, ThePlanesOwnAxesAreMeant) {
 }
 
 TEST(HolePattern, WhatIsNotCertainIsTold) {
-  const auto told = [](const std::vector<Builder::WordText>& words, std::int16_t argument, bool with_cycle = true,
-                       bool from_known = true) {
+  const auto messages = [](const std::vector<Builder::WordText>& words, std::int16_t argument, bool with_cycle = true,
+                           bool from_known = true) {
     Builder b;
     if (from_known) b.block({{Function::rapid}, {Function::absolute}}, {{Address::x, 0.0}, {Address::y, 0.0}});
     b.block({{Function::rapid}, {Function::absolute}}, {{Address::z, 50.0}});
@@ -164,29 +164,29 @@ TEST(HolePattern, WhatIsNotCertainIsTold) {
   };
   using Words = std::vector<Builder::WordText>;
   const Words line = {{Address::x, 1.0}, {Address::y, 2.0}, {Address::i, 5.0}, {Address::k, 2.0}};
-  EXPECT_TRUE(told(line, ir::kHolesOnLine).told.empty());
-  const Drilled positions = told(line, ir::kHolesOnLine, false);
-  EXPECT_EQ(positions.told, std::vector{kPositionsOnly});
+  EXPECT_TRUE(messages(line, ir::kHolesOnLine).messages.empty());
+  const Drilled positions = messages(line, ir::kHolesOnLine, false);
+  EXPECT_EQ(positions.messages, std::vector{kPositionsOnly});
   EXPECT_NE(positions.ran.trace.find("rapid X6.0000 Y2.0000 Z50.0000"), std::string::npos) << positions.ran.trace;
   // From where the tool stands, as far as that is known.
   const Words no_place = {{Address::i, 5.0}, {Address::k, 2.0}};
-  EXPECT_EQ(told(no_place, ir::kHolesOnLine).told, std::vector{kNotCertain});
-  EXPECT_EQ(told(no_place, ir::kHolesOnLine).holes.size(), 2U);
-  const Drilled nowhere = told(no_place, ir::kHolesOnLine, true, false);
-  EXPECT_NE(std::ranges::find(nowhere.told, kIncrements), nowhere.told.end());
+  EXPECT_EQ(messages(no_place, ir::kHolesOnLine).messages, std::vector{kNotCertain});
+  EXPECT_EQ(messages(no_place, ir::kHolesOnLine).holes.size(), 2U);
+  const Drilled nowhere = messages(no_place, ir::kHolesOnLine, true, false);
+  EXPECT_NE(std::ranges::find(nowhere.messages, kIncrements), nowhere.messages.end());
   EXPECT_TRUE(nowhere.holes.empty());
   // A radius or a number below 0, a part of a hole, no spacing.
   const Words radius = {{Address::x, 1.0}, {Address::y, 2.0}, {Address::i, -5.0}, {Address::k, 2.0}};
-  EXPECT_EQ(told(radius, ir::kHolesOnCircle).told, std::vector{kNotCertain});
-  EXPECT_TRUE(told(radius, ir::kHolesOnLine).told.empty());
+  EXPECT_EQ(messages(radius, ir::kHolesOnCircle).messages, std::vector{kNotCertain});
+  EXPECT_TRUE(messages(radius, ir::kHolesOnLine).messages.empty());
   const Words below = {{Address::x, 1.0}, {Address::y, 2.0}, {Address::i, 5.0}, {Address::k, -2.0}};
-  EXPECT_EQ(told(below, ir::kHolesOnLine).told, std::vector{kNotCertain});
-  EXPECT_TRUE(told(below, ir::kHolesOnCircle).told.empty());
+  EXPECT_EQ(messages(below, ir::kHolesOnLine).messages, std::vector{kNotCertain});
+  EXPECT_TRUE(messages(below, ir::kHolesOnCircle).messages.empty());
   const Words part = {{Address::x, 1.0}, {Address::y, 2.0}, {Address::i, 5.0}, {Address::k, 2.5}};
-  EXPECT_EQ(told(part, ir::kHolesOnLine).told, std::vector{kNotCertain});
+  EXPECT_EQ(messages(part, ir::kHolesOnLine).messages, std::vector{kNotCertain});
   const Words no_spacing = {{Address::x, 1.0}, {Address::y, 2.0}, {Address::k, 2.0}};
-  EXPECT_EQ(told(no_spacing, ir::kHolesOnLine).told, std::vector{kNotCertain});
-  EXPECT_TRUE(told(no_spacing, ir::kHolesOnLine).holes.empty());
+  EXPECT_EQ(messages(no_spacing, ir::kHolesOnLine).messages, std::vector{kNotCertain});
+  EXPECT_TRUE(messages(no_spacing, ir::kHolesOnLine).holes.empty());
 }
 
 TEST(HolePattern, AGridOfTooManyHolesIsALimit) {

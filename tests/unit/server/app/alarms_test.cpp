@@ -23,8 +23,8 @@ class AlarmsTest : public ShopTest {
     std::erase_if(found, [&](const store::Alarm& alarm) { return alarm.kind != row_of(kind).name; });
     return found;
   }
-  std::size_t told() {
-    const auto events = shop_.told();
+  std::size_t published() {
+    const auto events = shop_.published();
     return static_cast<std::size_t>(
         std::ranges::count_if(events, [](const std::string& text) { return text.starts_with("alarm "); }));
   }
@@ -45,14 +45,14 @@ TEST_F(AlarmsTest, AFloodIsWrittenOnceASecondAndCountsAll) {
     if (i == 0) settle();
   }
   settle();
-  EXPECT_EQ(told(), 1U);
+  EXPECT_EQ(published(), 1U);
   shop_.links.advance(999ms);
   settle();
   EXPECT_EQ(all().at(0).count, 1U);
   shop_.links.advance(1ms);
   settle();
   EXPECT_EQ(all().at(0).count, 100U);
-  EXPECT_EQ(told(), 2U) << "the newest count arrives";
+  EXPECT_EQ(published(), 2U) << "the newest count arrives";
   for (int i = 0; i < 1000; ++i) shop_.alarms.raise(kLathe, AlarmKind::person_called, "come " + std::to_string(i));
   shop_.links.advance(1s);
   settle();
@@ -178,7 +178,7 @@ TEST_F(AlarmsTest, AnUnknownMachineIsToldAndNotTriedForEver) {
   settle();
   shop_.links.advance(5s);
   settle();
-  EXPECT_EQ(told(), 1U);
+  EXPECT_EQ(published(), 1U);
   EXPECT_TRUE(all().empty());
 }
 
@@ -193,7 +193,7 @@ TEST_F(AlarmsTest, AShelfEndsByItself) {
   shop_.links.advance(2s);
   settle();
   EXPECT_EQ(all()[0].shelved_by, "");
-  EXPECT_EQ(told(), 3U) << "raised, shelved, taken down";
+  EXPECT_EQ(published(), 3U) << "raised, shelved, taken down";
 }
 
 TEST_F(AlarmsTest, WhoAsksWithNothingArmedIsAStateAndNoAlarm) {

@@ -98,7 +98,7 @@ TEST_F(BooksTest, ACommitThatFailsReservesNothingAndMovesNoJob) {
   EXPECT_EQ(shop.ledger_of(job.id).back().seq, last.seq);
 
   const auto alarms = [&] {
-    return std::ranges::count(shop.told(),
+    return std::ranges::count(shop.published(),
                               "alarm lathe the ledger cannot be written: the disk could not be read or "
                               "written (the disk is gone)");
   };

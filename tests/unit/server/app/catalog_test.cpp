@@ -38,7 +38,7 @@ TEST_F(CatalogTest, AMachineHasALineAtOnce) {
   EXPECT_EQ(made.revision, 1U);
   EXPECT_EQ(made.profile, "lathe pty:/machine/lathe");
   EXPECT_EQ(shop_.report(kLathe).state, LineState::idle);
-  EXPECT_EQ(shop_.told().front(), "machine lathe ");
+  EXPECT_EQ(shop_.published().front(), "machine lathe ");
   EXPECT_EQ(refusal(shop_.catalog.add_machine("lathe pty:/machine/other", "anna")).code, ErrorCode::exists);
   EXPECT_EQ(shop_.links.cable("pty:/machine/other").opened, 0) << "a refused document opens nothing";
 }

@@ -44,7 +44,7 @@ std::uint32_t line_of(const CheckReport& report, const text::Diagnostic& one) {
   return (one.elsewhere == nullptr ? report.source : *one.elsewhere).position(one.span.begin).line;
 }
 
-bool says(const CheckReport& report, std::string_view part) {
+bool reports(const CheckReport& report, std::string_view part) {
   for (const checks::NotChecked& one : checks::not_checked_of(report.checks))
     if (one.text.contains(part)) return true;
   return false;
@@ -58,7 +58,7 @@ TEST(Certainty, AMacroByItselfHasNoArgumentsAndThatIsNoError) {
   const CheckReport report = check("%\nO9001\nIF[#1NE#0]GOTO10\n#3000=1(NO A)\nN10 G01 X#1\nM99\n%\n");
   EXPECT_FALSE(text::has_error(report.checks.diagnostics));
   EXPECT_EQ(report.verdict, checks::Verdict::unknown);
-  EXPECT_TRUE(says(report, "#1: input not known"));
+  EXPECT_TRUE(reports(report, "#1: input not known"));
 }
 
 // Ended by M30, and still it may be called by G65: then its local variables are arguments.
@@ -66,7 +66,7 @@ TEST(Certainty, AProgramThatReadsLocalVariablesMayBeAMacro) {
   const CheckReport report = check(kHead + "IF[#1NE#0]GOTO10\n#3000=1(NO A)\nN10 M30\n%\n");
   EXPECT_FALSE(text::has_error(report.checks.diagnostics));
   EXPECT_EQ(report.verdict, checks::Verdict::unknown);
-  EXPECT_TRUE(says(report, "#1: input not known"));
+  EXPECT_TRUE(reports(report, "#1: input not known"));
 }
 
 TEST(Certainty, TheGuardOfAValueThatTheProgramSetsStrikes) {
@@ -87,7 +87,7 @@ TEST(Certainty, CommonVariablesAndInputsHoldWhatTheMachineHas) {
 TEST(Certainty, AnUnknownValueStaysUnknownThroughArithmetic) {
   const CheckReport report = check(kHead + "#1=#500*0+1\nG00 X#1\nIF[#1 GT 0]GOTO10\n#3000=1(NONE)\nN10 M30\n%\n");
   EXPECT_FALSE(text::has_error(report.checks.diagnostics));
-  EXPECT_TRUE(says(report, "X from a value that is not known"));
+  EXPECT_TRUE(reports(report, "X from a value that is not known"));
 }
 
 TEST(Certainty, VariablesFrom34To99ExistNowhere) {
@@ -143,7 +143,7 @@ TEST(Certainty, AFaultOfAProgramOfTheSameTextStandsThere) {
 
 TEST(Certainty, AModalCallInsideAnotherIsNotCarriedOut) {
   const CheckReport report = check(kHead + "G66 P2\nG66 P2\nG00 X1.\nG67\nG67\nM30\nO2\nM99\n%\n");
-  EXPECT_TRUE(says(report, "a modal call (G66) inside another"));
+  EXPECT_TRUE(reports(report, "a modal call (G66) inside another"));
   EXPECT_EQ(report.verdict, checks::Verdict::unknown);
   EXPECT_EQ(check(kHead + "G66 P2\nG00 X1.\nG67\nG66 P2\nG00 X2.\nG67\nM30\nO2\nM99\n%\n").verdict,
             checks::Verdict::pass);
@@ -298,23 +298,23 @@ TEST(Certainty, OneSettingIsOneWarning) {
 }
 
 TEST(Certainty, AFeedWithoutAPointIsOpenInInchOnly) {
-  const auto said = [](const char* unit) {
+  const auto reported = [](const char* unit) {
     const CheckReport report =
         check("%\nO1\n" + std::string(unit) + " G17 G90 G94 G40 G49 G80 G54\nG01 X1. F100\nM30\n%\n");
     return find(report, DiagnosticId::missing_decimal_point) != nullptr;
   };
-  EXPECT_TRUE(said("G20"));
-  EXPECT_FALSE(said("G21"));
+  EXPECT_TRUE(reported("G20"));
+  EXPECT_FALSE(reported("G21"));
 }
 
 TEST(Certainty, WhatAnOutputDoesTheMachineSays) {
   const CheckReport report = check(kHead + "#1100=1\nM30\n%\n");
   EXPECT_EQ(report.verdict, checks::Verdict::unknown);
-  EXPECT_TRUE(says(report, "#1100: what this output does"));
+  EXPECT_TRUE(reports(report, "#1100: what this output does"));
   EXPECT_EQ(check("%\nO1\nG20 G17 G90 G94\n#12029=1\nM30\n%\n", {.dialect = "haas"}).verdict, checks::Verdict::unknown);
   const CheckReport named = check("$A_OUT[3]=1\nM30\n", {.dialect = "sinumerik-840d"});
   EXPECT_EQ(named.verdict, checks::Verdict::unknown);
-  EXPECT_TRUE(says(check("H1=5\nM30\n", {.dialect = "sinumerik-840d"}), "H: what this output does"));
+  EXPECT_TRUE(reports(check("H1=5\nM30\n", {.dialect = "sinumerik-840d"}), "H: what this output does"));
   EXPECT_EQ(check(kHead + "#3901=1\nM30\n%\n").verdict, checks::Verdict::pass) << "a count of parts";
 }
 
@@ -381,7 +381,7 @@ TEST(Certainty, TheReferencePointIsTheProfiles) {
   EXPECT_EQ(check(text).verdict, checks::Verdict::pass) << "where it lies is the machine's, and none is named";
   const CheckReport open = check(text, {.profile = &profile});
   EXPECT_EQ(open.verdict, checks::Verdict::unknown);
-  EXPECT_TRUE(says(open, "\"reference_mm\" of X, Y, Z in the machine's profile settles it"));
+  EXPECT_TRUE(reports(open, "\"reference_mm\" of X, Y, Z in the machine's profile settles it"));
   for (checks::MachineAxis& axis : profile.machine.axes) axis.reference = 0.0;
   EXPECT_NE(check(text, {.profile = &profile}).verdict, checks::Verdict::unknown);
   const std::string second = kHead + "G91 G30 Z0.\nG90 G00 X1. Y1.\nM30\n%\n";
@@ -394,7 +394,7 @@ TEST(Certainty, MFunctionsAreTheProfiles) {
   const std::string text = kHead + "M61\nM30\n%\n";
   const CheckReport open = check(text);
   EXPECT_EQ(open.verdict, checks::Verdict::unknown);
-  EXPECT_TRUE(says(open, "M61: what it does is not known; \"machine_functions\""));
+  EXPECT_TRUE(reports(open, "M61: what it does is not known; \"machine_functions\""));
   machine::Profile profile;
   profile.control.dialect = "fanuc";
   profile.control.machine_functions = {61};

@@ -41,7 +41,7 @@ CheckReport check(const std::string& dialect_name, const std::string& text) {
                   .profile_lines = {}});
 }
 
-std::string said(const CheckReport& report) {
+std::string reasons_of(const CheckReport& report) {
   std::string all;
   for (const text::Diagnostic& one : report.checks.diagnostics)
     all += text::format_diagnostic(one, report.source, "") + "\n";
@@ -62,16 +62,16 @@ CheckReport check_sinumerik(const std::string& blocks) {
 TEST(ControlValues, AProgramWithoutAnyPasses) {
   for (const char* dialect : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const CheckReport report = check_hash("", dialect);
-    EXPECT_EQ(report.verdict, Verdict::pass) << dialect << said(report);
+    EXPECT_EQ(report.verdict, Verdict::pass) << dialect << reasons_of(report);
   }
   const CheckReport report = check_sinumerik("");
-  EXPECT_EQ(report.verdict, Verdict::pass) << said(report);
+  EXPECT_EQ(report.verdict, Verdict::pass) << reasons_of(report);
 }
 
 // --- clocks and counters
 
 void expect_no_branch_is_certain(const CheckReport& report, const std::string& what) {
-  EXPECT_EQ(report.verdict, Verdict::unknown) << what << said(report);
+  EXPECT_EQ(report.verdict, Verdict::unknown) << what << reasons_of(report);
 }
 
 TEST(ControlValues, WhatATimerSaysAfterAMoveIsNotKnown) {
@@ -107,7 +107,7 @@ TEST(ControlValues, WhatAClockSaysAfterAMoveIsNotKnown) {
 TEST(ControlValues, AClockCountsWhileNothingMoves) {
   for (const std::string dialect : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const CheckReport report = check_hash("#3001=0\nG04 P1500\nWHILE[#3001LT2000]DO1\nEND1\n", dialect);
-    EXPECT_EQ(report.verdict, Verdict::pass) << dialect << said(report);
+    EXPECT_EQ(report.verdict, Verdict::pass) << dialect << reasons_of(report);
   }
 }
 
@@ -142,34 +142,34 @@ TEST(ControlValues, NoTravelPassesBehindAnOffsetThatAProgramWrites) {
   };
   for (const Row& row : rows) {
     const CheckReport report = check_hash(row.block + "\n", row.dialect);
-    EXPECT_EQ(report.verdict, Verdict::unknown) << row.dialect << ' ' << row.block << '\n' << said(report);
+    EXPECT_EQ(report.verdict, Verdict::unknown) << row.dialect << ' ' << row.block << '\n' << reasons_of(report);
   }
   for (const std::string block :
        {"$P_UIFR[1,X,TR]=50", "$P_UIFR[1]=CTRANS(X,50)", "$P_UIFR[R1,X,TR]=50", "$P_IFRAME=CTRANS(X,50)",
         "$P_BFRAME=CTRANS(X,50)", "$P_UBFR=CTRANS(X,50)", "$P_CHBFR[0]=CTRANS(X,50)", "$P_NCBFR[0]=CTRANS(X,50)",
         "$P_SETFRAME=CTRANS(X,50)", "$P_PFRAME=$P_UIFR[2]", "$P_PFRAME[X,TR]=$A_INA[1]"}) {
     const CheckReport report = check_sinumerik(block + "\n");
-    EXPECT_EQ(report.verdict, Verdict::unknown) << block << '\n' << said(report);
+    EXPECT_EQ(report.verdict, Verdict::unknown) << block << '\n' << reasons_of(report);
   }
 }
 
 // The programmable frame is followed, and with it the travel.
 TEST(ControlValues, AProgrammableFrameThatIsKnownIsFollowed) {
   const CheckReport inside = check_sinumerik("$P_PFRAME=CTRANS(X,50)\n");
-  EXPECT_EQ(inside.verdict, Verdict::pass) << said(inside);
+  EXPECT_EQ(inside.verdict, Verdict::pass) << reasons_of(inside);
   const CheckReport outside = check_sinumerik("$P_PFRAME=CTRANS(X,90)\n");
-  EXPECT_EQ(outside.verdict, Verdict::fail) << said(outside);
+  EXPECT_EQ(outside.verdict, Verdict::fail) << reasons_of(outside);
 }
 
 TEST(ControlValues, WhatMovesNothingMayBeWritten) {
   for (const std::string block : {"#3003=1", "#3004=2", "#3901=0", "#500=1.", "#150=1."})
     for (const std::string dialect : {"fanuc", "mazak", "mitsubishi-m80"}) {
       const CheckReport report = check_hash(block + "\n", dialect);
-      EXPECT_EQ(report.verdict, Verdict::pass) << dialect << ' ' << block << '\n' << said(report);
+      EXPECT_EQ(report.verdict, Verdict::pass) << dialect << ' ' << block << '\n' << reasons_of(report);
     }
   for (const std::string block : {"$AC_TIMER[1]=0", "$AC_MARKER[1]=2", "R1=5"}) {
     const CheckReport report = check_sinumerik(block + "\n");
-    EXPECT_EQ(report.verdict, Verdict::pass) << block << '\n' << said(report);
+    EXPECT_EQ(report.verdict, Verdict::pass) << block << '\n' << reasons_of(report);
   }
 }
 

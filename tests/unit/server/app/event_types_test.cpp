@@ -69,7 +69,7 @@ class LineEventsTest : public ::testing::Test {
       clock_.set(clock_.now() + std::chrono::milliseconds(200));
     }
   }
-  std::vector<std::string> told() {
+  std::vector<std::string> published() {
     std::vector<std::string> all;
     for (const auto& event : must(store_->event_log().after(0, 100))) all.push_back(event.of.word);
     return all;
@@ -90,13 +90,13 @@ TEST_F(LineEventsTest, AStateThatStandsIsToldOnce) {
     stands(LineState::feeding, milliseconds(400));
     stands(LineState::held, milliseconds(400));
   }
-  EXPECT_EQ(told(), (std::vector<std::string>{"idle"}));
+  EXPECT_EQ(published(), (std::vector<std::string>{"idle"}));
   stands(LineState::feeding, milliseconds(2000));
   stands(LineState::held, milliseconds(400));
   stands(LineState::feeding, milliseconds(2000));
-  EXPECT_EQ(told(), (std::vector<std::string>{"idle", "feeding"})) << "a short hold is no news, nor is its end";
+  EXPECT_EQ(published(), (std::vector<std::string>{"idle", "feeding"})) << "a short hold is no news, nor is its end";
   stands(LineState::torn, milliseconds(1400));
-  EXPECT_EQ(told().back(), "torn");
+  EXPECT_EQ(published().back(), "torn");
 }
 
 }  // namespace

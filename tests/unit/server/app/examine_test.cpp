@@ -237,7 +237,7 @@ TEST(Examine, AToolOfAnotherShapeThanTheFamilysIsSaid) {
   machine::Profile profile;
   profile.machine.tools = {{.number = 1, .diameter_mm = 10}};
   const compile::Dialect* dialect = compile::find_dialect("fanuc");
-  const auto said_of = [&](std::int32_t number, double diameter_mm) {
+  const auto reported_for = [&](std::int32_t number, double diameter_mm) {
     family::Geometry geometry;
     geometry.tools = {{.number = number, .diameter_mm = diameter_mm}};
     std::vector<std::string> out;
@@ -254,11 +254,11 @@ TEST(Examine, AToolOfAnotherShapeThanTheFamilysIsSaid) {
       if (one.text.starts_with("tool ")) out.push_back(one.text);
     return out;
   };
-  EXPECT_EQ(said_of(1, 8),
+  EXPECT_EQ(reported_for(1, 8),
             (std::vector<std::string>{"tool 1: the family has the diameter 8 mm, the machine 10 mm, which counts"}));
-  EXPECT_TRUE(said_of(1, 10).empty());
-  EXPECT_TRUE(said_of(1, 0).empty());
-  EXPECT_TRUE(said_of(2, 8).empty());
+  EXPECT_TRUE(reported_for(1, 10).empty());
+  EXPECT_TRUE(reported_for(1, 0).empty());
+  EXPECT_TRUE(reported_for(2, 8).empty());
 }
 
 }  // namespace dripfeed::app

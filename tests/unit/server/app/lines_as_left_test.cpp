@@ -88,7 +88,7 @@ TEST_F(LinesAsLeftTest, AStartWhileStoppedIsASuspectedResetInLedgerAndAlarm) {
   shop.links.receive(url_of(kLathe), kDc1);
   shop.run(1s);
   EXPECT_EQ(shop.ledger_of(job.id).back().note, kResetSuspected);
-  EXPECT_TRUE(std::ranges::any_of(shop.told(), [](const std::string& text) {
+  EXPECT_TRUE(std::ranges::any_of(shop.published(), [](const std::string& text) {
     return text.starts_with("alarm lathe the control asked for a program (DC1) while the feed was stopped");
   }));
   const Error refused = refusal(shop.jobs.resume(job.id, "", "olga"));
@@ -156,7 +156,7 @@ TEST_F(LinesAsLeftTest, ARecordThatRefusesLaterIsConfirmedOnceTheJobIsCancelled)
   shop.run(2s);
   EXPECT_EQ(shop.written(kLathe), "");
   EXPECT_EQ(shop.books.why_refused(kLathe), torn);
-  EXPECT_EQ(std::ranges::count(shop.told(), "alarm lathe nothing leaves on its line: " + torn), 1);
+  EXPECT_EQ(std::ranges::count(shop.published(), "alarm lathe nothing leaves on its line: " + torn), 1);
   const Error early = refusal(shop.jobs.confirm_reset(kLathe, "the new adapter is meant", "olga"));
   EXPECT_NE(early.text.find("cancel it first"), std::string::npos) << early.text;
   must(shop.jobs.cancel(job.id, "olga"));

@@ -44,8 +44,8 @@ class MachineWordsTest : public ShopTest {
     return until([&] { return machine() && machine()->state == state; });
   }
   [[nodiscard]] std::optional<MachineReport> machine() { return shop_.report("press").machine; }
-  [[nodiscard]] bool told(std::string_view text) {
-    for (const std::string& line : shop_.told()) {
+  [[nodiscard]] bool published(std::string_view text) {
+    for (const std::string& line : shop_.published()) {
       if (line.find(text) != std::string::npos) return true;
     }
     return false;
@@ -82,7 +82,7 @@ TEST_F(MachineWordsTest, AreShownWithoutAJobAndAnAlarmIsAnEvent) {
   EXPECT_EQ(shop_.report("press").stall, "") << "no job waits for it";
   plc_.show({{.state = MachineState::alarm, .program = 42, .line = 18, .alarm = 1010}});
   ASSERT_TRUE(shows("alarm"));
-  EXPECT_TRUE(until([&] { return told("alarm press machine alarm 1010 (program 42, line 18)"); }));
+  EXPECT_TRUE(until([&] { return published("alarm press machine alarm 1010 (program 42, line 18)"); }));
   plc_.go_away(true);
   EXPECT_TRUE(until([&] { return !machine(); })) << "nobody knows any more";
   EXPECT_NE(shop_.report("press").link_error, "");
@@ -106,7 +106,7 @@ TEST_F(MachineWordsTest, AMachineThatStandsIsANamedStall) {
   ASSERT_TRUE(until([&] { return shop_.report("press").stall == "machine alarm"; }));
   plc_.show({{.state = MachineState::emergency_stop}});
   ASSERT_TRUE(until([&] { return shop_.report("press").stall == "machine in emergency stop"; }));
-  EXPECT_TRUE(told("machine press machine held"));
+  EXPECT_TRUE(published("machine press machine held"));
   std::string notes;
   until([] { return false; }, 500ms);
   for (const store::LedgerRow& row : shop_.ledger_of(job.id)) notes += row.note + "\n";
@@ -178,8 +178,8 @@ TEST_F(MachineWordsTest, ARingIsAnsweredOnceAndRecorded) {
   EXPECT_EQ(ring(4, 9, 42), (Answer{refused, static_cast<int>(modbus::BellReason::unknown)}));
   EXPECT_EQ(ring(5, 3, 0), (Answer{static_cast<int>(modbus::BellOutcome::answered), 0}));
   EXPECT_EQ(ring(6, 4, 0), (Answer{static_cast<int>(modbus::BellOutcome::answered), 0}));
-  EXPECT_TRUE(told("receipt press doorbell 6: call 0: answered, the machine calls for a person"));
-  EXPECT_TRUE(until([&] { return told("alarm press the machine calls for a person"); }));
+  EXPECT_TRUE(published("receipt press doorbell 6: call 0: answered, the machine calls for a person"));
+  EXPECT_TRUE(until([&] { return published("alarm press the machine calls for a person"); }));
   EXPECT_EQ(plc_.answers(), 6);
   EXPECT_EQ(requests(), 6U);
   until([] { return false; }, 3s);
@@ -195,7 +195,7 @@ TEST_F(MachineWordsTest, ARingBeforeTheStartIsMissed) {
   EXPECT_EQ(requests(), 0U);
   EXPECT_TRUE(until(
       [&] { return shop_.report("press").link_note == "doorbell 3 was missed: the server did not see it come"; }));
-  EXPECT_TRUE(until([&] { return told("alarm press doorbell 3 was missed: the server did not see it come"); }));
+  EXPECT_TRUE(until([&] { return published("alarm press doorbell 3 was missed: the server did not see it come"); }));
   EXPECT_EQ(ring(4, 4, 0).first, static_cast<int>(modbus::BellOutcome::answered));
   EXPECT_TRUE(until([&] { return shop_.report("press").link_note.empty(); }));
 }

@@ -181,14 +181,14 @@ class CallingPeer final : public dripfeed::test::Peer, private packet::Sink {
   std::string text;
 
  private:
-  void say(std::string_view bytes) {
+  void send_text(std::string_view bytes) {
     for (const char c : bytes) out_.push_back(static_cast<std::byte>(c));
   }
   void take(std::byte byte, feed::Time now) {
     if (step_ == 2) return receiver_.receive({&byte, 1}, now);
-    if (++step_ == 1) return say("\x02");
+    if (++step_ == 1) return send_text("\x02");
     // E ^ 1 ^ 2 ^ LF ^ DLE ^ ETX
-    say("E12\n\x10\x03\x5F");
+    send_text("E12\n\x10\x03\x5F");
     receiver_.link(true, now);
     static_cast<void>(receiver_.start(now));
   }

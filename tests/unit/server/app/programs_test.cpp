@@ -166,7 +166,7 @@ TEST_F(ProgramsTest, AVerdictStandsForOneTextOnOneMachineRevision) {
   EXPECT_EQ(verdict.of.machine_revision, 1U);
   EXPECT_EQ(verdict.of.report, store::name_of(verdict.of.outcome)) << "the report says the same as the row";
   EXPECT_FALSE(verdict.stale);
-  EXPECT_EQ(shop_.last_told(), "verdict mill O0042");
+  EXPECT_EQ(shop_.last_published(), "verdict mill O0042");
   EXPECT_EQ(must(shop_.store.verdicts().newest(program.newest.sha256, "mill", store::Delivery::drip))->id, verdict.id);
   EXPECT_FALSE(must(shop_.store.verdicts().newest(program.newest.sha256, "mill", store::Delivery::memory)));
   must(shop_.catalog.change_machine("mill", 1, "mill pty:/new", "anna"));

@@ -68,7 +68,7 @@ class ReceivingTest : public ShopTest {
     receiving_->round();
   }
   void ask(const std::string& words) { punch("%\nO9999(" + words + ")\n%\n"); }
-  void say(std::string_view sign) { shop_->links.receive(url_, sign); }
+  void send_text(std::string_view sign) { shop_->links.receive(url_, sign); }
   // What the control got since the last call.
   std::string got() {
     const std::string all = text_of(shop_->links.cable(url_).written);
@@ -83,14 +83,14 @@ class ReceivingTest : public ShopTest {
   store::Job load_again(store::Id release) {
     const store::Job job = must(shop_->jobs.add(release, "anna"));
     must(shop_->jobs.arm(job.id, std::nullopt, "olga"));
-    say(kDc1);
+    send_text(kDc1);
     run(5s);
     EXPECT_EQ(shop_->state(job.id), store::JobState::done);
     return shop_->job(job.id);
   }
-  [[nodiscard]] bool told(std::string_view words) {
+  [[nodiscard]] bool published(std::string_view words) {
     shop_->alarms.settle(10s);
-    const auto all = shop_->told();
+    const auto all = shop_->published();
     return std::ranges::any_of(all, [&](const std::string& one) { return one.find(words) != std::string::npos; });
   }
   std::vector<store::Receipt> receipts() {
@@ -138,14 +138,14 @@ TEST_F(ReceivingTest, AControlThatAsksGetsItsAnswerThenAndNotLater) {
   ask("LOAD 4711");
   run(1s);
   EXPECT_EQ(got(), "") << "nothing goes out before DC1";
-  say(kDc1);
+  send_text(kDc1);
   run(2s);
   EXPECT_EQ(got(), "%\nO9999(NOT FOUND 4711)\nM30\n%\n");
-  say(kDc3);
+  send_text(kDc3);
   run(5s);
   ask("LOAD 4712");
   run(601s);
-  say(kDc1);
+  send_text(kDc1);
   run(2s);
   EXPECT_EQ(got(), "") << "it expired";
 }
@@ -160,8 +160,8 @@ TEST_F(ReceivingTest, ALoadThatNobodyFetchesExpires) {
   EXPECT_EQ(shop_->state(job), store::JobState::armed);
   run(3s);
   EXPECT_EQ(shop_->state(job), store::JobState::cancelled);
-  EXPECT_TRUE(told("alarm lathe a request expired: its program was not fetched"));
-  say(kDc1);
+  EXPECT_TRUE(published("alarm lathe a request expired: its program was not fetched"));
+  send_text(kDc1);
   run(2s);
   EXPECT_EQ(got(), "");
 }
@@ -170,7 +170,7 @@ TEST_F(ReceivingTest, AnAnswerHasTheNumberOfTheProfile) {
   documents_.receive.answer_number = 8500;
   open();
   ask("DIR");
-  say(kDc1);
+  send_text(kDc1);
   run(2s);
   EXPECT_EQ(got(), "%\nO8500(0 PROGRAMS)\nM30\n%\n");
 }
@@ -180,16 +180,16 @@ TEST_F(ReceivingTest, NoAnswerTakesThePlaceOfAProgramOfTheShop) {
   open();
   release_text(shop_->store, kLathe, text_, store::Delivery::memory);
   ask("DIR");
-  say(kDc1);
+  send_text(kDc1);
   run(2s);
   EXPECT_EQ(got(), "");
-  EXPECT_TRUE(told("O0042 is a released program; set receive.answer_number"));
+  EXPECT_TRUE(published("O0042 is a released program; set receive.answer_number"));
 }
 
 TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
   open();
   ask("LOAD 4711");
-  say(kDc1);
+  send_text(kDc1);
   shop_->round();
   while (text_of(shop_->links.cable(url_).written).size() < 10) shop_->links.advance(1ms);
   shop_->links.lose(url_);
@@ -198,7 +198,7 @@ TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
   const std::string before = got();
   EXPECT_LT(before.size(), 20U);
   ask("DIR");
-  say(kDc1);
+  send_text(kDc1);
   run(30s);
   EXPECT_EQ(got(), "") << "on a torn line";
   EXPECT_EQ(refusal(shop_->jobs.confirm_reset(kLathe, "", "olga")).code, ErrorCode::invalid);
@@ -210,7 +210,7 @@ TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
     return row.entry.action == "machine.confirm-reset" && row.entry.detail == "the control was reset";
   }));
   ask("DIR");
-  say(kDc1);
+  send_text(kDc1);
   run(2s);
   EXPECT_EQ(got(), "%\nO9999(0 PROGRAMS)\nM30\n%\n");
 }
@@ -219,7 +219,7 @@ TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
 TEST_F(ReceivingTest, AnAnswerThatAKillToreIsKnownAfterTheRestart) {
   open();
   ask("LOAD 4711");
-  say(kDc1);
+  send_text(kDc1);
   shop_->round();
   while (text_of(shop_->links.cable(url_).written).size() < 10) shop_->links.advance(1ms);
   const std::string killed = killed_copy(database());
@@ -233,7 +233,7 @@ TEST_F(ReceivingTest, AnAnswerThatAKillToreIsKnownAfterTheRestart) {
   EXPECT_EQ(shop_->report(kLathe).state, LineState::torn);
   ask("DIR");
   ask("STATUS");
-  say(kDc1);
+  send_text(kDc1);
   run(30s);
   EXPECT_EQ(got(), "") << "on a torn line";
   const store::Release release = release_text(shop_->store, kLathe, text_, store::Delivery::drip);
@@ -249,7 +249,7 @@ TEST_F(ReceivingTest, ALoadIsReadBack) {
   open();
   const store::Job job = load(text_);
   EXPECT_EQ(job.read_back, "waiting for read-back");
-  EXPECT_TRUE(told("job lathe read-back waiting for read-back"));
+  EXPECT_TRUE(published("job lathe read-back waiting for read-back"));
   punch(text_);
   EXPECT_EQ(shop_->job(job.id).read_back, "equal");
   EXPECT_TRUE(receipts().empty());
@@ -264,7 +264,7 @@ TEST_F(ReceivingTest, AReadBackThatDiffersIsAnAlarmWithItsPlace) {
   other.replace(other.find("X102."), 5, "X192.");
   punch(other);
   EXPECT_TRUE(shop_->job(job.id).read_back.starts_with("differs: line 5, column 6")) << shop_->job(job.id).read_back;
-  EXPECT_TRUE(told("alarm lathe job 1: read-back differs: line 5"));
+  EXPECT_TRUE(published("alarm lathe job 1: read-back differs: line 5"));
   EXPECT_EQ(receipts().size(), 1U) << "what came is kept";
 }
 
@@ -280,7 +280,7 @@ TEST_F(ReceivingTest, AReadBackThatNeverComesExpiresAlsoAfterARestart) {
   EXPECT_EQ(shop_->job(job.id).read_back, "waiting for read-back");
   run(20s);
   EXPECT_EQ(shop_->job(job.id).read_back, "expired: nobody punched the program back");
-  EXPECT_TRUE(told("alarm lathe job 1: read-back expired"));
+  EXPECT_TRUE(published("alarm lathe job 1: read-back expired"));
   punch(text_);
   EXPECT_EQ(receipts().size(), 1U) << "too late: it is a punch as others";
 }

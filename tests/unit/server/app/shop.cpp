@@ -119,7 +119,7 @@ void Shop::round() {
 
 std::string Shop::written(const std::string& machine) { return text_of(links.cable(url_of(machine)).written); }
 
-std::vector<std::string> Shop::told() const {
+std::vector<std::string> Shop::published() const {
   static constexpr const char* kKinds[] = {"job", "machine", "verdict", "alarm", "receipt"};
   std::vector<std::string> all;
   for (const Event& event : events.since(0).events) {
@@ -128,8 +128,8 @@ std::vector<std::string> Shop::told() const {
   return all;
 }
 
-std::string Shop::last_told() const {
-  std::vector<std::string> all = told();
+std::string Shop::last_published() const {
+  std::vector<std::string> all = published();
   std::erase_if(all, [](const std::string& text) { return text.starts_with("machine "); });
   return all.empty() ? std::string() : all.back();
 }

@@ -43,28 +43,30 @@ machine::Profile lathe(double cost_ms) {
   return profile;
 }
 
-bool says(const RenderResult& result, const char* what) { return result.because.find(what) != std::string::npos; }
+bool reports(const RenderResult& result, const char* what) { return result.because.find(what) != std::string::npos; }
 
 TEST(TimedRendering, AControlThatComputesSlowlyGetsBlocks) {
   const machine::Profile slow = lathe(100.0);
   const RenderResult result = render_for(roll(), &slow);
   EXPECT_EQ(result.mode, RenderMode::explicit_blocks) << result.because;
   EXPECT_EQ(result.variables, 0U);
-  EXPECT_TRUE(says(result, "macro: ") && says(result, "blocks: ") && says(result, " stalls;")) << result.because;
-  EXPECT_TRUE(says(result, "cost model paper")) << result.because;
+  EXPECT_TRUE(reports(result, "macro: ") && reports(result, "blocks: ") && reports(result, " stalls;"))
+      << result.because;
+  EXPECT_TRUE(reports(result, "cost model paper")) << result.because;
 }
 
 TEST(TimedRendering, OneThatComputesFastKeepsTheMacro) {
   const machine::Profile fast = lathe(1e-4);
   const RenderResult result = render_for(roll(), &fast);
   EXPECT_EQ(result.mode, RenderMode::macro) << result.because;
-  EXPECT_TRUE(says(result, "macro: ") && says(result, "blocks: ") && says(result, "no stall")) << result.because;
+  EXPECT_TRUE(reports(result, "macro: ") && reports(result, "blocks: ") && reports(result, "no stall"))
+      << result.because;
 }
 
 TEST(TimedRendering, WithoutAMachineTheControlAloneDecides) {
   const RenderResult result = render_for(roll(), nullptr);
   EXPECT_EQ(result.mode, RenderMode::macro);
-  EXPECT_TRUE(says(result, "not known without a machine")) << result.because;
+  EXPECT_TRUE(reports(result, "not known without a machine")) << result.because;
   EXPECT_EQ(result.text, compile::render(roll()).text);
 }
 
@@ -76,7 +78,7 @@ TEST(TimedRendering, WhatIsAskedForAndDripFeedingStayAsTheyAre) {
             RenderMode::explicit_blocks);
   const RenderResult drip = render_for(roll(ir::Delivery::drip), &fast);
   EXPECT_EQ(drip.mode, RenderMode::explicit_blocks);
-  EXPECT_TRUE(says(drip, "jumps")) << drip.because;
+  EXPECT_TRUE(reports(drip, "jumps")) << drip.because;
 }
 
 // The shop's own program stays in the memory as the shop wrote it.
@@ -103,7 +105,7 @@ TEST(TimedRendering, AMacroThatDoesNotGoIsNotTimed) {
   request.target.variables.clear();
   const RenderResult result = render_for(request, &slow);
   EXPECT_EQ(result.mode, RenderMode::explicit_blocks);
-  EXPECT_TRUE(says(result, "it cannot be a macro")) << result.because;
+  EXPECT_TRUE(reports(result, "it cannot be a macro")) << result.because;
   request.values = {{.name = "nothing", .value = "1"}};
   EXPECT_TRUE(text::has_error(render_for(request, &slow).diagnostics));
 }

@@ -80,9 +80,9 @@ class Shop {
   [[nodiscard]] store::Job job(store::Id id) { return must(store.jobs().get(id)); }
   [[nodiscard]] store::JobState state(store::Id id) { return job(id).state; }
   // Texts of the events so far, "KIND MACHINE TEXT" each.
-  [[nodiscard]] std::vector<std::string> told() const;
+  [[nodiscard]] std::vector<std::string> published() const;
   // The last one but for the machine's, which come when the books get round to it.
-  [[nodiscard]] std::string last_told() const;
+  [[nodiscard]] std::string last_published() const;
   // Actions on a job in the audit, oldest first: "ACTION: DETAIL".
   [[nodiscard]] std::vector<std::string> audited(store::Id job);
   [[nodiscard]] std::vector<store::LedgerRow> ledger_of(store::Id job);

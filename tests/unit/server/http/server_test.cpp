@@ -40,7 +40,7 @@ class Link {
   Link& operator=(const Link&) = delete;
   ~Link() { ::close(descriptor_); }
 
-  void say(std::string_view text) const {
+  void send_text(std::string_view text) const {
     EXPECT_EQ(::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
   }
   // All that comes up to `end`, or until the server closes.
@@ -112,11 +112,11 @@ TEST(HttpServer, AFaultOfAHandlerEndsItsConnectionAlone) {
                                }});
     for (const char* path : {"throw", "long", "split", "source"}) {
       const Link other(server->port());
-      other.say(get("/fine"));
+      other.send_text(get("/fine"));
       EXPECT_NE(other.hear("fine.").find("200 OK"), std::string::npos);
       if (*lane == '\0' || std::string_view(path) != "throw") {  // a thrown one in a lane answers nothing
         const Link link(server->port());
-        link.say(get("/" + std::string(lane) + path));
+        link.send_text(get("/" + std::string(lane) + path));
         const std::string got = link.hear("cannot be sent");
         EXPECT_EQ(got.find("Set-Cookie"), std::string::npos) << got;
         if (std::string_view(path) == "long" || std::string_view(path) == "split") {
@@ -124,9 +124,9 @@ TEST(HttpServer, AFaultOfAHandlerEndsItsConnectionAlone) {
         }
       } else {
         const Link link(server->port());
-        link.say(get("/" + std::string(lane) + path));
+        link.send_text(get("/" + std::string(lane) + path));
       }
-      other.say(get("/fine"));
+      other.send_text(get("/fine"));
       EXPECT_NE(other.hear("fine.").find("200 OK"), std::string::npos) << "behind " << lane << path;
     }
   }
@@ -143,14 +143,14 @@ TEST(HttpServer, WhatIsSlowHoldsUpNothingElse) {
   for (const char* lane : {"bulk", "heavy", "write"}) {
     for (int i = 0; i < 20; ++i) {
       slow.push_back(std::make_unique<Link>(server->port()));
-      slow.back()->say(get("/" + std::string(lane) + "/slow"));
+      slow.back()->send_text(get("/" + std::string(lane) + "/slow"));
     }
   }
   for (int i = 0; i < 20; ++i) {
     for (const char* path : {"/command", "/read"}) {
       const auto begin = Clock::now();
       const Link link(server->port());
-      link.say(get(path));
+      link.send_text(get(path));
       EXPECT_NE(link.hear("done.").find("done."), std::string::npos);
       EXPECT_LT(Clock::now() - begin, 5s);
     }
@@ -171,10 +171,10 @@ TEST(HttpServer, ALaneThatIsFullAsksToComeAgain) {
   std::vector<std::unique_ptr<Link>> links;
   for (int i = 0; i < kAll; ++i) {
     links.push_back(std::make_unique<Link>(server->port()));
-    links.back()->say(get("/heavy"));
+    links.back()->send_text(get("/heavy"));
   }
   const Link later(server->port());
-  later.say(get("/here"));  // by its answer all before it were read
+  later.send_text(get("/here"));  // by its answer all before it were read
   ASSERT_EQ(later.hear("done.").find("HTTP/1.1 200"), 0U);
   go.set_value();
   int sent_away = 0;
@@ -198,7 +198,7 @@ TEST(HttpServer, AStopDoesNotWaitForEverForARequest) {
                                return text_response("done.");
                              }});
   const Link link(server->port());
-  link.say(get("/heavy"));
+  link.send_text(get("/heavy"));
   begun.get_future().wait();
   const auto begin = Clock::now();
   EXPECT_FALSE(server->stop(300ms));
@@ -215,10 +215,10 @@ TEST(HttpServer, ManyWhoSayNothingKeepNobodyOut) {
   std::vector<std::unique_ptr<Link>> silent;
   for (int i = 0; i < 600; ++i) {
     silent.push_back(std::make_unique<Link>(server->port()));
-    if (i % 2 == 0) silent.back()->say("GET / HTTP/1.1\r\nHo");
+    if (i % 2 == 0) silent.back()->send_text("GET / HTTP/1.1\r\nHo");
   }
   const Link link(server->port());
-  link.say(get("/read"));
+  link.send_text(get("/read"));
   EXPECT_EQ(link.hear("done.").find("HTTP/1.1 200"), 0U);
   EXPECT_EQ(silent.front()->hear("never"), "") << "closed, and not after the time for a request";
 }

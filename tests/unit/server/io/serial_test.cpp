@@ -39,7 +39,7 @@ class Pty {
     if (master_ >= 0) ::close(master_);
     master_ = -1;
   }
-  void say(std::string_view text) const {
+  void send_text(std::string_view text) const {
     ASSERT_EQ(::write(master_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
   }
   // Waits for so many bytes.
@@ -162,7 +162,7 @@ TEST_F(SerialLinkTest, AllEightBitsPassBothWays) {
   open_pty();
   EXPECT_EQ(write(all_bytes()), 256U);
   EXPECT_EQ(pty_.hear(256), all_bytes());
-  pty_.say(all_bytes());
+  pty_.send_text(all_bytes());
   ASSERT_TRUE(heard_.await_received(256));
   EXPECT_EQ(heard_.received(), all_bytes()) << "DC1, DC3, CR, NUL and 0xFF are characters like others";
   EXPECT_EQ(unsent(), std::nullopt) << "a pseudo-terminal would say 0 whatever it holds";
@@ -207,7 +207,7 @@ TEST_F(SerialLinkTest, MayBeDestroyedWhenItIsLost) {
 TEST_F(SerialLinkTest, AClosedLinkIsSilent) {
   open_pty();
   close();
-  pty_.say("x");
+  pty_.send_text("x");
   pty_.hang_up();
   thread_->run([] {});
   EXPECT_EQ(heard_.received(), "");

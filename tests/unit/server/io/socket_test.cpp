@@ -54,7 +54,7 @@ class FarEnd {
     const sockaddr_in address = loopback(port);
     return ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
   }
-  void say(std::string_view text) const {
+  void send_text(std::string_view text) const {
     EXPECT_EQ(::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
   }
   // Waits until the other side's kernel has all that was sent.
@@ -113,7 +113,7 @@ TEST_F(SocketTest, BytesPassBothWays) {
   const std::string odd("\x11\x13\x93\0\r\n\xFF", 7);
   EXPECT_EQ(write(odd), odd.size());
   EXPECT_EQ(peer_->hear(odd.size()), odd);
-  peer_->say(odd);
+  peer_->send_text(odd);
   ASSERT_TRUE(heard_.await_received(odd.size()));
   EXPECT_EQ(heard_.received(), odd);
   EXPECT_FALSE(unsent()) << "what TCP holds says nothing of the line behind the device server";
@@ -133,7 +133,7 @@ TEST_F(SocketTest, ARefusedConnectionIsLostAndNeverUp) {
 
 TEST_F(SocketTest, AHalfClosedPeerIsGone) {
   connect();
-  peer_->say("last");
+  peer_->send_text("last");
   peer_->close_half();
   ASSERT_TRUE(heard_.await_losses(1));
   EXPECT_EQ(heard_.received(), "last") << "what came before the end is heard";
@@ -188,7 +188,7 @@ TEST_F(SocketTest, AFloodIsReadInPiecesAndNamed) {
 TEST_F(SocketTest, NothingLeavesBeforeWhatCameIsHeard) {
   connect();
   // More than may be read at once, and no more than the kernel holds: what is still under way has not come.
-  peer_->say(std::string(3 * kReadsAtOnce_bytes, '\x11') + '\x13');
+  peer_->send_text(std::string(3 * kReadsAtOnce_bytes, '\x11') + '\x13');
   ASSERT_TRUE(peer_->arrived());
   std::size_t taken = 0;
   bool heard = false;

@@ -101,29 +101,29 @@ TEST(WorkerDesk, SendsAwayWhoComesWhenAsManyWaitAsMay) {
 // Callers that came one after the other, with what each of them was told.
 class Callers {
  public:
-  Callers(WorkerDesk& desk, std::size_t count) : desk_(desk), told_(count) {
+  Callers(WorkerDesk& desk, std::size_t count) : desk_(desk), answers_(count) {
     for (std::size_t i = 0; i < count; ++i) {
       threads_.emplace_back([this, i] {
         const auto done = desk_.carry_out(
             "x", 60,
             {.stop = {}, .peer = -1, .work = {.kind = "check", .subject = {}, .machine = {}, .actor = "anna"}});
         const std::lock_guard lock(mutex_);
-        told_[i] = done ? *done : done.error().text;
+        answers_[i] = done ? *done : done.error().text;
       });
       while (desk_.works().size() <= i) std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
   }
   // "" until the caller has an answer; it is waited for.
-  std::string told(std::size_t caller) {
+  std::string answer_of(std::size_t caller) {
     threads_[caller].join();
     const std::lock_guard lock(mutex_);
-    return told_[caller];
+    return answers_[caller];
   }
 
  private:
   WorkerDesk& desk_;
   std::mutex mutex_;
-  std::vector<std::string> told_;
+  std::vector<std::string> answers_;
   std::vector<std::jthread> threads_;
 };
 
@@ -150,17 +150,17 @@ TEST(WorkerDesk, DoesWhatCameFirstAndCancelsWhatRunsAndWhatWaits) {
   }
   EXPECT_FALSE(desk.cancel(5, "bert"));
   EXPECT_TRUE(desk.cancel(3, "bert"));
-  EXPECT_EQ(callers.told(2), "it was cancelled by bert: nothing is known of it");
+  EXPECT_EQ(callers.answer_of(2), "it was cancelled by bert: nothing is known of it");
   EXPECT_FALSE(desk.cancel(3, "bert")) << "it is gone";
   EXPECT_TRUE(desk.cancel(1, "anna"));
-  EXPECT_EQ(callers.told(0), "it was cancelled by anna: nothing is known of it");
+  EXPECT_EQ(callers.answer_of(0), "it was cancelled by anna: nothing is known of it");
   wait_until_runs(desk, 2);
   EXPECT_EQ(desk.works().back().place, 1U) << "the last one is next now";
   EXPECT_TRUE(desk.cancel(2, "anna"));
   wait_until_runs(desk, 4);
   EXPECT_TRUE(desk.cancel(4, "anna"));
-  callers.told(1);
-  callers.told(3);
+  callers.answer_of(1);
+  callers.answer_of(3);
   EXPECT_TRUE(desk.works().empty());
 }
 

@@ -224,8 +224,8 @@ TEST(Records, AForecastIsOfAWholeProgramOrOfNone) {
 TEST(Records, AFindingHasTheControlsAlarm) {
   app::CheckReport report;
   envelope::Report& travel = report.checks.envelope.emplace();
-  const auto told = [] { return std::vector<std::string>{"Z", "0.0100", "-500.0000 to 0.0000"}; };
-  travel.findings.add(text::DiagnosticId::travel_exceeded, ir::Place{.line = 4}, 0.01, 0.0, told);
+  const auto arguments = [] { return std::vector<std::string>{"Z", "0.0100", "-500.0000 to 0.0000"}; };
+  travel.findings.add(text::DiagnosticId::travel_exceeded, ir::Place{.line = 4}, 0.01, 0.0, arguments);
   EXPECT_THAT(check_report(report), HasSubstr(R"("alarm":null)"));
   travel.findings.name_alarms([](const checks::Finding& one) { return one.value > one.limit ? "OT0500" : "OT0501"; });
   EXPECT_THAT(check_report(report), HasSubstr(R"("alarm":"OT0500")"));
