@@ -135,7 +135,7 @@ inline bool is_turned(const ir::Motion& motion) {
   return false;
 }
 
-// Whether a lathe's move lies beside the spindle's axis, or leads there.
+// Whether a lathe's move lies next to the spindle's axis, or leads there.
 inline bool is_off_axis(const ir::Motion& motion) {
   const auto y = static_cast<std::size_t>(ir::Axis::y);
   return moves_any(motion, {ir::Axis::y}) || motion.end[y] != 0.0;

@@ -1,5 +1,5 @@
 // Alarms: what a person should know of a machine and say that they know. One is open until it is both acknowledged and
-// over; equal ones fold into the open one and count. A shelved one asks for nobody until its shelf time ends.
+// over; equal ones fold into the open one and count. A shelved one asks for no one until its shelf time ends.
 #pragma once
 
 #include <optional>

@@ -14,7 +14,7 @@ namespace dripfeed::store {
 enum class AnswerState : std::uint8_t {
   sending,  // bytes may have left
   whole,    // it ended between two blocks
-  torn,     // it broke off inside a block, or nobody lived to say how it ended
+  torn,     // it broke off inside a block, or no one lived to say how it ended
 };
 template <>
 inline constexpr std::array<std::string_view, 3> kNames<AnswerState>{"sending", "whole", "torn"};

@@ -22,7 +22,7 @@ struct Stamp {
   std::int64_t at_ms = 0;
 };
 
-// How a program goes to a control. Verdicts and releases hold for one way only.
+// How a program goes to a control. Verdicts and releases hold for one delivery only.
 enum class Delivery : std::uint8_t { drip, memory };
 
 // The names of an enum's values in their order, as they stand in the database and may stand in documents.

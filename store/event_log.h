@@ -45,7 +45,7 @@ struct LoggedEvent {
 // "job.done". One name for each thing that can happen.
 std::string type_of(const NewEvent& event);
 // The same as long as the row lives, and another one for each row of each store: after a restore of a backup the
-// numbers begin anew, the time does not.
+// numbers begin again, the time does not.
 std::string id_of(const LoggedEvent& event);
 
 // What is kept. Whoever comes later has missed what went.

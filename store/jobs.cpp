@@ -10,7 +10,7 @@ namespace {
 using enum JobState;
 
 // A disarmed job goes back to the queue: nothing of it was sent. A control may hold in the trailer, so draining and
-// held follow each other both ways.
+// held follow each other in both directions.
 constexpr std::array kTransitions{
     JobTransition{queued, armed, true},       JobTransition{queued, cancelled, true},
     JobTransition{armed, queued, true},       JobTransition{armed, feeding, true},

@@ -66,7 +66,7 @@ struct Job {
   std::string confirmed_by;        // who said that the control was reset
   std::string confirm_reason;
   std::int64_t confirmed_at_ms = 0;     // 0: never
-  std::optional<std::int64_t> held_ms;  // how long its control held, once it ended; nothing where nobody counted
+  std::optional<std::int64_t> held_ms;  // how long its control held, once it ended; nothing where no one counted
   std::string read_back;                // of a memory load: "waiting for read-back", "equal", or how it differs
   Id order = 0;                         // that it belongs to; 0: none
   RestartOf restart;                    // of its release

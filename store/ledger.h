@@ -52,7 +52,7 @@ struct LedgerInterval {
 
 class Ledger : public Repository {
  public:
-  // One transaction for all rows, durable when it returns. A wrong row is told alone, so that one line's fault does
+  // One transaction for all rows, durable when it returns. A wrong row is reported alone, so that one line's fault does
   // not stop the others; an error means that no row was written.
   virtual Result<std::vector<LedgerFault>> append(std::span<const NewLedgerRow> rows, std::int64_t at_ms) = 0;
   // Oldest first. Errors: not_found.

@@ -1,6 +1,6 @@
 // What programs say and which programs they call, made to be searched. All of it is derived from the programs, so it
-// stands in a file of its own beside the store: making it keeps no other writer waiting, the ledger's least of all, and
-// a file that is lost or of another form is made anew.
+// stands in a file of its own next to the store: making it keeps no other writer waiting, the ledger's least of all,
+// and a file that is lost or of another form is made again.
 #pragma once
 
 #include <vector>
@@ -45,7 +45,7 @@ struct LibraryState {
   std::uint64_t change = 0;    // up to which all changes are in it
   std::uint64_t programs = 0;  // that are in it
   std::uint64_t cut = 0;       // of these, those whose text is not in it as a whole
-  std::uint64_t not_read = 0;  // … those whose calls nobody knows
+  std::uint64_t not_read = 0;  // … those whose calls no one knows
 };
 
 // A piece of what was found, marked where it is what was looked for.
@@ -69,7 +69,7 @@ struct Caller {
 
 struct KnownCalls {
   bool is_known = false;   // false: the program is not in the library yet
-  std::string not_read{};  // why nobody knows its calls
+  std::string not_read{};  // why no one knows its calls
   std::vector<ProgramCall> calls{};
   std::uint64_t computed = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 
 using enum ReleaseState;
 
-// Every step towards the control looks at the verdict anew. A reviewer sends a draft back; a failed proving goes back
+// Every step towards the control looks at the verdict again. A reviewer sends a draft back; a failed proving goes back
 // to the review.
 constexpr std::array kTransitions{
     ReleaseTransition{.from = draft, .to = in_review, .needs_verdict = true},

@@ -78,7 +78,7 @@ struct ReleaseFilter {
 };
 
 // Why a text may be fed: the release, and the verdict it rests on. A verdict that became stale after the approval does
-// not take the approval back; `verdict.stale` tells it.
+// not take the approval back; `verdict.stale` shows it.
 struct Clearance {
   Release release;
   Verdict verdict;

@@ -66,7 +66,7 @@ class Store : public Repository {
   // A number that is another one after every committed change, by this process or another. What was read after it was
   // asked for holds as long as it stays the same. It costs less than any query.
   virtual Result<std::uint64_t> version() = 0;
-  // How busy it is. It waits for nobody.
+  // How busy it is. It waits for nothing.
   [[nodiscard]] virtual StoreUse use() const = 0;
   // A copy of the whole to a new file, while everything goes on. Errors: exists, disk_full, io_failed.
   virtual Result<void> backup(const std::string& path) = 0;

@@ -1,5 +1,5 @@
 // How busy a store is: what its writers waited and took since it was opened. Counted while they work, so that whoever
-// asks waits for nobody.
+// asks waits for nothing.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// People: their names, roles and secrets, and the groups of machines in which somebody's role is another one. Secrets
+// People: their names, roles and secrets, and the groups of machines in which a person's role is another one. Secrets
 // come hashed (hash/password.h); the store never sees a password.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace dripfeed::store {
 
-// What somebody signs in with.
+// What a person signs in with.
 enum class SecretKind : std::uint8_t { password, pin };
 template <>
 inline constexpr std::array<std::string_view, 2> kNames<SecretKind>{"password", "pin"};

@@ -1,4 +1,4 @@
-// Verdicts: what the checks said of one text for one revision of a machine and one way of delivery. The report is a
+// Verdicts: what the checks said of one text for one revision of a machine and one delivery. The report is a
 // document that the store does not read. Waivers are added by people and never taken back; one with a date ends by
 // itself.
 #pragma once

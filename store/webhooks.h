@@ -1,4 +1,4 @@
-// Webhooks: who wants to be told of events by HTTP, and the deliveries to them. A delivery is a row before it is tried
+// Webhooks: who is to be informed of events by HTTP, and the deliveries to them. A delivery is a row before it is tried
 // and until long after its end, so that no end of the server loses one; the receiver may get one twice, never none.
 #pragma once
 
@@ -70,10 +70,11 @@ struct DeliveryFilter {
 
 class Webhooks : public Repository {
  public:
-  // It is told of what happens from now on. Errors: invalid_value (no url, type or secret), exists (more than `most`).
+  // It is informed of what happens from now on. Errors: invalid_value (no url, type or secret), exists (more than
+  // `most`).
   virtual Result<Webhook> add(const WebhookSettings& settings, std::string_view secret, std::uint64_t most,
                               const Stamp& by) = 0;
-  // One that is enabled again is told of what happens from then on; what waited is tried again. Errors: not_found.
+  // One that is enabled again is informed of what happens from then on; what waited is tried again. Errors: not_found.
   virtual Result<Webhook> change(Id webhook, const WebhookSettings& settings, const Stamp& by) = 0;
   // A new secret; the one before signs as well until then. Errors: not_found, invalid_value.
   virtual Result<Webhook> rotate(Id webhook, std::string_view secret, std::int64_t old_until_ms, const Stamp& by) = 0;

@@ -78,7 +78,7 @@ void Accuracy::add_move(const ir::Motion& motion) {
   path_.add(deviation, motion.place.line);
   report_.overrun_mm = std::max(report_.overrun_mm, deviation.overhang);
   if (deviation.points > 0) {
-    // By the feet, and by z itself: a path beside the nominal ends where it does, not where its last foot is.
+    // By the feet, and by z itself: a path next to the nominal ends where it does, not where its last foot is.
     const curves::Range own = curves::box_of(piece).z;
     cover({std::min(own.low, deviation.z.low), std::max(own.high, deviation.z.high)});
   }
@@ -164,7 +164,7 @@ void Accuracy::judge(const curves::Deviation& deviation, const ir::Place& place)
 }
 
 void Accuracy::cover(curves::Range z) {
-  // Ranges that touch within the allowed gap become one; those before and behind stay.
+  // Ranges that touch within the allowed gap become one; those before and after stay.
   const auto first = std::ranges::find_if(
       covered_, [&](const curves::Range& one) { return one.high >= z.low - settings_.coverage_mm; });
   auto last = first;

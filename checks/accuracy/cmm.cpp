@@ -1,5 +1,5 @@
 // The fit is Gauss-Newton on the signed normal distances: r = n·(p - foot), its derivatives n for the shift and
-// n·(turned arm) for the angle; the feet are sought anew each time. A little damping keeps it where the nominal says
+// n·(turned arm) for the angle; the feet are sought again each time. A little damping keeps it where the nominal says
 // nothing (along a line).
 #include "checks/accuracy/cmm.h"
 

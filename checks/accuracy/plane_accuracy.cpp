@@ -1,5 +1,5 @@
 // The path is followed from place to place: each foot is sought from the one before. The distance of a place from a
-// curve changes no more than the place moves, so a foot that is farther than that has been lost, and is sought anew.
+// curve changes no more than the place moves, so a foot that is farther than that has been lost, and is sought again.
 #include "checks/accuracy/plane_accuracy.h"
 
 #include <algorithm>
@@ -101,7 +101,7 @@ void PlaneAccuracy::consume(std::span<const ir::Motion> motions) {
   }
 }
 
-// Arcs in parts of less than a quarter turn, so that both ends of each tell which part of a curve lies beside it.
+// Arcs in parts of less than a quarter turn, so that both ends of each show which part of a curve lies next to it.
 void PlaneAccuracy::add_move(const ir::Motion& motion) {
   const curves::PathPiece piece = piece_of(motion);
   if (!(curves::length_of(piece) > 0.0)) return;  // a plunge

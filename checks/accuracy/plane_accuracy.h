@@ -1,5 +1,5 @@
 // How far what a mill leaves in the x-y plane lies from nominal curves, normal to them. With cutter compensation, or
-// for nominals of the tool's centre, that is the path itself; without, the cutter's edge, a radius beside its centre.
+// for nominals of the tool's centre, that is the path itself; without, the cutter's edge, a radius next to its centre.
 // What is cut too deep is left to gouge.
 #pragma once
 
@@ -72,7 +72,7 @@ class PlaneAccuracy final : public ir::MotionSink {
   void add_bound(const curves::PathPiece& piece, const Place& first, const Place& last, const Side& side,
                  double largest);
   void judge(const curves::Deviation& deviation, const ir::Place& place);
-  // Of a place beside an end of its curve: whether the contour goes on there.
+  // Of a place next to an end of its curve: whether the contour goes on there.
   [[nodiscard]] bool is_joined(const Place& place) const;
   // The last place on the curve of `inside` on the path towards the part `outside`, where it is on it no more.
   [[nodiscard]] Visit last_on(const curves::PathPiece& piece, Visit inside, double outside, double step_mm) const;

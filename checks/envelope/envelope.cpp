@@ -1,6 +1,6 @@
 // Each move is looked at once: its end, the extremes of an arc, its speeds. What a missing figure would be needed for
-// is said once and not guessed. The limits of a machine are a box: a rapid whose axes run one by one instead of in a
-// line stays in the box of its ends, so that their check holds for it, too.
+// is reported once and not guessed. The limits of a machine are a box: a rapid whose axes run one by one instead of in
+// a line stays in the box of its ends, so that their check holds for it, too.
 #include "checks/envelope/envelope.h"
 
 #include <algorithm>

@@ -58,7 +58,7 @@ void Travel::begin(const ir::Motion& move) {
   find_length(move.place.line);
 }
 
-// G43 H and T0606 name the row of the control's table, D an edge of the tool in the spindle; beside D the number 0
+// G43 H and T0606 name the row of the control's table, D an edge of the tool in the spindle; next to D the number 0
 // stands for the edge that the control takes when none is named, the first one.
 const checks::Tool* Travel::tool_of_length() const {
   const std::vector<checks::Tool>& tools = settings_.machine.tools;
@@ -104,7 +104,7 @@ void Travel::find_length(std::uint32_t line) {
   if (length_.unknown != 0 && key_.changed) report_.lost_place = true;
 }
 
-// The sentence is made when it is said: of most of a million blocks it has been.
+// The sentence is made when it is reported: of most of a million blocks it has been.
 template <class Sentence>
 void Travel::report_once(std::uint16_t& reported, std::size_t axis, std::uint32_t line, Sentence&& sentence) {
   if ((reported >> axis & 1U) != 0) return;

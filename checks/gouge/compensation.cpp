@@ -6,7 +6,7 @@
 //        |   X------                 |  .------ path        |  .------ path      a right angle: a radius beyond
 //        '---------- path            |  | tool's side: left |  |
 //
-// The start-up ends, and the way off begins, perpendicular to the contour.
+// The start-up ends, and the departure begins, perpendicular to the contour.
 #include "checks/gouge/compensation.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ bool moves_in_plane(const ir::Motion& move) {
   return checks::is_arc(move) && std::hypot(move.center[0], move.center[1]) > kNoDistance_mm;
 }
 
-// Beside the path by `by`, to the left where positive; an arc that has no radius left keeps a hair of one.
+// Next to the path by `by`, to the left where positive; an arc that has no radius left keeps a hair of one.
 PathPiece beside(const PathPiece& path, double by) {
   if (const auto* segment = std::get_if<Segment>(&path)) {
     const Point shift = by * left_of(segment->direction());
@@ -62,7 +62,7 @@ PathPiece beside(const PathPiece& path, double by) {
 // -π..π
 double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
-// Where a move begins, before its own way.
+// Where a move begins, before its own path.
 ir::Motion at_start_of(const ir::Motion& move, ir::MotionKind kind) {
   ir::Motion standing = move;
   standing.kind = kind == ir::MotionKind::rapid ? kind : ir::MotionKind::linear;

@@ -1,5 +1,5 @@
-// The way of a mill's axis under cutter compensation (G41, G42) in the x-y plane, as controls lead it. Moves come in as
-// they are programmed and leave as the axis makes them, without compensation; which radius the control takes is the
+// The path of a mill's axis under cutter compensation (G41, G42) in the x-y plane, as controls lead it. Moves come in
+// as they are programmed and leave as the axis makes them, without compensation; which radius the control takes is the
 // caller's.
 #pragma once
 
@@ -40,10 +40,10 @@ class Compensation {
   struct Piece {
     ir::Motion move;
     curves::PathPiece path;
-    curves::PathPiece led;  // beside it by the radius
+    curves::PathPiece led;  // next to it by the radius
     double from = 0.0;      // where on `led` it begins: 0..1, beyond it on lines
     double radius = 0.0;
-    bool is_start_up = false;  // the straight way to the next piece's beginning
+    bool is_start_up = false;  // the straight line to the next piece's beginning
     bool has_path = true;      // its start is known
     curves::Point start_up_from;
   };

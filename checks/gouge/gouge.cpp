@@ -1,5 +1,5 @@
 // Order matters: each move meets the stock as the moves before have left it. How deep a nose enters the nominal is the
-// distance of its centre less its radius, at every place of its way; no surface is needed for that.
+// distance of its centre less its radius, at every place of its path; no surface is needed for that.
 #include "checks/gouge/gouge.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::vector<std::string> depth_and_place(double depth_mm, double z_mm) {
   return {text::format_fixed(depth_mm, 3), "z " + text::format_fixed(z_mm, 3)};
 }
 
-// Where both axes run at their own speed until the nearer end is reached, the way bends here.
+// Where both axes run at their own speed until the nearer end is reached, the path bends here.
 curves::Point bend_of(const curves::Segment& way, double rapid_x, double rapid_z) {
   const curves::Point by = way.b - way.a;
   const double time = std::min(std::fabs(by.z) / rapid_z, std::fabs(by.x) / rapid_x);

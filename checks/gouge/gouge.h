@@ -35,8 +35,8 @@ struct Settings {
   bool needs_spindle = false;            // a cut while it stands is no turning
   std::vector<checks::Tool> tools = {};  // a tool that is not here is taken as a point, and the report states that
   double depth_mm = 0.001;               // a rapid may touch by this much
-  // Of the slides. Axes that run at their own speed bend off the line, and that way is checked, too. 0: not known, then
-  // rapids are taken as lines.
+  // Of the slides. Axes that run at their own speed bend off the line, and that path is checked, too. 0: not known,
+  // then rapids are taken as lines.
   double rapid_x_mm_min = 0.0;
   double rapid_z_mm_min = 0.0;
   double step_mm = 0.02;  // between the places at which the stock's height is kept
@@ -67,7 +67,7 @@ class Gouge final : public ir::MotionSink {
   [[nodiscard]] std::string_view why_not_judged(const ir::Motion& motion) const;
   void check_rapid(const ir::Motion& motion, const curves::Segment& way);
   void check_cut(const ir::Motion& motion, const curves::PathPiece& tip_path);
-  // Signed distance of the nose from the nominal where it is lowest; nothing beside it.
+  // Signed distance of the nose from the nominal where it is lowest; nothing outside it.
   [[nodiscard]] std::optional<curves::Extreme> lowest(const curves::Nose& nose,
                                                       const curves::PathPiece& tip_path) const;
 

@@ -170,7 +170,7 @@ Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to)
   if (std::min(from.z, to.z) >= top_) return deepest;
   const bool judged = !nominal_.empty();
   const Sweep sweep(cutter, from, to);
-  // A chord of an arc goes on from the one before: what that one cut at this height is not cut anew.
+  // A chord of an arc goes on from the one before: what that one cut at this height is not cut again.
   const bool even = sweep.is_flat_and_level();
   const bool goes_on =
       even && sweep.z_low() == from.z && last_cut_ && last_cut_->at == from && last_cut_->cutter == cutter;

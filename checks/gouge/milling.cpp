@@ -54,7 +54,7 @@ void Milling::follow_tool(const ir::Motion& motion) {
   cutter_ = Cutter{radius, std::clamp(tool->corner_radius_mm, 0.0, radius)};
 }
 
-// Stock and nominal are told in the work offset. A program that changes it cuts several parts or turns the part over.
+// Stock and nominal are given in the work offset. A program that changes it cuts several parts or turns the part over.
 void Milling::follow_offset(const ir::Motion& motion) {
   if (offset_ && *offset_ != motion.number && has_cut_) {
     report_.not_checked.add("the work offset changes after a cut: stock and nominal were taken in each alike",

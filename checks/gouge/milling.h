@@ -29,8 +29,8 @@ struct MillingSettings {
   std::vector<curves::HeightField> nominal = {};  // may be empty
   std::vector<checks::Tool> tools = {};           // by diameter and corner radius; one that is not here is not checked
   double depth_mm = 0.001;                        // a rapid may touch by this much
-  // Of x, y and z. Axes that run at their own speed bend off the line, and that way is checked, too. 0: not known, then
-  // rapids are taken as lines.
+  // Of x, y and z. Axes that run at their own speed bend off the line, and that path is checked, too. 0: not known,
+  // then rapids are taken as lines.
   std::array<double, 3> rapid_mm_min = {};
   double step_mm = 0.0;  // between the places of the height map; 0: as fine as its memory allows
   CompRadius comp_radius = CompRadius::of_tool;

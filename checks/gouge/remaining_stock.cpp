@@ -1,7 +1,7 @@
 // The nose led along a straight piece sweeps a capsule. Its lower edge over z is an arc of the nose at the one end, the
 // line that both noses touch, and an arc at the other end:
 //
-//        . - .                 A place z under the line takes the line, one beside it the nearer end's arc.
+//        . - .                 A place z under the line takes the line, one next to it the nearer end's arc.
 //      (   A   )- - _ . - .
 //        ' - _ - - _(   B   )  Arcs of the path are taken as chords that lie within 0.0002 mm of them.
 //              ' - . ' - '
@@ -110,7 +110,7 @@ void RemainingStock::pass(double radius, const curves::Segment& centers, Visit&&
 }
 
 Touch RemainingStock::touch(const curves::Nose& nose, const curves::PathPiece& tip_path, double slack) const {
-  // A nose smaller by the slack, on the same way: what it touches is entered by more than the slack.
+  // A nose smaller by the slack, on the same path: what it touches is entered by more than the slack.
   const double radius = std::max(0.0, nose.radius - slack);
   const double shrunk = nose.radius - radius;
   const double missing = slack - shrunk;  // of the slack, for a nose that is smaller than it

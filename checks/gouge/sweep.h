@@ -26,7 +26,7 @@ class Sweep {
   [[nodiscard]] std::optional<Row> row(double y) const;
   // The part of it that the cutter covers before it moves.
   [[nodiscard]] std::optional<Row> start_row(double y) const;
-  // The lowest height over (x, y), which the row holds; infinity beside it.
+  // The lowest height over (x, y), which the row holds; infinity outside it.
   [[nodiscard]] double lowest(double x, double y) const;
 
   [[nodiscard]] double y_low() const;

@@ -37,7 +37,7 @@ Span bounds_of(const Axis& axis, const Extent& drawn, double air) {
   }
   if (axis.low && std::isfinite(*axis.low)) span.low = *axis.low;
   if (axis.high && std::isfinite(*axis.high)) span.high = *axis.high;
-  // Wide enough that doubles can tell both ends apart.
+  // Wide enough that doubles can distinguish both ends.
   const double least = 1e-9 * std::max({1e-3, std::fabs(span.low), std::fabs(span.high)});
   if (!(span.high - span.low > least)) {
     const double middle = 0.5 * span.low + 0.5 * span.high;

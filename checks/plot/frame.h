@@ -1,4 +1,4 @@
-// The rectangle of a plot in pixels, and the way from values to it.
+// The rectangle of a plot in pixels, and the conversion from values to it.
 #pragma once
 
 #include "checks/plot/plot.h"

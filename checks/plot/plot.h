@@ -36,7 +36,7 @@ struct Axis {
   std::optional<double> high = {};
 };
 
-// A rectangle behind the series: a stall, a tolerance. A bound that is not given is the axis's end.
+// A rectangle under the series: a stall, a tolerance. A bound that is not given is the axis's end.
 struct Area {
   std::string name;  // areas of one name share a color and a row of the legend; empty: gray, not there
   std::optional<double> x_low = {};
@@ -45,8 +45,8 @@ struct Area {
   std::optional<double> y_high = {};
 };
 
-// Values at the cells of a grid, drawn as colors with a scale beside it; row 0 lies at y_low. A cell that is not finite
-// stays empty. Nothing is drawn when `values` has not columns·rows entries.
+// Values at the cells of a grid, drawn as colors with a scale next to it; row 0 lies at y_low. A cell that is not
+// finite stays empty. Nothing is drawn when `values` has not columns·rows entries.
 struct Map {
   std::string title;  // of the scale
   double x_low = 0.0;
@@ -59,7 +59,7 @@ struct Map {
 };
 
 struct Note {
-  Point at;  // a small cross, with the text beside it
+  Point at;  // a small cross, with the text next to it
   std::string text;
 };
 

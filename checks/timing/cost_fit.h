@@ -27,7 +27,7 @@ struct CostFit {
   // Of each row: predicted - measured, ms, and the worst of them as a share of the measured.
   std::vector<double> residual_ms;
   double worst_share = 0.0;
-  // By ir::kCostTerms: above zero. One that the rows do not tell apart from others is not.
+  // By ir::kCostTerms: above zero. One that the rows do not distinguish from others is not.
   std::array<bool, ir::kCostTerms.size()> is_determined{};
 };
 

@@ -88,7 +88,7 @@ std::size_t Execution::run(const Window& window, RanSink& sink) {
   for (; row_ < rows.size(); ++row_) {
     const Row& row = rows[row_];
     supply_.let_in(rows);
-    // What comes behind the window may be in the buffer by now, and what ends behind it is not certain.
+    // What comes after the window may be in the buffer by now, and what ends after it is not certain.
     if (!window.is_last) {
       if (supply_.has_limit() && supply_.count() == rows.size()) break;
       if (row.is_piece && piece_ + 1 > window.certain) break;

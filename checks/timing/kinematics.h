@@ -1,5 +1,5 @@
-// What one motion asks of the machine: how long its path is, which way it begins and ends, how fast it may go and how
-// hard it may be accelerated, given each axis' limits.
+// What one motion asks of the machine: how long its path is, in which directions it begins and ends, how fast it may go
+// and how hard it may be accelerated, given each axis' limits.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ double corner_speed2(const AxisVector& before, const AxisVector& after, const Ax
 
 // mm/s of a cutting feed along the path; 0 where it cannot be known (no feed, or per revolution without a speed).
 // With constant surface speed the time is exact: the mean of 1/rpm over the diameters that the move passes. Of a thread
-// whose lead changes it is the mean over its way.
+// whose lead changes it is the mean over its length.
 double feed_speed(const ir::Motion& motion, const PathShape& shape, bool x_is_diameter, double spindle_max_rpm);
 
 }  // namespace dripfeed::timing

@@ -1,4 +1,4 @@
-// Buffers are independent of each other: threads take the next one that nobody has.
+// Buffers are independent of each other: threads take the next one that no one has.
 #include "checks/timing/limited_look_ahead.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct Overlap {
   bool is_cut = false;
 };
 
-// Elements behind `end` whose path brings the machine from rest to the feed of the last one before.
+// Elements after `end` whose path brings the machine from rest to the feed of the last one before.
 Overlap overlap_of(const PieceArrays& pieces, std::size_t end, const LimitedLookAhead& settings) {
   const std::size_t most = std::min(settings.overlap_most, pieces.size() - end);
   std::size_t count = std::min(settings.overlap_least, most);

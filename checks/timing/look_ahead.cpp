@@ -1,5 +1,5 @@
 // In parallel: the path is cut into one part a thread. The backward sweep of a part needs the square at its end, which
-// the part behind it has not got yet. So each is swept as if it went on without limit, and then settled from the last
+// the part after it has not got yet. So each is swept as if it went on without limit, and then settled from the last
 // part to the first with the true square: at the first junction whose own limit is below both, speculation and truth
 // are equal bit for bit, and so they are at all before it (a rest is such a junction, too). The same forward.
 //
@@ -94,7 +94,7 @@ class PathPlan {
     }
   }
 
-  // Speeds, and the seconds that come of them. The last piece of a part is wrong as long as the part behind it is.
+  // Speeds, and the seconds that come of them. The last piece of a part is wrong as long as the part after it is.
   void go_ahead(const Range& part) {
     for (std::size_t begin = part.begin; begin < part.end; begin += kStretch) {
       const std::size_t end = std::min(begin + kStretch, part.end);

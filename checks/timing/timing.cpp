@@ -133,7 +133,7 @@ void Timing::Work::run_window() {
   change_sums(pieces_, sums_);
   const std::size_t seen = settings_.machine.timing.look_ahead_blocks;
   if (seen > 0) {
-    // What ends behind the window is not limited by it.
+    // What ends after the window is not limited by it.
     horizon_limits(sums_.data(), count, seen, {0, count > seen ? count - seen : 0}, plan_.speed2.data());
   }
   high2_ = plan_.speed2;

@@ -21,7 +21,7 @@ double wrapped(double angle) {
   return positive >= kFull ? 0.0 : positive;
 }
 
-// How far `angle` lies behind the start, in the arc's sense, 0 .. 2π.
+// How far `angle` comes after the start, in the arc's sense, 0 .. 2π.
 double along(const Arc& arc, double angle) {
   return wrapped(arc.sweep < 0.0 ? arc.start_angle - angle : angle - arc.start_angle);
 }

@@ -16,8 +16,8 @@ constexpr double interpolation_bound(double second, double width) { return secon
 // The longest step whose interpolation error stays within `tolerance`.
 inline double longest_step(double second, double tolerance) { return std::sqrt(8.0 * tolerance / second); }
 
-// Largest height over a chord of a curve that bends one way and nowhere more than `curvature` (1/mm, > 0): that of the
-// circle with that curvature (Schwarz's comparison). Holds while chord <= 2/curvature; the radius beyond.
+// Largest height over a chord of a curve that bends in one direction and nowhere more than `curvature` (1/mm, > 0):
+// that of the circle with that curvature (Schwarz's comparison). Holds while chord <= 2/curvature; the radius beyond.
 inline double sagitta_bound(double curvature, double chord) {
   const double half = 0.5 * chord * curvature;
   return half >= 1.0 ? 1.0 / curvature : half * 0.5 * chord / (1.0 + std::sqrt(1.0 - half * half));

@@ -12,7 +12,7 @@ namespace dripfeed::curves {
 namespace {
 
 constexpr std::size_t kMostParts = 4096;
-// Finer than this nobody asks. A curve that lies on the circle of an arc comes to it slowly: with the cube of the
+// Finer than this no one asks. A curve that lies on the circle of an arc comes to it slowly: with the cube of the
 // parts.
 constexpr double kExact_mm = 1e-8;
 constexpr double kExactOfArc_mm = 1e-6;

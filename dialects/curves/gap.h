@@ -1,4 +1,4 @@
-// A proved range of the distance between a piece of path and the part of a curve beside it.
+// A proved range of the distance between a piece of path and the part of a curve next to it.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // The surface that a round nose leaves when it is led along a path without compensation. The path is that of the
-// imaginary tip; the nose's centre lies beside it; what is cut is the line at the nose's radius from the centre's path,
-// on the side of the material.
+// imaginary tip; the nose's centre lies next to it; what is cut is the line at the nose's radius from the centre's
+// path, on the side of the material.
 #pragma once
 
 #include <cstdint>

@@ -131,7 +131,7 @@ std::vector<BezierPiece> pieces_of(const Nurbs& nurbs) {
   }
   std::vector<BezierPiece> pieces;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    // The last of the knots at its beginning: the piece's points end `degree` behind its first.
+    // The last of the knots at its beginning: the piece's points end `degree` after its first.
     const auto above = std::ranges::upper_bound(spline.knots, places[i]);
     const auto first = static_cast<std::size_t>(above - spline.knots.begin()) - 1 - spline.degree;
     BezierPiece piece{{places[i], places[i + 1]}, nurbs.order, {}};

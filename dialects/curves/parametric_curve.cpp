@@ -86,11 +86,11 @@ ParametricFoot closest_from(const ParametricCurve& curve, Point point, double t_
   for (int step = 0; step < kNewtonSteps; ++step) {
     const double square = dot(trial.curve.derivative, trial.curve.derivative);
     const double rise = square + dot(trial.curve.point - point, trial.curve.second);
-    // Where the distance bends the wrong way, the step of a straight curve still leads downhill.
+    // Where the distance bends in the wrong direction, the step of a straight curve still leads downhill.
     const double slope = rise > 0.1 * square ? rise : square;
     if (!(slope > 0.0)) break;
     const double t = std::clamp(trial.t - trial.gradient / slope, curve.t.low, curve.t.high);
-    // A shorter step cannot be told from rounding; an end is arrived at all the same.
+    // A shorter step cannot be distinguished from rounding; an end is arrived at all the same.
     const bool at_end = t <= curve.t.low || t >= curve.t.high;
     const double least = 1e-14 * std::max(std::fabs(curve.t.low), std::fabs(curve.t.high));
     if (t == trial.t || (std::fabs(t - trial.t) <= least && !at_end)) break;

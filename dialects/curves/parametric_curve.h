@@ -22,7 +22,7 @@ struct ParametricCurve {
   // A box that holds every second derivative between two values of t with no break strictly between them: what chord
   // bounds are proved from. May be empty: then nothing is proved.
   std::function<Box(double t_low, double t_high)> second_derivatives = {};
-  // The same, wider and sooner told: what is known of a larger part. May be empty.
+  // The same, wider, and found sooner: what is known of a larger part. May be empty.
   std::function<Box(double t_low, double t_high)> wide_second_derivatives = {};
   // Inner values of t at which the derivatives may jump, in order.
   std::vector<double> breaks = {};

@@ -34,13 +34,13 @@ class ProgramFinder {
   // otherwise.
   virtual const ir::Program* find_foreign(std::string_view) { return nullptr; }
   // The foreign parts of a program, read in the other language: a text of the same length, with blanks for the rest,
-  // and the control as it is in that language. nullptr when nobody can read them.
+  // and the control as it is in that language. nullptr when no reader can read them.
   struct ForeignText {
     const ir::Program* program = nullptr;
     const ir::Control* control = nullptr;
   };
   virtual ForeignText foreign_text(const ir::Program&) { return {}; }
-  // A text that a program wants executed (EXECSTRING), read in its own language; nullptr when nobody can.
+  // A text that a program wants executed (EXECSTRING), read in its own language; nullptr when no reader can.
   virtual std::unique_ptr<ir::Program> read_text(std::string_view) { return nullptr; }
 };
 // A finder that finds nothing.
@@ -90,7 +90,7 @@ class BlockObserver {
   BlockObserver(const BlockObserver&) = delete;
   BlockObserver& operator=(const BlockObserver&) = delete;
   virtual ~BlockObserver() = default;
-  // `changes`: what the block assigned, in order; valid during the call only. Strings are not told.
+  // `changes`: what the block assigned, in order; valid during the call only. Strings are not reported.
   virtual void block(const ir::Place& place, std::span<const VariableChange> changes) = 0;
 };
 
@@ -208,7 +208,7 @@ class PlainStream {
   [[nodiscard]] virtual std::string_view name() const = 0;
 };
 
-// As above, with the same result as for the program read whole. No observer: it would be told of blocks too late.
+// As above, with the same result as for the program read whole. No observer: it would learn of blocks too late.
 RunResult run(PlainStream& stream, const ir::Control& control, ProgramFinder& finder, ir::MotionSink& sink,
               const RunOptions& options);
 

@@ -20,7 +20,7 @@ inline constexpr AlarmDetail kPasses{110};          // how often a program runs
 inline constexpr AlarmDetail kJoined{111};          // texts put together
 inline constexpr AlarmDetail kNegative{112};        // a feed
 inline constexpr AlarmDetail kNameOfVariable{113};  // [#NAME] with what no name begins with
-inline constexpr AlarmDetail kNoHoles{114};         // a figure of holes without a number of them
+inline constexpr AlarmDetail kNoHoles{114};         // a hole pattern without a number of them
 inline constexpr AlarmDetail kNoSpacing{115};       // … without the angle between them
 inline constexpr AlarmDetail kForeignWord{116};     // … with a word that it does not take
 

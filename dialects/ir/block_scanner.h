@@ -17,7 +17,7 @@ struct ScannedBlock {
   PlainBatch* batch = nullptr;
   const char* text_end = nullptr;
   const char* first = nullptr;  // of its words, block number and program number left out; nullptr: none yet
-  const char* last = nullptr;   // behind its last word
+  const char* last = nullptr;   // after its last word
   bool ends_program = false;
 
   void take(const char* begin, const char* end) {
@@ -89,7 +89,7 @@ class BlockScanner final : public PlainScanner {
   [[nodiscard]] std::string_view name() const override { return words_.name(); }
 
  private:
-  // One block and its EOB; gives the byte behind it.
+  // One block and its EOB; gives the byte after it.
   const char* block(const char* at, const char* begin, const char* end, PlainBatch& batch) {
     const std::size_t words = batch.words.size();
     const std::size_t codes = batch.codes.size();

@@ -44,7 +44,7 @@ enum class CycleValue : std::uint8_t {
   last_dwell,      // at the bottom
   peck_clearance,  // distance in front of the last peck where the feed begins
   spindle,         // 3, 4 or 5, as its M code: in a boring cycle
-  spindle_back,    // on the way out of a tap
+  spindle_back,    // on the retract of a tap
   spindle_after,   // after the cycle
   thread_size,     // of a metric thread, instead of its lead
   lead,

@@ -138,11 +138,11 @@ enum class AlarmDetail : std::uint8_t {
   surface_axis,      // P of G96
   parallel_axes,     // of one direction, in the choice of a plane
   speed_in_tap,      // S while a synchronous tap is in effect
-  not_a_line,        // behind a corner of a lathe
+  not_a_line,        // after a corner of a lathe
   tapered,           // … in both axes
   last_of_shape,     // a corner in the last block of a turning cycle's shape
-  next_move,         // the one behind a corner
-  no_end_point,      // two angles, and no end behind them
+  next_move,         // the one after a corner
+  no_end_point,      // two angles, and no end after them
   not_an_end,        // an end that the angle does not lead to
   skip,              // a move that a signal ends
   beside_tool,       // a tool or its offset in the block that measures it
@@ -157,7 +157,7 @@ struct AlarmRow {
   AlarmDetail detail = AlarmDetail::none;
 };
 
-// A fault that is one only for want of what may exist beside the program: definition files, programs, cycles, options.
+// A fault that is one only for want of what may exist next to the program: definition files, programs, cycles, options.
 // It is a warning, and says what would settle it.
 struct OutsideRow {
   text::DiagnosticId id;
@@ -212,7 +212,7 @@ struct Control {
   std::vector<VariableRange> variables;
   bool variables_stated = false;     // a profile gives them all
   std::vector<CodeCall> code_calls;  // machine
-  // M functions of the machine, by number, beside those of the table; empty: any may be.
+  // M functions of the machine, by number, besides those of the table; empty: any may be.
   std::vector<std::uint16_t> machine_functions;
   // Codes that are in effect where a program starts: for subprograms that are taken without their caller. They stand
   // before power-on; rows of `g_codes`.
@@ -241,11 +241,11 @@ const VariableRange* find_variable(const Control& control, Bank bank, std::uint3
 // Whether a machine may have that variable although the control's usual ranges have not: by an option, or made by the
 // machine's builder. Numbers from 34 to 99 are left free by every control.
 bool may_have_variable(const Control& control, Bank bank, std::uint32_t number);
-// Whether its variables are numbers behind a # (Fanuc, Mazak, Mitsubishi). Such a control jumps to the value of one,
+// Whether its variables are numbers after a # (Fanuc, Mazak, Mitsubishi). Such a control jumps to the value of one,
 // too, and knows no names and no parts to repeat.
 bool has_numbered_variables(const Control& control);
 
-// A diagnostic with the control's alarm beside it, a warning where what exists beside the program decides.
+// A diagnostic with the control's alarm next to it, a warning where what exists next to the program decides.
 text::Diagnostic diagnose(const Control& control, text::DiagnosticId id, text::Span span,
                           std::vector<std::string> arguments = {}, AlarmDetail detail = AlarmDetail::none);
 

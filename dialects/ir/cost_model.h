@@ -20,16 +20,16 @@ struct ComputeCounts {
   std::uint32_t functions = 0;
   std::uint32_t jumps = 0;    // taken: GOTO, and UNTIL that goes back
   std::uint32_t rounds = 0;   // ends of WHILE, FOR and LOOP that were reached; that of WHILE and LOOP is no block
-  std::uint32_t calls = 0;    // of programs; call and return are blocks beside
+  std::uint32_t calls = 0;    // of programs; call and return are blocks of their own
   std::uint32_t indexed = 0;  // of the reads and writes: R[R1], #[#1], V[2]
 };
 
-// Where the figures of a cost model are from. An assumption may be a good one; nobody measured it.
+// Where the figures of a cost model are from. An assumption may be a good one; no one measured it.
 enum class CostSource : std::uint8_t { assumed, paper, calibrated };
 inline constexpr std::array<std::string_view, 3> kCostSourceNames = {"assumed", "paper", "calibrated"};
 constexpr std::string_view name_of(CostSource source) { return kCostSourceNames[static_cast<std::size_t>(source)]; }
 
-// By how much an assumption may be off, either way: a model that fitted a paper's tables within 1.4 % was off by as
+// By how much an assumption may be off, up or down: a model that fitted a paper's tables within 1.4 % was off by as
 // much at that paper's own programs (G. Nikiel, "Optimization of execution speed of the CNC parametric part programs").
 inline constexpr double kAssumedSpread = 5.0;
 
@@ -44,7 +44,7 @@ struct CostModel {
   double jump_ms = 0.0;
   double round_ms = 0.0;
   double call_ms = 0.0;
-  double indexed_ms = 0.0;         // beside the read or write
+  double indexed_ms = 0.0;         // next to the read or write
   double spread = kAssumedSpread;  // a prediction lies between time / spread and time · spread; at least 1
   CostSource source = CostSource::assumed;
   std::string_view origin;  // in words: which paper, which timing program and when

@@ -1,4 +1,4 @@
-// Figures of holes that a code drills by the cycle in effect: the argument of Function::hole_pattern.
+// Hole patterns that a code drills by the cycle in effect: the argument of Function::hole_pattern.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // dialects/ir: the one program model in the middle. A program is flat: tokens that tile the text, statements in order,
-// and arenas for words, expressions and names, joined by 32-bit indices. Beside it the data that says what a control
+// and arenas for words, expressions and names, joined by 32-bit indices. Next to it the data that says what a control
 // can do (Control), how it calculates (Semantics) and what a computed block costs (CostModel), and what the interpreter
 // emits (Motion). Plain data only: reading, checking and running it is left to the dialects, passes and the
 // interpreter.

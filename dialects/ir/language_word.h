@@ -1,5 +1,5 @@
-// The words of a control's language, each with a line for people: what an editor shows beside a word. The spellings are
-// the dialects' own tables'; a code (G02, DIAMON) says by its function what it does.
+// The words of a control's language, each with a line for people: what an editor shows next to a word. The spellings
+// are the dialects' own tables'; a code (G02, DIAMON) says by its function what it does.
 #pragma once
 
 #include <array>

@@ -80,7 +80,7 @@ struct Motion {
   // Bit per Axis: where the move starts is not known (never commanded, after a reference return, a move in machine
   // coordinates or another work offset); `start` then holds the last value that was.
   std::uint16_t axes_unknown = 0;
-  std::uint16_t length_offset_number = 0;  // H, of T0606 the offset, D; 0 beside D controls: the tool's usual edge
+  std::uint16_t length_offset_number = 0;  // H, of T0606 the offset, D; 0 on controls of D: the tool's usual edge
 };
 
 class MotionSink {

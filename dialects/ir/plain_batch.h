@@ -74,7 +74,7 @@ class PlainScanner {
   PlainScanner(const PlainScanner&) = delete;
   PlainScanner& operator=(const PlainScanner&) = delete;
   virtual ~PlainScanner() = default;
-  // Adds blocks from the front of `text`, which ends behind an EOB or with the program; the byte behind it can be read
+  // Adds blocks from the front of `text`, which ends after an EOB or with the program; the byte after it can be read
   // and is an EOB. Not to be called again after program_end or not_plain.
   virtual PlainScan scan(std::string_view text, PlainBatch& batch) = 0;
   // Of the program, as far as its head was scanned; "" when it has none.

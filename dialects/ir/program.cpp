@@ -1,4 +1,4 @@
-// The arenas' adders, and the matching of structures, which every dialect needs in the same way.
+// The arenas' adders, and the matching of structures, which every dialect needs alike.
 #include "dialects/ir/program.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ std::uint32_t find_label(const Program& program, std::uint32_t from, StringId na
   return above != kNoIndex ? above : below;
 }
 
-// ENDLABEL: behind the first label, and above the REPEAT when that stands below the label.
+// ENDLABEL: after the first label, and above the REPEAT when that stands below the label.
 std::uint32_t find_end_label(const Program& program, std::uint32_t first, std::uint32_t repeat) {
   const StringId name = program.strings.find("ENDLABEL");
   if (name == StringId::none) return kNoIndex;

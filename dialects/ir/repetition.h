@@ -1,4 +1,4 @@
-// The part of a program that a REPEAT or REPEATB runs again: found the same way by whoever runs, checks or translates
+// The part of a program that a REPEAT or REPEATB runs again: found alike by whoever runs, checks or translates
 // it. (SINUMERIK Programming Manual Job Planning, "Program section repetition".)
 #pragma once
 

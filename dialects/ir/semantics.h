@@ -41,7 +41,7 @@ struct Semantics {
   bool integer_division_is_real = true;  // 7/4 = 1.75 on INT operands
 
   DecimalMode decimal_mode = DecimalMode::calculator;  // machine
-  bool decimal_mode_confirmed = false;                 // machine: somebody looked at the parameter
+  bool decimal_mode_confirmed = false;                 // machine: a person looked at the parameter
   double least_increment_mm = 0.001;
   double least_increment_deg = 0.001;
 
@@ -58,7 +58,7 @@ struct Semantics {
   int reference_fixed_point = 0;      // machine: the fixed point (G75 FP=) at the reference point; 0: none said
   bool spline_form_known = false;     // machine: how a spline bends between its points was looked at
 
-  // Cycles: what parameters decide. Neither changes the hole, only the way to it.
+  // Cycles: what parameters decide. Neither changes the hole, only the approach to it.
   double chip_break_retract_mm = 1.0;  // machine: G73 goes back by this between pecks (5114)
   double peck_clearance_mm = 1.0;      // machine: G83 goes back in to this far above the last depth (5115)
   bool drill_r_from_initial = false;   // R of drilling is a distance from the initial level in G90, too (lathes)
@@ -66,7 +66,7 @@ struct Semantics {
 
   // Turning cycles, where the program does not say: machine (5132 … 5145). All mm, radius.
   double cycle_depth_mm = 1.0;       // of a pass of G71, G72
-  double cycle_retract_mm = 0.5;     // away from the work behind each pass
+  double cycle_retract_mm = 0.5;     // away from the work after each pass
   std::int32_t cycle_passes = 3;     // of G73
   double thread_first_cut_mm = 0.3;  // G76 without Q
   double thread_least_cut_mm = 0.05;
@@ -76,7 +76,7 @@ struct Semantics {
   DecimalMode iso_decimal_mode = DecimalMode::calculator;  // MD10884 EXTERN_FLOATINGPOINT_PROG; from memory
   bool iso_decimal_mode_confirmed = false;
 
-  // State at power-on or reset; `known` is false where the machine decides and nobody confirmed.
+  // State at power-on or reset; `known` is false where the machine decides and no one confirmed.
   bool power_on_known = false;
   Function power_on_motion = Function::rapid;
   Function power_on_plane = Function::plane_xy;
@@ -92,7 +92,7 @@ struct Semantics {
   std::uint32_t highest_user_alarm = 0;       // above it all are shown as the base alone; 0: no limit
   bool feed_code_ends_surface_speed = false;  // G94, G95, G96 replace each other (SINUMERIK)
   bool taps_are_rigid = false;                // G84 and G74 always turn the spindle by position (Haas)
-  bool tool_number_has_suffix = false;        // T01.01: the fraction tells tools of one number apart
+  bool tool_number_has_suffix = false;        // T01.01: the fraction distinguishes tools of one number
   bool g54_takes_p = false;                   // G54 P3 is G54.1 P3
   bool length_needs_code = false;             // a tool's length acts by G43 alone, not by its change (mills)
   bool d_selects_edge = false;                // D is the tool's edge and takes effect at once; otherwise a comp number

@@ -1,4 +1,4 @@
-// What the definition files beside a program declare for every program of the control: global data and macros. Names
+// What the definition files next to a program declare for every program of the control: global data and macros. Names
 // are in upper case.
 #pragma once
 

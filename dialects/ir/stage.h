@@ -21,7 +21,7 @@ struct ReadResult {
 };
 
 // `program` is to be used only when no diagnostic is an error. Spans of the diagnostics are in the text of the program
-// that was raised; a built program has none, then Statement::line tells the place.
+// that was raised; a built program has none, then Statement::line reports the place.
 struct RaiseResult {
   Program program;
   std::vector<text::Diagnostic> diagnostics;

@@ -140,7 +140,7 @@ enum class StatementKind : std::uint8_t {
   declaration,        // EXTERN: no effect while running
   subprogram_return,  // M99, M17, RET
   return_to,          // M99 P100: the jump in the caller that follows                     -> jumps
-  modal_call,         // G66: the call is made behind every block that moves               -> calls
+  modal_call,         // G66: the call is made after every block that moves               -> calls
   modal_call_end,     // G67
   output,             // DPRNT and what else writes to a device                            -> outputs
   program_end,        // M30, M02 as the block's last effect; with a payload: the code alone -> blocks
@@ -185,7 +185,7 @@ struct Assign {
   ExpressionId value = ExpressionId::none;
 };
 
-// Which way a jump looks for its label. `both` is GOTO: from here to the end, then from the top.
+// In which direction a jump looks for its label. `both` is GOTO: from here to the end, then from the top.
 enum class JumpSearch : std::uint8_t { forward, backward, both };
 
 struct Jump {
@@ -233,7 +233,7 @@ struct Call {
   ExpressionId first_label = ExpressionId::none;  // of a part of it, as texts; none: all of it
   ExpressionId last_label = ExpressionId::none;
   bool in_other_language = false;      // ISOCALL: the program begins in the control's other language
-  const CalledCycle* cycle = nullptr;  // of the control (called_cycle.h); nullptr: a program of somebody's own
+  const CalledCycle* cycle = nullptr;  // of the control (called_cycle.h); nullptr: a program of the user's own
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
 };
@@ -290,7 +290,7 @@ struct ForeignPart {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
   text::Span text;
-  bool ends_by_switch = false;  // the block behind it switches back
+  bool ends_by_switch = false;  // the block after it switches back
 };
 
 struct Label {

@@ -14,7 +14,7 @@ namespace dripfeed::linuxcnc {
 
 struct Line {
   std::string text;
-  std::vector<std::uint32_t> offsets;  // of each character, and of what stands behind the last
+  std::vector<std::uint32_t> offsets;  // of each character, and of what comes after the last
   std::vector<text::Span> comments;
   bool is_tape_mark = false;
 

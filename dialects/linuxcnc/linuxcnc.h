@@ -19,7 +19,7 @@ namespace dripfeed::linuxcnc {
 ir::Control control(ir::MachineKind kind, ir::GSystem system);
 ir::Control infer_control(const text::Source& source);
 
-// Never fails; tokens tile the text. Subprograms of the text become sections behind the main program, wherever they
+// Never fails; tokens tile the text. Subprograms of the text become sections after the main program, wherever they
 // stand.
 ir::ReadResult read(const text::Source& source, const ir::Control& control);
 // Leaves every block to the reader.

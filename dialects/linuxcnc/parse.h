@@ -111,7 +111,7 @@ class Parser {
   ir::Function motion_ = ir::Function::none;
   bool probes_ = false;  // G38 is in effect
   bool began_ = false;   // something stood before: a tape mark is the last one
-  bool ended_ = false;   // behind it
+  bool ended_ = false;   // after it
 
   std::vector<Open> open_;
   std::uint32_t structures_ = 0;

@@ -127,7 +127,7 @@ ExpressionId ExpressionReader::bracketed() {
   if (faults_.failed()) return ExpressionId::none;
   if (line_->at(at_) != ']') return fail(missing_bracket, {"the ] for this bracket"});
   ++at_;
-  // A bracket is calculated: its span tells it from a number that was written.
+  // A bracket is calculated: its span distinguishes it from a number that was written.
   const ir::Expression e = program_.at(inner);
   return e.op == Operator::constant ? program_.add_constant(e.value, line_->span(begin, at_)) : inner;
 }
@@ -181,7 +181,7 @@ ExpressionId ExpressionReader::function() {
     return combine(Operator::atan2, a, b);
   }
   began_ = begin;
-  // FUP goes up; down is the other way round.
+  // FUP goes up; down is the reverse.
   if (row->op == Operator::truncate)
     return combine(Operator::negate, combine(Operator::round_up, combine(Operator::negate, a)));
   return combine(row->op, a);

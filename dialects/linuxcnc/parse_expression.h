@@ -31,7 +31,7 @@ class ExpressionReader {
   ir::Variable named(std::string_view name, text::Span span);
   // A name that no program can write, for what the reader itself counts.
   ir::Variable own(std::string_view purpose);
-  // Beside a named parameter in a text that asks with EXISTS: 1 once it was set.
+  // next to a named parameter in a text that asks with EXISTS: 1 once it was set.
   ir::Variable existence(std::string_view name) { return own("exists " + std::string(name)); }
 
   ir::ExpressionId combine(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b = ir::ExpressionId::none);

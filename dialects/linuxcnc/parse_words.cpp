@@ -98,7 +98,7 @@ void Parser::assignment() {
   assigned_names_.emplace_back(named ? line_.rest(begin + 2).substr(0, end - begin - 3) : std::string_view());
 }
 
-// Beside words, or with others, the values wait.
+// With words, or with others, the values wait.
 void Parser::emit_assignments() {
   const bool wait = assigns_.size() > 1 || (!assigns_.empty() && !raw_.empty());
   for (std::size_t i = 0; wait && i < assigns_.size(); ++i) {
@@ -149,7 +149,7 @@ void Parser::emit_words() {
   const bool has_own = std::ranges::any_of(codes, moves);
   const auto words = std::span(program_.words).subspan(first_word);
   const bool names_axis = std::ranges::any_of(words, ir::is_axis, &ir::Word::address);
-  // Those go on until the touch, which nobody here knows.
+  // Those go on until the touch, which no one here knows.
   if (probes_ && !has_own && names_axis) lowering_.emit_native("a move in the mode of G38", false, place(), true);
   for (const ir::Code& code : codes) {
     if (code.group == ModalGroup::motion || code.group == ModalGroup::cycle) motion_ = code.function;
@@ -160,7 +160,7 @@ void Parser::emit_words() {
   interpret_words(first_code, first_word);
 }
 
-// A dwell beside other words: what switches acts before it, what moves after it.
+// A dwell in the block of other words: what switches acts before it, what moves after it.
 void Parser::emit_around_dwell() {
   const std::vector<macro_b::RawWord> all = raw_;
   const auto emit = [&](auto belongs) {
@@ -201,7 +201,7 @@ bool Parser::emit_data_setting() {
   return true;
 }
 
-// Words that mean something else beside the codes of their block, or in the motion in effect.
+// Words that mean something else with the codes of their block, or in the motion in effect.
 void Parser::interpret_words(std::size_t first_code, std::uint32_t first_word) {
   const auto codes = std::span(program_.codes).subspan(first_code);
   const auto has = [&](Function function) {

@@ -62,7 +62,7 @@ constexpr auto kPositions = std::to_array<NamedPosition>({
     {"_y", 5421},
     {"_z", 5422},
 });
-// Values that only the control has. A blank before and behind each.
+// Values that only the control has. A blank before and after each.
 constexpr std::string_view kOwnNames =
     " _abs_a _abs_b _abs_c _abs_u _abs_v _abs_w _abs_x _abs_y _abs_z _absolute _adaptive_feed _call_level "
     "_ccomp _coord_system _current_pocket _current_tool _feed _feed_hold _feed_override _flood "

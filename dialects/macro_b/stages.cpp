@@ -1,4 +1,4 @@
-// The eob behind the last token saves the parser its bounds checks; it goes when all is read, so that the tokens tile
+// The eob after the last token saves the parser its bounds checks; it goes when all is read, so that the tokens tile
 // the text.
 #include "dialects/macro_b/stages.h"
 

@@ -44,7 +44,7 @@ struct Stages {
     return macro_b::validate(program, its, delivery, grammar());
   }
   // Makes a program of the control `from`, or a built one, legal for `to`, a control of this dialect: variables
-  // numbered, structures that it lacks turned into jumps, codes mapped by what they do. What cannot be said is the
+  // numbered, structures that it lacks turned into jumps, codes mapped by what they do. What cannot be written is the
   // error of passes/refusal.h (cannot_translate, translation_…) with its place.
   static ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to) {
     return macro_b::raise(program, from, to, grammar());

@@ -1,4 +1,4 @@
-// Keywords of Mitsubishi beside the common ones: other spellings of three functions.
+// Keywords of Mitsubishi besides the common ones: other spellings of three functions.
 #include <algorithm>
 #include <array>
 

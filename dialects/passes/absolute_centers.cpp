@@ -1,4 +1,4 @@
-// Places are followed in the order of the text and forgotten where ways meet, where coordinates change and where
+// Places are followed in the order of the text and forgotten where paths meet, where coordinates change and where
 // something else may have moved.
 #include "dialects/passes/absolute_centers.h"
 
@@ -113,7 +113,7 @@ class Centers {
   bool mill_;
   bool turned_ = false;
   bool increments_ = false;  // G91 somewhere in the text
-  bool absolute_ = false;    // G90 was said
+  bool absolute_ = false;    // G90 was stated
   std::vector<text::Diagnostic> diagnostics_;
 };
 

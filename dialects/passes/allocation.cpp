@@ -167,7 +167,7 @@ class Allocator {
                          v.span, to_.title));
   }
 
-  // Two arrays whose sizes nobody knows would lie in each other.
+  // Two arrays whose sizes no one knows would lie in each other.
   void check_array(Wanted& wanted, const ir::Variable& v) {
     const ir::Symbol& symbol = program_.at(v.symbol);
     if (symbol.dimension1 != 0 || wanted.refused) return;

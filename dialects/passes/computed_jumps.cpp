@@ -22,7 +22,7 @@ using ir::ExpressionId;
 using ir::Operator;
 using ir::StatementKind;
 
-// More comparisons than this are no translation that somebody would read.
+// More comparisons than this are no translation that a person would read.
 constexpr std::size_t kMostTargets = 200;
 constexpr double kAlarmNumber = 128.0;  // Fanuc's own: PS0128, the sequence number is not found
 

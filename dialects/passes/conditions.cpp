@@ -40,7 +40,7 @@ class Conditions {
   // One comparison before one assignment or alarm.
   [[nodiscard]] bool stays(std::uint32_t i) const {
     const ir::Structure head = structure_at(program_, i);
-    if (head.partner == ir::kNoIndex) return true;  // the reader has told
+    if (head.partner == ir::kNoIndex) return true;  // the reader has reported
     if (head.partner != i + 2 || program_.statements[i + 2].kind != StatementKind::if_end) return false;
     const StatementKind inner = program_.statements[i + 1].kind;
     if (program_.statements[i + 1].is_label) return false;  // a jump into it

@@ -1,4 +1,4 @@
-// FOR and REPEAT. The counter is named anew at each use, because passes change variables in place.
+// FOR and REPEAT. The counter is renamed at each use, because passes change variables in place.
 #include <utility>
 
 #include "dialects/passes/rewrite.h"

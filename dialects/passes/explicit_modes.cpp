@@ -116,7 +116,7 @@ Traits traits_of(const ir::Program& program, const ir::Block& block) {
   return t;
 }
 
-// One main program, from its first block to its last: the order of the text is the only way.
+// One main program, from its first block to its last: the order of the text is the only path.
 bool runs_as_written(const ir::Program& program) {
   return program.sections.size() < 2 &&
          std::ranges::all_of(
@@ -192,7 +192,7 @@ class Settling {
       if (needs[m]) make_explicit(i, m, facts.modes[m]);
   }
 
-  // A feed code by itself ends constant surface speed where both are one group; elsewhere S800 behind it would be
+  // A feed code by itself ends constant surface speed where both are one group; elsewhere S800 after it would be
   // metres.
   void end_surface_speed(ir::Block& block, const Traits& traits, const Known<Setting>& fact) {
     if (!splits_pair(from_, to_) || !speed_matters_ || !traits.feed_code || traits.speed_code) return;
@@ -224,7 +224,7 @@ class Settling {
     }
   }
 
-  // The block's own code, or what holds before it; nothing where that is not known, which is told.
+  // The block's own code, or what holds before it; nothing where that is not known, which is reported.
   std::optional<Function> mode_in(std::uint32_t i, Mode mode, const Facts& facts) {
     std::optional<Function> own;
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
@@ -240,7 +240,7 @@ class Settling {
       add_code(program_.blocks[program_.statements[i].payload], mode, fact.value.function);
   }
 
-  // Tells where it is not, or may not be.
+  // Reports where it is not, or may not be.
   bool is_known(std::uint32_t i, std::size_t mode, const Known<Setting>& fact) {
     const text::Span span = program_.statements[i].span;
     if (!fact.agrees()) {

@@ -22,9 +22,9 @@ class FreeNumbers {
   std::uint32_t last_;
 };
 
-// Every label with a name becomes a number and every jump to it a jump to that number. A jump that searches one way
-// (GOTOF, GOTOB) is bound to the label that it would find, so that names given twice stay apart. Jumps without a
-// target are left as they are, with jump_target_missing.
+// Every label with a name becomes a number and every jump to it a jump to that number. A jump that searches one
+// direction (GOTOF, GOTOB) is bound to the label that it would find, so that names given twice stay apart. Jumps
+// without a target are left as they are, with jump_target_missing.
 std::vector<text::Diagnostic> number_labels(ir::Program& program, FreeNumbers& numbers);
 
 }  // namespace dripfeed::passes

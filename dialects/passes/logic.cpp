@@ -128,7 +128,7 @@ class Logic {
   Rewrite out_;
   StructureReport report_;
   std::uint32_t at_ = 0;
-  std::unordered_map<std::uint32_t, std::uint32_t> behind_;  // opener -> label behind its end; 0: none needed
+  std::unordered_map<std::uint32_t, std::uint32_t> behind_;  // opener -> label after its end; 0: none needed
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ void as_jump(ir::Program& program, ir::Statement& s) {
 }  // namespace
 
 void returns_of_main_as_jumps(ir::Program& program) {
-  facts::StatementRange range;  // of the program that `main` tells of
+  facts::StatementRange range;  // of the program that `main` reports
   bool main = false;
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     ir::Statement& s = program.statements[i];

@@ -1,4 +1,4 @@
-// What is known of pole, radius, angle and motion is followed in the order of the text and forgotten where ways meet.
+// What is known of pole, radius, angle and motion is followed in the order of the text and forgotten where paths meet.
 // (SINUMERIK PG, "Travel commands with polar coordinates"; Fanuc 0i-F B-64604EN-2, "Polar coordinate command".)
 #include "dialects/passes/polar_positions.h"
 
@@ -52,7 +52,7 @@ std::optional<Plane> plane_of(Function f) {
   return std::nullopt;
 }
 
-// A copy: arenas move while a block is written anew.
+// A copy: arenas move while a block is rewritten.
 template <class T>
 std::vector<T> list(std::span<const T> range) {
   return {range.begin(), range.end()};

@@ -1,5 +1,5 @@
 // REPEAT and REPEATB, for controls that know jumps only. A counter for each REPEAT says how often its part is still to
-// run; 0 while somebody else runs through it:
+// run; 0 while another runs through it:
 //
 //            REPEAT A B P=3                    #c = 3
 //            …                                 IF [#c LT 1] GOTO back
@@ -37,10 +37,10 @@ struct Loop {
   RepeatedPart part;
   ir::SymbolId counter = ir::SymbolId::none;
   std::uint32_t first_number = 0;
-  std::uint32_t back_number = 0;  // behind the REPEAT
+  std::uint32_t back_number = 0;  // after the REPEAT
   bool can_be_repeated = false;
 
-  // The statement behind which the run goes back.
+  // The statement after which the run goes back.
   [[nodiscard]] std::uint32_t end() const { return part.last == ir::kNoIndex ? part.repeat : part.last; }
   [[nodiscard]] bool ends_at_repeat() const { return part.last == ir::kNoIndex; }
   [[nodiscard]] bool holds(std::uint32_t statement) const { return part.first <= statement && statement <= end(); }
@@ -108,7 +108,7 @@ class RepeatedParts {
     if (!part.is_found() || part.first > loop.end()) return false;
     const std::uint32_t inside = loop_of_[part.repeat];
     if (loop_of_[part.first] != inside || loop_of_[loop.end()] != inside) return false;
-    if (!loop.ends_at_repeat() && runs(loop, part.repeat)) return false;  // it would begin anew for ever
+    if (!loop.ends_at_repeat() && runs(loop, part.repeat)) return false;  // it would begin again for ever
     // Another REPEAT that runs over this part's end while this part runs would be taken for its end.
     return std::ranges::none_of(loops_, [&](const Loop& other) {
       return &other != &loop && other.part.is_found() && runs(loop, other.part.repeat) && runs(other, loop.end());
@@ -184,7 +184,7 @@ class RepeatedParts {
     if (on != 0) out_.label_next(on);
   }
 
-  // Nobody but its REPEAT runs into a part that the text ends with: that would be the missing end of the program.
+  // No one but its REPEAT runs into a part that the text ends with: that would be the missing end of the program.
   [[nodiscard]] bool is_last(const Loop& loop) const {
     const bool another = std::any_of(&loop + 1, loops_.data() + loops_.size(), [&](const Loop& other) {
       return other.can_be_repeated && other.part.last == loop.part.last;

@@ -1,4 +1,4 @@
-// The new statement list grows beside the old one; indices are put right once, at the end.
+// The new statement list grows next to the old one; indices are put right once, at the end.
 #include "dialects/passes/rewrite.h"
 
 #include <algorithm>

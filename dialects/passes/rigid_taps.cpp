@@ -123,7 +123,7 @@ class Taps {
         s.skip_level != 0 || (s.kind == StatementKind::block && program_.blocks[s.payload].rest_level != 0);
     return passes_on && !targets_[i] && !may_be_skipped;
   }
-  // The S that counts at the statement, in rev/min: the last one of a straight way there, or the only one that the
+  // The S that counts at the statement, in rev/min: the last one of a straight path there, or the only one that the
   // program knows; nothing where that is not certain.
   [[nodiscard]] std::optional<double> speed_at(std::uint32_t i) const {
     for (;; --i) {
@@ -150,7 +150,7 @@ class Taps {
     }
     return only;
   }
-  // Nothing where ways that lead there bring different ones.
+  // Nothing where paths that lead there bring different ones.
   [[nodiscard]] std::optional<Function> feed_mode_at(std::uint32_t i) const {
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
       if (code.group == ir::ModalGroup::feed) return code.function;
@@ -163,7 +163,7 @@ class Taps {
     return known ? program_.at(word.value).value : 0.0;
   }
 
-  // Behind ,R1 F is the lead, in G94 too (Mitsubishi M800 programming manual, "Synchronous tapping"); elsewhere it is
+  // After ,R1 F is the lead, in G94 too (Mitsubishi M800 programming manual, "Synchronous tapping"); elsewhere it is
   // the feed of its mode.
   void convert_feed(std::vector<ir::Word>& words, std::uint32_t i) {
     if ((form_from_ == Form::comma_r) == feeds_taps_by_lead(to_)) return;
@@ -181,7 +181,7 @@ class Taps {
         program_.add_constant(form_from_ == Form::comma_r ? value * speed_rpm : value / speed_rpm, feed->span, true);
   }
 
-  // The first block behind the cycle says F as it was written: it counts there, too, until another one does. Under the
+  // The first block after the cycle says F as it was written: it counts there, too, until another one does. Under the
   // cycle nothing may change the lead.
   bool feeds_again(const std::vector<ir::Code>& codes, std::vector<ir::Word>& words, const ir::Statement& s) {
     if (!own_feed_) return false;

@@ -17,7 +17,7 @@ std::vector<text::Diagnostic> translate_taps(ir::Program& program, const ir::Con
 
 // G84 or G74, of a lathe along either axis.
 bool is_tap(const ir::Code& code);
-// G63: one way of a tap in a compensating chuck.
+// G63: one move of a tap in a compensating chuck.
 bool is_floating_tap(const ir::Code& code);
 // M29, where the control begins rigid taps so.
 bool announces_rigid_tap(const ir::Code& code, const ir::Control& control);

@@ -1,4 +1,4 @@
-// The text's order is taken for the order in which it runs: what is said behind a jump was said as well.
+// The text's order is taken for the order in which it runs: what is stated after a jump was stated as well.
 #include "dialects/passes/safe_start.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Start {
   text::Span first_move;
 };
 
-// What is said up to the first block that moves; nothing when none does or another program may say it.
+// What is stated up to the first block that moves; nothing when none does or another program may say it.
 std::optional<Start> start_of(const ir::Program& program) {
   if (ir::is_subprogram(program)) return std::nullopt;
   Start start;

@@ -1,5 +1,5 @@
-// What a program leaves to the state that its control wakes up in: controls wake up differently, so a translation says
-// it.
+// What a program leaves to the state that its control has at power-on: controls have different ones, so a translation
+// says it.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace dripfeed::passes {
 
 struct UnstatedMode {
   ir::ModalGroup group;
-  ir::Function function;  // what the program's own control wakes up with
+  ir::Function function;  // what the program's own control has at power-on
 };
 
 struct UnstatedModes {

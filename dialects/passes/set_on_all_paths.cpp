@@ -1,6 +1,6 @@
-// Forward dataflow, "set on all ways": at each statement the variables that are surely set, as a bit each; where ways
-// meet, the bits of all of them. A way on which an equality with an empty value has failed is one on which the variable
-// is not empty: behind IF[#1EQ#0]THEN #1=5 it is set either way.
+// Forward dataflow, "set on all paths": at each statement the variables that are surely set, as a bit each; where paths
+// meet, the bits of all of them. A path on which an equality with an empty value has failed is one on which the
+// variable is not empty: after IF[#1EQ#0]THEN #1=5 it is set in either case.
 #include "dialects/passes/set_on_all_paths.h"
 
 #include <deque>
@@ -51,7 +51,7 @@ class SetOnAllPaths {
  private:
   static bool has(const Bits& bits, std::uint32_t bit) { return (bits[bit / 64] >> (bit % 64) & 1U) != 0; }
 
-  // A statement that was not reached yet has no bits at all; the first way in gives it its own.
+  // A statement that was not reached yet has no bits at all; the first path in gives it its own.
   void propagate() {
     facts::FlowGraph graph(program_);
     const std::size_t words = bit_of_.size() / 64 + 1;
@@ -77,7 +77,7 @@ class SetOnAllPaths {
     }
   }
 
-  // The condition of a statement with two ways: a jump's goes on when it fails, a structure's when it holds.
+  // The condition of a statement with two paths: a jump's goes on when it fails, a structure's when it holds.
   void note_asked(std::uint32_t i, std::uint32_t next, Bits& bits) const {
     const ir::Statement& s = program_.statements[i];
     if (s.skip_level != 0) return;

@@ -112,7 +112,7 @@ void for_each_node(const ir::Program& program, ir::ExpressionId id, Visit&& visi
   visit(id);
 }
 
-// The variables that the statement reads or sets, those in indices before those that have them; `set` tells which.
+// The variables that the statement reads or sets, those in indices before those that have them; `set` shows which.
 struct VariableUseAt {
   ir::VariableId variable = ir::VariableId::none;
   bool set = false;

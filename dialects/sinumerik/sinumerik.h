@@ -1,7 +1,7 @@
 // dialects/sinumerik: reader, checker and writer of SINUMERIK 840D sl part programs (also 810D and 840D powerline): the
 // code, alarm, keyword and system variable tables and the rules that are Siemens' own. ISO mode is another
-// language: where it stands is said (ir::ForeignPart), what it says is not read here. What a program does when it runs
-// is the interpreter's; nothing here knows a machine, a file or another dialect.
+// language: where it stands is stated (ir::ForeignPart), what it says is not read here. What a program does when it
+// runs is the interpreter's; nothing here knows a machine, a file or another dialect.
 #pragma once
 
 #include <memory>
@@ -48,7 +48,7 @@ std::vector<text::Diagnostic> validate_iso(const ir::Program& program, const ir:
 std::string_view standard_cycle(std::string_view name);
 
 // Makes a program of the control `from`, or a built one, legal for the SINUMERIK control `to`: variables become R
-// parameters or DEF names, codes are mapped by what they do, block numbers become labels. What cannot be said is the
+// parameters or DEF names, codes are mapped by what they do, block numbers become labels. What cannot be written is the
 // error of passes/refusal.h (cannot_translate, translation_…) with its place.
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to);
 

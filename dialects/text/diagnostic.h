@@ -46,7 +46,7 @@ struct Diagnostic {
   std::string alarm = {};  // the control's own number ("PS0124", "14080"); empty when it has none
   // The text that the spans are in, where it is not the one that is looked at: that of a called program.
   std::shared_ptr<const Source> elsewhere = nullptr;
-  bool is_open = false;  // what exists beside the program decides it: until that is given, nothing passes
+  bool is_open = false;  // what exists next to the program decides it: until that is given, nothing passes
 };
 
 // A diagnostic with the severity of its row.
@@ -56,7 +56,7 @@ Diagnostic make_diagnostic(DiagnosticId id, Span span, std::vector<std::string> 
 std::string message_of(const Diagnostic& diagnostic);
 
 // `name:line:column: severity[id]: text (control alarm)` and an excerpt of the line with a caret, each ended by LF.
-// A diagnostic of a called program is placed in that program. `control` is the control's name beside its alarm number;
+// A diagnostic of a called program is placed in that program. `control` is the control's name next to its alarm number;
 // tabs before the caret are kept so that it stands right.
 std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control);
 // The same for a text that is not at hand as a whole: its place and line are given; notes are left out.

@@ -1,4 +1,4 @@
-// Every diagnostic that dripfeed can give, in the order of the way of a program: text, words, values, variables, flow,
+// Every diagnostic that dripfeed can give, in the order of a program's stages: text, words, values, variables, flow,
 // calls, framing, run, translation, restart, family, checks. One row each in diagnostic_table.cpp.
 #pragma once
 

@@ -27,7 +27,7 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr std::uint8_t capped(std::size_t n) { return static_cast<std::uint8_t>(std::min<std::size_t>(n, 255)); }
 
-// The general way: any length. What is too large for a double reads as infinity, what is too small as zero.
+// The general path: any length. What is too large for a double reads as infinity, what is too small as zero.
 double read_long(std::string_view digits) {
   double value = 0.0;
   const auto [end, error] =

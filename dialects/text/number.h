@@ -1,5 +1,5 @@
-// The only way between numbers and text in the whole project. It knows no locale: a decimal comma in a feed is a crash.
-// Signs, points and exponents that a dialect adds on top (EX, 'H1F') are the dialect's.
+// The only conversion between numbers and text in the whole project. It knows no locale: a decimal comma in a feed is a
+// crash. Signs, points and exponents that a dialect adds on top (EX, 'H1F') are the dialect's.
 #pragma once
 
 #include <cstdint>

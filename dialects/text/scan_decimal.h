@@ -13,7 +13,7 @@ struct ScannedDecimal {
   std::uint32_t fraction = 0;
   bool has_point = false;
   std::uint64_t mantissa = 0;  // value × 10^fraction
-  const char* end = nullptr;   // behind the last digit or the point; nullptr: no digit, or more than kScannedDigits
+  const char* end = nullptr;   // after the last digit or the point; nullptr: no digit, or more than kScannedDigits
 };
 inline constexpr std::uint32_t kScannedDigits = 15;  // every integer of so many is a double, and so is 10^15
 
@@ -36,7 +36,7 @@ inline constexpr std::uint32_t kScannedDigits = 15;  // every integer of so many
   const bool has_point = *at == '.';
   if (has_point) {
     const char* const point = ++at;
-    // Zeros behind the point of 0.05 lead, too.
+    // Zeros after the point of 0.05 lead, too.
     if (digits == 0)
       while (*at == '0') ++at;
     first = at;

@@ -1,4 +1,4 @@
-// One program text with its name, and the way from a byte offset to the line and column that a person sees.
+// One program text with its name, and the conversion from a byte offset to the line and column that a person sees.
 // Lines are counted as the controls count them: LF, CR LF, CR and LF CR CR each end one block (EOB).
 #pragma once
 

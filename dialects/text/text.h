@@ -1,4 +1,4 @@
-// dialects/text: bytes and what can be said of them without knowing a language: spans, lines and columns, numbers,
+// dialects/text: bytes and what can be known of them without knowing a language: spans, lines and columns, numbers,
 // diagnostics, byte readers. It names no other folder, opens no file and reads no clock; encodings and archives live
 // here too. What a byte sequence means is left to the dialects.
 #pragma once

@@ -1,4 +1,4 @@
-// Names of controls that tell no case apart.
+// Names whose upper and lower case are one.
 #pragma once
 
 #include <algorithm>

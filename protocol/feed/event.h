@@ -1,4 +1,4 @@
-// What a feed tells its driver: events, stalls by name, counters and the interval of what is known. Plain data.
+// What a feed reports to its driver: events, stalls by name, counters and the interval of what is known. Plain data.
 #pragma once
 
 #include <cstdint>

@@ -120,7 +120,7 @@ void Feed::receive(std::span<const std::byte> bytes, Time now) {
   }
 }
 
-// While a text is waited for, characters are no fault: they are compared. One EOB behind it is part of it.
+// While a text is waited for, characters are no fault: they are compared. One EOB after it is part of it.
 bool Feed::hears_trigger(Signal signal, std::uint8_t byte) {
   if (settings_.start != Start::on_trigger) return false;
   const auto eighth_bit = settings_.wire.eighth_bit;

@@ -197,7 +197,7 @@ class Feed {
   std::uint32_t credit_ = 0;
   tape_code::FillStatus source_ = tape_code::FillStatus::end;
   bool at_block_end_ = true;
-  std::optional<std::uint64_t> network_has_;  // wire bytes that the network confirmed, where it tells
+  std::optional<std::uint64_t> network_has_;  // wire bytes that the network confirmed, where it is known
   std::uint64_t last_queue_ = 0;              // reported last
   std::optional<Time> stands_since_;          // nothing moves below since then
   Time rested_{};                             // all line delays so far

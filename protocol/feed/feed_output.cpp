@@ -51,7 +51,7 @@ std::size_t Feed::allowed() const {
 std::span<const std::byte> Feed::pending_out() const { return std::span(out_).subspan(out_begin_, allowed()); }
 
 // The bytes are out whatever the state is now, so they are counted before time is looked at. A driver that was not at
-// once may even tell of them when the job is over.
+// once may even report them when the job is over.
 void Feed::mark_sent(std::size_t n, Time now) {
   const std::size_t count = std::min(n, out_end_ - out_begin_);
   if (count > 0) {

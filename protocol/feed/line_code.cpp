@@ -32,7 +32,7 @@ Signal classify(std::uint8_t byte, EighthBit eighth_bit, const FlowCharacters& f
   if (character == flow.xoff) return Signal::dc3;
   if (character == kSyn) return Signal::syn;
   if (character == kNak) return Signal::nak;
-  // The end character ends the transfer, so it is believed either way on a line that carries no parity.
+  // The end character ends the transfer, so it is believed in either parity on a line that carries no parity.
   if (eot && character == *eot && (eighth_bit == EighthBit::data || bit_seven_fits(byte, eighth_bit)))
     return Signal::eot;
   if (!bit_seven_fits(byte, eighth_bit)) return Signal::unexpected;

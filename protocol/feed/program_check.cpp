@@ -131,7 +131,7 @@ void ProgramCheck::put_code(char character) {
 }
 
 // An M word counts as an end code when it stands by itself: M30, M02, M2 - not M30.1, M2=3 or the end of a longer name,
-// and not behind a '/', which makes it optional.
+// and not after a '/', which makes it optional.
 void ProgramCheck::put_in_word(char character) {
   if (is_digit(character) && word_ != Word::none) {
     number_ = std::min(number_ * 10 + static_cast<std::uint32_t>(character - '0'), kNoCode);

@@ -123,7 +123,7 @@ class ProgramCheck {
     bool any = false;                // holds any character
     bool skipped_by_reader = false;  // begins with the first '%': controls skip it up to its EOB
     bool label = false;              // is inside its N word
-    bool code = false;               // holds something to act on beside the N word
+    bool code = false;               // holds something to act on besides the N word
     bool optional = false;           // begins with '/', so it may be left out
     bool ends_program = false;       // holds an end code
   };

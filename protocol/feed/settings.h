@@ -75,7 +75,7 @@ struct Settings {
   bool watch_dsr = false;  // DSR off ends the feed and disarms; not together with a flow by DSR
 };
 
-// A clock may be off by 2 %, so a link that never tells how much is unsent is paced this much slower.
+// A clock may be off by 2 %, so a link that never shows how much is unsent is paced this much slower.
 inline constexpr double kBlindRate = 0.98;
 // What a blind link (a device server and the network before it) may hold of what was clocked, and loses when it is
 // lost: a buffer of 1 KB is usual. As characters at the paced rate.

@@ -159,7 +159,7 @@ constexpr std::array<Reaction, 351> kReactions{{
     {S::stopped_held, I::resume_as_dc1, G::always, A::stand_in, S::stopped},
     {S::stopped_held, I::confirm_reset, G::always, A::refuse, S::stopped_held},
 
-    // A control that asks though nothing holds it begins to read anew: it was reset, and what follows in the program must
+    // A control that asks though nothing holds it begins to read again: it was reset, and what follows in the program must
     // not go to its start.
     {S::reset_suspected, I::dc1, G::always, A::none, S::reset_suspected},
     {S::reset_suspected, I::dc3, G::always, A::none, S::reset_suspected},
@@ -291,7 +291,7 @@ constexpr std::array<Reaction, 351> kReactions{{
     {S::wait_end, I::resume_as_dc1, G::always, A::refuse, S::wait_end},
     {S::wait_end, I::confirm_reset, G::always, A::refuse, S::wait_end},
 
-    // A DC1 behind a DC3 that was taken for the end: it was a hold, and the trailer goes on.
+    // A DC1 after a DC3 that was taken for the end: it was a hold, and the trailer goes on.
     {S::ending, I::dc1, G::always, A::change, S::trailer},
     {S::ending, I::dc3, G::always, A::none, S::ending},
     {S::ending, I::punch_code, G::always, A::note, S::ending},

@@ -67,7 +67,7 @@ enum class Guard : std::uint8_t {
 
 enum class Action : std::uint8_t {
   none,      // nothing to do; a known no-op
-  note,      // an event tells what came
+  note,      // an event reports what came
   refuse,    // the command has no effect here; its caller and an event get that
   unarmed,   // DC1 that starts nothing: an event says so
   remember,  // DC3 at rest: an event, and a start at once begins held

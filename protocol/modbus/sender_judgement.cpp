@@ -80,7 +80,7 @@ SenderInput Sender::judge_message(const Status& status) {
   return ended ? SenderInput::ended : SenderInput::not_yet;
 }
 
-// The block was appended, or not, or nobody can say.
+// The block was appended, or not, or no one can say.
 SenderInput Sender::judge_block(const Status& status) {
   if (shows(status, after_)) return SenderInput::acknowledged;
   if (!shows(status, before_)) return contradict(mismatch(status));

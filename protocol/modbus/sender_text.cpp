@@ -35,7 +35,7 @@ SourceStatus Sender::next_piece() {
   return SourceStatus::text;
 }
 
-// Fills the payload and cuts it behind its last LF, so that a block of the mailbox ends with a block of the program
+// Fills the payload and cuts it after its last LF, so that a block of the mailbox ends with a block of the program
 // wherever it can. A line longer than the payload goes in parts.
 void Sender::gather() {
   text_not_ready_ = false;

@@ -1,4 +1,4 @@
-// What a packet sender tells its driver: events, stalls and causes by name, counters, and the interval of what is
+// What a packet sender reports to its driver: events, stalls and causes by name, counters, and the interval of what is
 // known.
 #pragma once
 

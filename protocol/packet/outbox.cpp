@@ -1,4 +1,4 @@
-// Where blocks end is kept beside the bytes, so that a cancel and a torn line know it.
+// Where blocks end is kept next to the bytes, so that a cancel and a torn line know it.
 #include "protocol/packet/outbox.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The buffer's side: SYN until the host says RDY, then GTD for as long as there is room. A message that came damaged is
-// asked for again (RTY); a message that did not come at all is an open line: it begins anew with SYN, because after a
+// asked for again (RTY); a message that did not come at all is an open line: it begins again with SYN, because after a
 // lost GTD the host would repeat text that is here already.
 #include <utility>
 

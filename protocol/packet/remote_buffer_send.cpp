@@ -60,7 +60,7 @@ Heard RemoteBufferSendRules::hear_message(State state) {
     case Command::clb:
     case Command::rdi:
     case Command::sdi:
-    case Command::sdo: break;  // the host's own, and inputs that nobody asked for
+    case Command::sdo: break;  // the host's own, and inputs that no one asked for
   }
   return {Signal::noise};
 }

@@ -51,7 +51,7 @@ Heard S3964SendRules::hear(std::uint8_t byte, State state) {
     case State::cancelled:
     case State::disarmed: break;
   }
-  // The other side wants to send, and nobody here receives.
+  // The other side wants to send, and no one here receives.
   if (byte == kStx) owed_ = kNak;
   return {Signal::noise};
 }
@@ -80,7 +80,7 @@ Heard S3964SendRules::hear_call(std::uint8_t byte) {
   return {Signal::yielded};
 }
 
-// The partner's block, its STX answered. What is wrong with it is said when it has run out.
+// The partner's block, its STX answered. What is wrong with it is stated when it has run out.
 Heard S3964SendRules::hear_telegram(std::uint8_t byte) {
   const auto came = spoiled_ ? std::nullopt : partner_.hear(byte, ReceiveState::framing).input;
   if (came != ReceiveInput::good) {

@@ -34,10 +34,10 @@ struct Heard {
   bool counts = true;  // `again` is one of the attempts that patience() limits
 };
 
-// Limit of what goes out beside frames.
+// Limit of what goes out between frames.
 inline constexpr std::size_t kMaxSmall = 136;
 
-// What a protocol with headers tells of the text. The name may be anything, also none.
+// What a protocol with headers states of the text. The name may be anything, also none.
 struct Announcement {
   std::string_view name{};
   std::uint64_t bytes = 0;  // as coded
@@ -73,7 +73,7 @@ class SendRules {
   virtual std::size_t close(std::span<std::byte>) { return 0; }
   // Called when a job is over between two blocks and the receiver still waits.
   virtual std::size_t part(std::span<std::byte>) { return 0; }
-  // What the receiver was just promised an answer to, beside frames.
+  // What the receiver was just promised an answer to, apart from frames.
   virtual std::size_t reply(std::span<std::byte>) { return 0; }
   // Called when a person aborts inside a block of the program, between two frames: that what came is no whole text.
   virtual std::size_t abort(std::span<std::byte>) { return 0; }

@@ -181,7 +181,7 @@ std::expected<void, feed::Refusal> Sender::react(Input input, Cause cause) {
   const bool torn = taken.action == Action::fail && in_block();
   perform(taken.action, input, cause);
   enter(torn ? State::torn : taken.to, cause);
-  // A call that the protocol does not make is granted as it is made, an end that it does not tell is accepted so.
+  // A call that the protocol does not make is granted as it is made, an end that it does not state is accepted so.
   if (taken.action == Action::call && out_begin_ == out_end_) return react(Input::granted);
   if (taken.action == Action::close && out_begin_ == out_end_) return react(Input::accepted);
   return {};
@@ -279,7 +279,7 @@ void Sender::end_job(Action action, Cause cause) {
   out_begin_ = out_end_ = 0;
   out_awaited_ = false;
   job_.reset();
-  // A pulled receiver is told when it asks, and only then.
+  // A pulled receiver is informed when it asks, and only then.
   if (receiver_waits && link_up_ && (!rules_->is_pulled() || asked_)) put_small(rules_->part(small_), false);
   if (inside && cause == Cause::person && !frame_begun && link_up_) put_small(rules_->abort(small_), false);
   asked_ = false;

@@ -32,7 +32,7 @@ class Sender {
   static std::expected<Sender, SettingsFault> make(const Settings& settings, feed::LeftAs left = feed::LeftAs::whole);
 
   // A person arms one job. Nothing of the text goes out before the receiver asks (3964: at once). `name` is for
-  // protocols that tell it.
+  // protocols that state it.
   std::expected<void, feed::Refusal> arm(const feed::Job& job, Time now, std::string_view name = {});
   std::expected<void, feed::Refusal> command(feed::Command command, Time now);
   // The ledger committed: text up to this offset may be handed. Never lowers the reserve.

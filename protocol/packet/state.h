@@ -15,7 +15,7 @@ enum class State : std::uint8_t {
   receiving,  // 3964: both called, and this side gave way: the partner's telegram comes first
   sending,    // a frame goes out
   waiting,    // all of it is out; waiting for its answer
-  ready,      // no frame is on the way; the next waits for text, ledger, a person, or the receiver's request
+  ready,      // no frame is in transit; the next waits for text, ledger, a person, or the receiver's request
   closing,    // every frame is answered; the end is sent, waiting for its answer
   done,       // transferred; says nothing about execution
   failed,     // broken off between two blocks of the program

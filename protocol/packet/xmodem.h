@@ -80,7 +80,7 @@ class XmodemSendRules final : public SendRules {
   std::uint32_t cans_ = 0;      // in a row
   std::uint32_t restarts_ = 0;  // C where none is due
   Part part_ = Part::blocks;
-  bool answerable_ = false;      // what is on the way has left
+  bool answerable_ = false;      // what is in transit has left
   std::uint32_t farewells_ = 0;  // how often the batch's end was sent
   std::array<char, xmodem::kMaxName> name_{};
   std::size_t name_size_ = 0;

@@ -1,5 +1,5 @@
 // The receiver's side of XMODEM: it asks with C three times, then with NAK; reads a packet by its first byte; lets what
-// is left of a bad one run out before it says NAK; believes an end only when it is told twice.
+// is left of a bad one run out before it says NAK; believes an end only when it comes twice.
 #include <algorithm>
 #include <utility>
 
@@ -69,10 +69,10 @@ Received XmodemReceiveRules::hear(std::uint8_t byte, ReceiveState state) {
   return {ReceiveInput::header};
 }
 
-// The first end is doubted. Of YMODEM the batch goes on behind it.
+// The first end is doubted. Of YMODEM the batch goes on after it.
 Received XmodemReceiveRules::hear_end() {
   if (!file_over_ && !std::exchange(ended_, true)) return {ReceiveInput::first_end};
-  // The end of a text whose beginning never came: this side began anew meanwhile. Or of one that is not all here.
+  // The end of a text whose beginning never came: this side began again meanwhile. Or of one that is not all here.
   const bool begun = headed_ || !first_;
   if (!begun || left_.value_or(0) > 0) return {ReceiveInput::out_of_step, Cause::broken_off};
   if (!headed_) return {ReceiveInput::end};
@@ -143,7 +143,7 @@ std::span<const std::byte> XmodemReceiveRules::payload() const {
   return std::span<const std::byte>(frame_).subspan(kHead, kept_);
 }
 
-// Behind a header of YMODEM, and behind the end of a file, the sender waits to be asked once more.
+// After a header of YMODEM, and after the end of a file, the sender waits to be asked once more.
 std::size_t XmodemReceiveRules::acknowledge(std::span<std::byte> out) {
   put(out, kAck);
   if (!std::exchange(asks_again_, false)) return 1;

@@ -77,7 +77,7 @@ Heard XmodemSendRules::hear_start(std::uint8_t byte) {
   return {Signal::asked};
 }
 
-// Until the header is acknowledged C asks for it again; behind that, for the first block.
+// Until the header is acknowledged C asks for it again; after that, for the first block.
 Heard XmodemSendRules::hear_header(std::uint8_t byte) {
   const bool asks = byte == kWantCrc || byte == kNak;
   if (part_ == Part::header_taken) {
@@ -91,7 +91,7 @@ Heard XmodemSendRules::hear_header(std::uint8_t byte) {
   return {Signal::later};
 }
 
-// A receiver of YMODEM that asks before it acknowledged may have lost all: it is told the end of the file once more,
+// A receiver of YMODEM that asks before it acknowledged may have lost all: it gets the end of the file once more,
 // which one that has the file acknowledges again.
 Heard XmodemSendRules::hear_end(std::uint8_t byte) {
   const bool asks = byte == kNak || (byte == kWantCrc && settings_.protocol == Protocol::ymodem);
@@ -111,7 +111,7 @@ Heard XmodemSendRules::hear_answer(std::uint8_t byte) {
   if (byte == kAck) return {Signal::accepted};
   if (byte == kNak) return {Signal::again};
   if (byte != kWantCrc) return {Signal::noise};
-  // Until the first block is accepted C asks for it; behind that it is a receiver that began anew.
+  // Until the first block is accepted C asks for it; after that it is a receiver that began again.
   if (first_) return {crc_ ? Signal::again : Signal::none};
   if (++restarts_ == kRestartsBelieved) return {Signal::broken, Cause::peer_restarted};
   return {Signal::noise};

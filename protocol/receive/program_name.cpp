@@ -1,4 +1,4 @@
-// One function a way of naming; the table is asked line by line, so that what stands first wins.
+// One function a method of naming; the table is asked line by line, so that what stands first wins.
 #include "protocol/receive/program_name.h"
 
 #include <array>

@@ -1,5 +1,5 @@
-// The name that a received program gives itself, by a table of the controls' ways, and the programs of one punch. Names
-// are not judged: what may be stored or asked for under a name is the caller's.
+// The name that a received program gives itself, by a table of the controls' methods, and the programs of one punch.
+// Names are not judged: what may be stored or asked for under a name is the caller's.
 #pragma once
 
 #include <cstddef>

@@ -105,7 +105,7 @@ std::optional<Input> Receiver::sign_of(std::uint8_t character) const {
 }
 
 // A sign is believed with the bit 7 that this line's characters have; a damaged one is text, and the parity of the
-// whole tells. DC3, SYN and NAK stop, so they are believed either way, as the feed does.
+// whole shows. DC3, SYN and NAK stop, so they are believed in either parity, as the feed does.
 Input Receiver::classify(std::uint8_t byte) const {
   if (looks_ == Looks::eia || (looks_ == Looks::open && !at_rest())) return classify_eia(byte);
   const auto character = static_cast<std::uint8_t>(byte & tape_code::kLowSevenBits);

@@ -32,7 +32,7 @@ void AutoDecoder::look(std::uint8_t byte) {
   }
 }
 
-// Without an EOB that tells: EIA has odd bytes only, ISO even ones only, ASCII both and none above 7Fh.
+// Without an EOB that decides: EIA has odd bytes only, ISO even ones only, ASCII both and none above 7Fh.
 Code AutoDecoder::by_parity() const {
   if (even_high_ > odd_low_) return Code::iso;
   if (odd_low_ == 0) return Code::iso;

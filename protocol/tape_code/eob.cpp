@@ -52,8 +52,8 @@ std::optional<Eob> parse_eob(std::string_view name) {
   }
 }
 
-// What is held is always the beginning of the own EOB. A character that breaks it off sends the first held one the
-// usual way, and the rest is looked at anew.
+// What is held is always the beginning of the own EOB. A character that breaks it off sends the first held one as
+// usual, and the rest is looked at again.
 void EobReader::put(char character, std::string& out) {
   if (is_usual(own_)) return put_usual(character, out);
   held_[held_count_++] = character;

@@ -66,7 +66,7 @@ void WireDecoder::count(std::string& out, std::size_t before) {
   }
 }
 
-// Of the label a '%' stays, with the EOB behind it.
+// Of the label a '%' stays, with the EOB after it.
 void WireDecoder::skip_label(std::string& out, std::size_t before) {
   std::size_t end = before;
   while (end < out.size() && out[end] != '\n') percent_in_label_ = out[end++] == '%' || percent_in_label_;

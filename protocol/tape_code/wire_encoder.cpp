@@ -132,7 +132,7 @@ std::optional<WirePosition> WireEncoder::locate(std::uint64_t wire_offset) const
       high = middle - 1;
     }
   }
-  // Inside an EOB of several characters, or behind the blank before it, the LF of the text is not complete yet.
+  // Inside an EOB of several characters, or after the blank before it, the LF of the text is not complete yet.
   const std::uint64_t complete = low == blocks_ ? text_ : block(low + 1).text - 1;
   position.text_offset = std::min(block(low).text + (wire_offset - block(low).wire), complete);
   position.line = low + 1;

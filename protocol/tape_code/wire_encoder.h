@@ -27,7 +27,7 @@ struct WireFormat {
   Eob eob = Eob::lf;  // EIA has its own: one 80h, whatever stands here
   std::uint32_t leader_chars = 0;
   std::uint32_t trailer_chars = 0;
-  std::optional<EiaSpecials> eia{};  // EIA, with these specials; eighth_bit then tells of the control's DC codes alone
+  std::optional<EiaSpecials> eia{};  // EIA, with these specials; eighth_bit then describes the control's DC codes alone
   Filler filler = Filler::nul;
   // A blank before the EOB of a block that has, its EOB counted as one, an odd number of characters (for controls whose
   // TV check is on; CR, NUL and DEL do not count there).

@@ -285,7 +285,7 @@ void ComPortClient::on_answer(Setting setting, std::uint32_t value) {
 }
 
 void ComPortClient::emit(ClientEvent event) {
-  if (event_count_ == kMaxEvents) {  // nobody reads: the oldest is worth least
+  if (event_count_ == kMaxEvents) {  // no one reads: the oldest is worth least
     first_event_ = (first_event_ + 1) % kMaxEvents;
     --event_count_;
   }

@@ -1,5 +1,5 @@
 // The client's end of a serial port behind Telnet (RFC 2217): offers the option, sets the line, passes data through and
-// tells what the server says of its modem lines and its receiver.
+// shows what the server reports of its modem lines and its receiver.
 //
 // A server need not answer. What it does not confirm within kAnswerTime is taken as set and named as unconfirmed; a
 // server that says another value than was asked for ends the connection, because a line at another speed or parity

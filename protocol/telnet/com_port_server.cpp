@@ -1,4 +1,4 @@
-// What a device server does with each command; its masks decide what it tells unasked.
+// What a device server does with each command; its masks decide what it reports unasked.
 #include "protocol/telnet/com_port_server.h"
 
 namespace dripfeed::telnet {

@@ -1,5 +1,5 @@
 // The server's end of a serial port behind Telnet (RFC 2217), as a device server has it: a simulated control lives
-// behind it, and counterparts of others are tried against it. It answers every command with the value in effect and
+// after it, and counterparts of others are tried against it. It answers every command with the value in effect and
 // notifies what the masks ask for.
 #pragma once
 
@@ -38,7 +38,7 @@ class ComPortServer : private DecoderSink {
   std::size_t receive(std::span<const std::byte> wire, std::span<std::byte> data);
   // How many it took into pending_out(); none while the client suspends or earlier data waits.
   std::size_t send(std::span<const std::byte> data);
-  // The lines as the device drives them (CTS, DSR, RI, CD: bits of modem::); tells the client what changed.
+  // The lines as the device drives them (CTS, DSR, RI, CD: bits of modem::); reports to the client what changed.
   void set_modem_lines(std::uint8_t lines);
   // The receiver saw something (bits of line::); reported where the client's mask asks for it.
   void notify_line(std::uint8_t bits);

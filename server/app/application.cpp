@@ -14,7 +14,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr std::chrono::seconds kCancelAtMost{3};
-constexpr std::size_t kBlockAround = 512;  // a block is looked for so far before and behind a position
+constexpr std::size_t kBlockAround = 512;  // a block is looked for so far before and after a position
 
 bool runs(const Line& line) {
   const LineReport report = line.report();
@@ -24,7 +24,7 @@ bool runs(const Line& line) {
 }
 
 // Positions of a feed count each EOB once. Of a stored text that has more characters a line, as its first line shows,
-// the place is behind that.
+// the place is after that.
 std::uint64_t stored_place(store::Contents& contents, const std::string& sha256, const KnownInterval& known) {
   std::string begin(kBlockAround, '\0');
   const auto count = contents.read(sha256, 0, begin);
@@ -222,7 +222,7 @@ void Application::cancel_all() {
     if (!runs(*line)) continue;
     any = true;
     const LineState state = line->report().state;
-    // An answer that nobody asked for yet is taken back; one that goes out ends at a block end as everything does.
+    // An answer that no one asked for yet is taken back; one that goes out ends at a block end as everything does.
     if (state == LineState::answering && line->command(feed::Command::disarm)) continue;
     const feed::Command how = state == LineState::armed ? feed::Command::disarm : feed::Command::cancel;
     if (const auto done = line->command(how); !done) spdlog::warn("{}: {}", machine, done.error());

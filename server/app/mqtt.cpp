@@ -95,7 +95,7 @@ void Mqtt::round() {
   send_events();
 }
 
-// What the broker before may have lost goes out anew.
+// What the broker before may have lost goes out again.
 void Mqtt::greet() {
   broker_.publish(mqtt_connection(settings_.prefix, true));
   sent_.clear();

@@ -40,7 +40,7 @@ class Mqtt {
   Mqtt(const Mqtt&) = delete;
   Mqtt& operator=(const Mqtt&) = delete;
 
-  // Tells the broker that the server goes, and ends the thread.
+  // Informs the broker that the server goes, and ends the thread.
   void stop();
 
  private:

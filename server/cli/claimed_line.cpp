@@ -1,4 +1,4 @@
-// One sentence for each way in which a line is not to be had.
+// One sentence for each reason why a line is not to be had.
 #include "server/cli/claimed_line.h"
 
 #include <CLI/CLI.hpp>

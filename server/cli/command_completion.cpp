@@ -1,5 +1,5 @@
 // dripfeed completion bash: what the shell proposes. The script looks for the longest command among the words, then
-// proposes its options behind a dash, files behind an option that takes a value, else commands that go on, or files.
+// proposes its options after a dash, files after an option that takes a value, else commands that go on, or files.
 #include <memory>
 
 #include <CLI/CLI.hpp>

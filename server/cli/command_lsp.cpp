@@ -62,7 +62,7 @@ lsp::Surroundings surroundings() {
           .version = kVersion};
 }
 
-// The page of diagnostics in a tree of sources or beside the presets; "" where it is not there.
+// The page of diagnostics in a tree of sources or next to the presets; "" where it is not there.
 std::string docs_address() {
   for (const char* place : {"../docs/diagnostics.md", "docs/diagnostics.md"})
     if (const auto found = find_shared(place)) return lsp::file_uri(std::filesystem::absolute(*found).string());

@@ -1,4 +1,4 @@
-// dripfeed receive: one program from a control, without a server. A broken one is kept as it came, beside the output,
+// dripfeed receive: one program from a control, without a server. A broken one is kept as it came, next to the output,
 // and never under the output's name.
 #include <chrono>
 #include <cstdio>
@@ -57,7 +57,7 @@ app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& prof
     const app::LineReport report = (*line)->report();
     if (stopped) break;
     if (stop.stop_requested()) {
-      // A sender of packets is told; what came of its text so far is a broken reception. Others hear nothing.
+      // A sender of packets is informed; what came of its text so far is a broken reception. Others hear nothing.
       stopped = true;
       static_cast<void>((*line)->command(feed::Command::abort));
       std::this_thread::sleep_for(kLeaveTaking);

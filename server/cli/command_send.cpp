@@ -1,5 +1,5 @@
-// dripfeed send: one transfer without a server, with its own ledger file. It takes texts that nobody checked or
-// released, so it wants to be told that this is meant.
+// dripfeed send: one transfer without a server, with its own ledger file. It takes texts that no one checked or
+// released, so it requires the option that states that this is meant.
 #include <algorithm>
 #include <filesystem>
 #include <memory>

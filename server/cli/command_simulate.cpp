@@ -161,7 +161,7 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
     return kWrongUse;
   }
   say(fmt::format("simulated PLC at {}", link.text));
-  // The host reads the end from the registers, so they stay for a while behind it.
+  // The host reads the end from the registers, so they stay for a while after it.
   constexpr std::chrono::seconds kStayAfterEnd{2};
   auto ended = std::chrono::steady_clock::time_point::max();
   while (!stop.stop_requested() && (options.repeat || std::chrono::steady_clock::now() < ended)) {
@@ -177,7 +177,7 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
   return all_complete(reports) ? kDone : kFailed;
 }
 
-// The wire of the n-th of several: {n} in a path is its number from 1 (put behind where there is none), ports count up.
+// The wire of the n-th of several: {n} in a path is its number from 1 (put after where there is none), ports count up.
 std::optional<machine::LinkUrl> link_of(const machine::LinkUrl& link, std::size_t n, std::size_t count) {
   machine::LinkUrl one = link;
   if (count == 1) return one;

@@ -125,7 +125,7 @@ std::string render_document(const compile::RenderResult& result, const text::Sou
 
 namespace {
 
-// Beside each line of the program the family's.
+// Next to each line of the program the family's.
 void add_family_lines(Document& list, const RenderedFrom& from) {
   for (Document& one : list) {
     const auto line = one.at("line").get<std::size_t>();

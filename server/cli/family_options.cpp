@@ -23,7 +23,7 @@ std::string find_family(const std::string& name) {
 
 namespace {
 
-// FILE or FILE:COLUMN behind the @. A file whose name has a colon is named with its column.
+// FILE or FILE:COLUMN after the @. A file whose name has a colon is named with its column.
 app::Result<std::string> list_of_file(std::string_view written, const text::Source& family,
                                       std::string_view parameter) {
   const std::size_t colon = written.rfind(':');

@@ -230,7 +230,7 @@ app::Result<ChosenControl> plain_control(const TextOptions& options, const text:
   if (!settings) return std::unexpected(settings.error());
   if (settings->kind_given) {
     ir::Control control = dialect->control(settings->kind, settings->g_system);
-    // The text says the system of a lathe, if nobody else does.
+    // The text says the system of a lathe, if no one else does.
     if (settings->kind == ir::MachineKind::lathe && !settings->system_given) {
       const ir::Control inferred = dialect->infer_control(source);
       if (inferred.kind == settings->kind) {

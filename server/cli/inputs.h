@@ -62,7 +62,7 @@ app::Result<ChosenControl> choose_control(const TextOptions& options, const text
 app::Result<ChosenControl> choose_control(const TextOptions& options);
 
 // program_folders.cpp: --path, the folder of the file, and where that is a directory of a SINUMERIK (MPF.DIR, a
-// workpiece) those beside it.
+// workpiece) those next to it.
 std::vector<std::string> folders_for(const TextOptions& options, const std::string& file);
 
 }  // namespace dripfeed::cli

@@ -1,5 +1,5 @@
 // The thread asks with poll() before it writes, and writes no more than a pipe takes at once, so that it seldom hangs;
-// but it may (a file on a network drive), and nobody waits for it longer than kPatience.
+// but it may (a file on a network drive), and nothing waits for it longer than kPatience.
 #include "server/cli/logging.h"
 
 #include <atomic>
@@ -119,7 +119,7 @@ void LineQueue::write_lines(const std::shared_ptr<Shared>& shared) {
     const bool written = write_whole(shared->descriptor, text, shared->given_up);
     lock.lock();
     if (written) continue;
-    // Nobody will ever read it. What is put in from now on is dropped without a count.
+    // No one will ever read it. What is put in from now on is dropped without a count.
     shared->ending = true;
     return;
   }

@@ -21,7 +21,7 @@ class LineQueue {
   static constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
   explicit LineQueue(int descriptor);
-  // Waits until what is in the queue is written, but not longer than kPatience; then the thread is left behind.
+  // Waits until what is in the queue is written, but not longer than kPatience; then the thread is abandoned.
   ~LineQueue();
   LineQueue(const LineQueue&) = delete;
   LineQueue& operator=(const LineQueue&) = delete;

@@ -27,7 +27,7 @@ app::Result<Measured> measure_family(const MeasureOptions& options) {
   return app::measured_of(app::examine(e), e);
 }
 
-// While it is read: its text is not validated, and that is said.
+// While it is read: its text is not validated, and that is reported.
 app::Result<Measured> measure_stream(const MeasureOptions& options, app::Examination e, ProgramFile& file,
                                      app::SurfaceScope scope) {
   app::CheckReport report;

@@ -1,4 +1,4 @@
-// Times by the cost model, with the model's own doubts beside them.
+// Times by the cost model, with the model's own doubts next to them.
 #include "server/cli/optimize_report.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // A program's file that is read in pieces. Small files are read whole before anything runs, so that all of their faults
-// are seen at once; of large ones the head tells the control.
+// are seen at once; of large ones the head decides the control.
 #pragma once
 
 #include <memory>

@@ -38,7 +38,7 @@ constexpr std::array<Affixes, 12> kAffixes = {{{"", ""},
                                                {"_n_", "_mpf"},
                                                {"_n_", "_def"}}};
 
-// The directories in which the SINUMERIK looks, in its order; all lie beside one another.
+// The directories in which the SINUMERIK looks, in its order; all lie next to one another.
 constexpr std::array<std::string_view, 6> kDirectories = {"spf", "cus", "cma", "cst", "mpf", "def"};
 
 // "CMA.DIR" -> "cma"

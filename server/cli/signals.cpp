@@ -33,7 +33,7 @@ struct Row {
   Meaning meaning;
 };
 // Every signal that ends or stops a process unless it is taken, and that a terminal, a shell, a supervisor, a limit or
-// an output sends. Left as they are: SIGKILL and SIGSTOP, which nobody can take; those of a fault of the program itself
+// an output sends. Left as they are: SIGKILL and SIGSTOP, which no one can take; those of a fault of the program itself
 // (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS); and those that do nothing by themselves (SIGCHLD,
 // SIGCONT, SIGURG, SIGWINCH).
 constexpr std::array kRows = {
@@ -123,7 +123,7 @@ class Waiter {
   void stop() {
     sources_[seen_++].request_stop();
     if (seen_ < stops_) return;
-    // One more ends the process at once: here it finds somebody who does not block it.
+    // One more ends the process at once: here it finds a thread that does not block it.
     for (const Row& one : kRows) {
       if (one.meaning == Meaning::stop) sigdelset(&taken_.waited_for, one.signal);
     }

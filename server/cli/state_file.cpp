@@ -1,4 +1,4 @@
-// Each line is one assignment; what it is not, is said with its line.
+// Each line is one assignment; what it is not, is reported with its line.
 #include "server/cli/state_file.h"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Of a large file only the lines' lengths are wanted beside the run; its text is held for that while it is fed.
+// Of a large file only the lines' lengths are wanted besides the run; its text is held for that while it is fed.
 #include "server/cli/timing_run.h"
 
 #include <utility>

@@ -15,7 +15,7 @@ constexpr std::size_t kShownStretches = 12;
 
 std::string seconds(double value) { return text::format_fixed(value, 3); }
 
-// With what is known of it: nobody should take an assumption for a measured time.
+// With what is known of it: no one should take an assumption for a measured time.
 std::string compute_text(const timing::Report& t) {
   std::string text =
       fmt::format("{} s, {} to {} s (cost model {}", seconds(t.compute_s), seconds(t.compute_s / t.cost_spread),

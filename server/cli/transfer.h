@@ -29,7 +29,7 @@ struct Transferred {
   app::LineReport report;
   std::string read_back;  // empty: none was due
   bool torn = false;      // nothing may be sent on the line until a person confirms a reset
-  std::string fault;      // beside the report's own: the ledger, or the line's record; empty: none
+  std::string fault;      // next to the report's own: the ledger, or the line's record; empty: none
 };
 
 // An error where nothing was sent: the link does not open, the line takes no job, nothing can be recorded. A signal

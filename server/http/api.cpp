@@ -27,7 +27,7 @@ bool read_number(std::string_view text, Number& into) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-// Bodies are JSON. What curl and others call a body that nobody described is taken as well; a type that a page of
+// Bodies are JSON. What curl and others call a body that no one described is taken as well; a type that a page of
 // another site may send unasked (text/plain) is not.
 bool is_json(const Request& request) {
   constexpr std::array<std::string_view, 3> kTaken = {"", "application/json", "application/x-www-form-urlencoded"};
@@ -267,7 +267,7 @@ std::expected<Caller, Response> Api::admit(const Request& request, const Route& 
 
 namespace {
 
-// Nothing where the store cannot say it: then it is asked for everything anew.
+// Nothing where the store cannot say it: then it is asked for everything again.
 std::optional<std::uint64_t> version_of(store::Store& store) {
   const auto version = store.version();
   return version ? std::optional(*version) : std::nullopt;

@@ -45,7 +45,7 @@ void read_headers(std::string_view lines, Response& response) {
   }
 }
 
-// Holds a key while it lives, if nobody else does.
+// Holds a key while it lives, if no one else does.
 class KeyInUse {
  public:
   KeyInUse(std::mutex& mutex, std::set<std::string>& keys, std::string key)
@@ -87,7 +87,7 @@ void Api::forget_old_replies(std::int64_t now_ms) {
   if (!forgotten) spdlog::warn("old answers under idempotency keys: {}", store::message_of(forgotten.error()));
 }
 
-// What was answered before under the key, or why that cannot be said.
+// What was answered before under the key, or why that is not known.
 std::optional<Response> Api::answered_before(const store::ReplyKey& key) {
   const auto before = application_.store().replies().find(key);
   if (!before) return problem_response(app::from_store(before.error()));

@@ -138,7 +138,7 @@ void Connection::take_head() {
                         }));
 }
 
-// A long body of somebody who may not send it is not read.
+// A long body of someone who may not send it is not read.
 void Connection::on_head_parsed(Error error) {
   head_only_ = false;
   plan_ = {};

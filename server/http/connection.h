@@ -1,4 +1,4 @@
-// One HTTP connection: reads a request, has it answered, writes the answer, again. Beast stays behind this header.
+// One HTTP connection: reads a request, has it answered, writes the answer, again. Beast stays out of this header.
 #pragma once
 
 #include <chrono>

@@ -41,7 +41,7 @@ void Connection::on_piece(Error error) {
     return refuse_unread(error);
   }
   piece_.resize(piece_.size() - long_parser_->get().body().size);
-  // The disk may take longer than the connection lasts: then nobody waits for what it says.
+  // The disk may take longer than the connection lasts: then nothing waits for what it says.
   const bool taken = shared_.spool->append(
       request_.spooled, std::move(piece_), [weak = weak_from_this(), executor = wire_.get_executor()](auto written) {
         asio::post(executor, [weak, written = std::move(written)] {

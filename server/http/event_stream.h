@@ -1,5 +1,5 @@
 // One watcher of live events, as the connection sees it: it takes what is ready and is woken when there is more. A slow
-// watcher falls behind alone: its queue is bounded where it is made.
+// watcher lags alone: its queue is bounded where it is made.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// /proc/self/stat, see proc(5): what stands behind the command's name, which may hold blanks and brackets, is counted
+// /proc/self/stat, see proc(5): what comes after the command's name, which may hold blanks and brackets, is counted
 // from its last bracket.
 #include "server/http/footprint.h"
 
@@ -64,7 +64,7 @@ std::uint64_t count_open_files() {
 }  // namespace
 
 std::optional<Footprint> footprint() {
-  // Places in proc(5) less 3: the first word behind the bracket is its third.
+  // Places in proc(5) less 3: the first word after the bracket is its third.
   enum Place : std::size_t {
     user_ticks = 11,
     system_ticks = 12,

@@ -14,7 +14,7 @@ namespace dripfeed::http {
 
 namespace {
 
-constexpr std::size_t kSignInLimit = 4096;  // bytes that anybody may have read as JSON
+constexpr std::size_t kSignInLimit = 4096;  // bytes that anyone may have read as JSON
 
 Response no_file() { return problem_response(404, "there is no such file of the page; is web/dist built?"); }
 
@@ -102,7 +102,7 @@ std::expected<std::string, Response> sign_in(const Call& call, const json::Sessi
 }  // namespace
 
 Response open_session(const Call& call) {
-  // Nobody signs a browser in from another site.
+  // No one signs a browser in from another site.
   if (!call.request.origin.empty() && !same_origin(call.request))
     return problem_response(403, "a sign-in must come from this server's own page");
   if (call.request.body.size() > kSignInLimit) return problem_response(413, "this is longer than any token");

@@ -226,7 +226,7 @@ bool LiveHub::watches_wire() const {
   return std::ranges::any_of(seats_, [](const auto& one) { return one.second.wire != nullptr; });
 }
 
-// A line wakes nobody when a character passes; who watches it is woken in steps.
+// A line wakes no one when a character passes; who watches it is woken in steps.
 bool LiveHub::look_at_wires(Clock::time_point now) {
   if (now < next_wires_) return false;
   next_wires_ = now + kProgressEvery;
@@ -239,7 +239,7 @@ bool LiveHub::look_at_wires(Clock::time_point now) {
   return news;
 }
 
-// With nobody there, nothing is written: the first who comes reads the ring.
+// With no one there, nothing is written: the first who comes reads the ring.
 void LiveHub::round() {
   const auto now = Clock::now();
   const std::lock_guard lock(mutex_);

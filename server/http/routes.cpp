@@ -14,7 +14,7 @@ using enum Weight;
 
 constexpr std::string_view kPicture = "image/svg+xml";
 constexpr std::string_view kXml = "application/xml";
-// Those behind `count` are known, and refused in the words of MTConnect.
+// Those after `count` are known, and refused in the words of MTConnect.
 constexpr std::string_view kSampleQuery = "from count path at interval heartbeat";
 constexpr std::string_view kPageTypes =
     "text/html text/javascript text/css image/svg+xml image/png font/woff2 application/manifest+json application/json "

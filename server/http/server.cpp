@@ -1,6 +1,6 @@
 // One thread for all connections: they wait far more than they work. Its loop is a fence, and so is each step of a
 // connection. Where there are too many connections, the one that waits longest for its peer goes first, so that whoever
-// opens many and says nothing keeps nobody out, and descriptors are left for the lines.
+// opens many and says nothing keeps no one out, and descriptors are left for the lines.
 #include "server/http/server.h"
 
 #include <algorithm>

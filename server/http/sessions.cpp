@@ -226,7 +226,7 @@ store::Result<std::string> Sessions::open(std::string_view user, store::SecretKi
   return open_for({.user = std::string(user), .secret = secret});
 }
 
-// What has expired goes with the next sign-in; nobody ends the session of another by signing in often.
+// What has expired goes with the next sign-in; no one ends the session of another by signing in often.
 store::Result<std::string> Sessions::open_for(const store::SessionOwner& owner) {
   const std::int64_t now = now_ms_();
   std::string cookie = hash::random_token();

@@ -206,7 +206,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
     dsr_ = (lines & telnet::modem::kDsr) != 0;
     if (announced_) report_lines();
   }
-  // The listener takes both as on until it is told otherwise.
+  // The listener takes both as on until it learns otherwise.
   void report_lines() {
     if (cts_ != reported_cts_) outer_->on_cts(reported_cts_ = cts_);
     if (outer_ != nullptr && dsr_ != reported_dsr_) outer_->on_dsr(reported_dsr_ = dsr_);

@@ -1,4 +1,4 @@
-// server/io: the drivers behind the application's ports: the links' thread, ttys, sockets (Asio) and the register bus
+// server/io: the drivers of the application's ports: the links' thread, ttys, sockets (Asio) and the register bus
 // (libmodbus). They move bytes and report what the system said; what may be sent, and when, is decided above.
 #pragma once
 

@@ -64,7 +64,7 @@ class LineLock {
       if (errno != EWOULDBLOCK) return std::unexpected(fmt::format("the lock {}: {}", path, std::strerror(errno)));
       return std::unexpected(fmt::format("the line {} is in use by {}", line, lock.holder()));
     }
-    // For people. A crash leaves it behind, and nobody reads it then.
+    // For people. A crash leaves it there, and no one reads it then.
     const std::string us = fmt::format("{}, since {}\n", this_process(), text_of_time(wall_ms()));
     if (::ftruncate(lock.file_, 0) != 0 ||
         ::pwrite(lock.file_, us.data(), us.size(), 0) != static_cast<ssize_t>(us.size()))

@@ -206,7 +206,7 @@ std::expected<void, std::string> RecordFile::read() {
     record_ = std::move(newest->record);
     return {};
   }
-  // Nobody knows what it said. What is not known to be whole counts as torn.
+  // No one knows what it said. What is not known to be whole counts as torn.
   record_ = {.state = RecordState::torn,
              .what = "what was sent last",
              .why = fmt::format("nothing is known, because the record {} is damaged", path_),

@@ -63,7 +63,7 @@ class RecordFile {
 
 // Makes an entry of a folder durable, as fsync() of a file does not. 0, or the system's error.
 int sync_folder(const std::string& folder);
-// FNV-1a, 64 bits: tells a whole record from a broken one, and long names apart.
+// FNV-1a, 64 bits: distinguishes a whole record from a broken one, and long names.
 std::uint64_t fnv1a(std::string_view text);
 
 }  // namespace dripfeed::io

@@ -75,7 +75,7 @@ class AsioLinkThread final : public app::LinkThread {
     go_before_others();
     stay_in_memory();
     while (!stopping_ && turn()) continue;
-    // What the links left behind (aborted waits) still refers to the context: give each its last call.
+    // What the links left over (aborted waits) still refers to the context: give each its last call.
     context_.poll();
   }
 

@@ -1,5 +1,5 @@
 // A row of /proc/locks, see proc(5): "1: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF": the process, then device and
-// inode of the file. A row that waits has "->" behind its number.
+// inode of the file. A row that waits has "->" after its number.
 #include "server/io/lock_holder.h"
 
 #include <algorithm>

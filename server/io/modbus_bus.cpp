@@ -3,7 +3,7 @@
 //
 // Whose turn: of those who are due the one that was served longest ago. A unit that failed twice in a row rests for
 // three times what it cost, as long as it does not have the bus to itself: so a dead one has a quarter of the bus at
-// the most, and nobody waits for it longer than its time-out.
+// the most, and nothing waits for it longer than its time-out.
 #include "server/io/modbus_bus.h"
 
 #include <algorithm>
@@ -98,7 +98,7 @@ class Connection {
       context.reset();
       errno = EBUSY;
     } else if (is_rtu) {
-      modbus_flush(context.get());  // what was on the way to who had the line before
+      modbus_flush(context.get());  // what was in transit to who had the line before
     }
     return context;
   }
@@ -131,7 +131,7 @@ class UnitBus final : public app::RegisterBus {
                                                static_cast<int>(into.size()), into.data());
       });
       if (exchanged) return true;
-      // A server that answers with an exception does not do it this way; it is asked in two steps from now on.
+      // A server that answers with an exception does not do it like this; it is asked in two steps from now on.
       if (exchanged.error().link_lost) return std::unexpected(exchanged.error());
       has_exchange_ = false;
     }
@@ -140,7 +140,7 @@ class UnitBus final : public app::RegisterBus {
     return false;
   }
 
-  // Requests in a row that nobody answered.
+  // Requests in a row that no one answered.
   [[nodiscard]] int lost() const { return lost_; }
 
  private:
@@ -197,7 +197,7 @@ class Trunk {
     return place;
   }
 
-  // Behind it the user has no turn any more.
+  // After it the user has no turn any more.
   void leave(const std::shared_ptr<Place>& place) {
     std::unique_lock lock(mutex_);
     place->leaving = true;
@@ -218,7 +218,7 @@ class Trunk {
     return places_.size() > 1 ? std::max(place.due, place.rests_until) : place.due;
   }
 
-  // Who is due and was served longest ago; nobody: when somebody will be.
+  // Who is due and was served longest ago; no user: when the next one will be.
   std::shared_ptr<Place> next(Clock::time_point now, Clock::time_point& earliest) const {
     std::shared_ptr<Place> chosen;
     earliest = Clock::time_point::max();
@@ -290,7 +290,7 @@ class Trunk {
   std::vector<std::shared_ptr<Place>> places_;
   const Place* running_ = nullptr;
   std::uint64_t turns_ = 0;
-  std::uint64_t wakes_ = 0;  // grows with all that may make somebody due
+  std::uint64_t wakes_ = 0;  // grows with all that may make a user due
   std::jthread thread_;      // last: it uses all of the above
 };
 

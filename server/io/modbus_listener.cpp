@@ -1,5 +1,5 @@
 // One io_context and thread: a PLC that polls asks little. A connection reads only when its answers are sent, so a
-// client that never reads holds one buffer and nobody up.
+// client that never reads holds one buffer and no one up.
 #include "server/io/modbus_listener.h"
 
 #include <algorithm>

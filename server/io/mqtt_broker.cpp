@@ -114,7 +114,7 @@ class MosquittoBroker final : public app::Broker {
   static void on_publish(mosquitto* /*client*/, void* user, int number) noexcept {
     self(user).confirmed_.push_back(number);
   }
-  // The same sentence once, however often it comes. The log has a queue: nobody waits for it.
+  // The same sentence once, however often it comes. The log has a queue: nothing waits for it.
   void say(std::string_view sentence, spdlog::level::level_enum level = spdlog::level::info) noexcept {
     try {
       if (std::exchange(said_, sentence) != sentence) spdlog::log(level, "mqtt: {}", sentence);

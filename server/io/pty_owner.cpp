@@ -83,7 +83,7 @@ std::expected<PtyOwner, std::string> PtyOwner::link(const std::string& path, con
   PtyOwner owner(lock, path, device);
   const bool written = ::ftruncate(lock, 0) == 0 &&
                        ::pwrite(lock, device.data(), device.size(), 0) == static_cast<ssize_t>(device.size());
-  // Only a link of our own kind is replaced; a file of somebody else's is not.
+  // Only a link of our own kind is replaced; a file of another's is not.
   if (written && is_pty(link_target(path))) ::unlink(path.c_str());
   if (written && ::symlink(device.c_str(), path.c_str()) == 0) return owner;
   return std::unexpected(fmt::format("{}: cannot link the pseudo-terminal there: {}", path, std::strerror(errno)));

@@ -1,5 +1,5 @@
 // A link in the file system that leads to a pseudo-terminal, and whether the one who made it still lives. The number of
-// a pseudo-terminal is given to another process once it is closed; a link that was left behind by a crash then leads to
+// a pseudo-terminal is given to another process once it is closed; a link that was left over by a crash then leads to
 // a stranger. So the maker keeps a lock on PATH.owner, which the system drops with the process.
 #pragma once
 

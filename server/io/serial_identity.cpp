@@ -77,7 +77,7 @@ SerialIdentity identify_serial(const std::string& path, const std::string& sysfs
 std::string lasting_name(const std::string& path, const std::string& by_id) {
   std::error_code error;
   const fs::path device = fs::canonical(path, error);
-  if (error || plain_path(path) != device.string()) return {};  // a link is a name that somebody chose
+  if (error || plain_path(path) != device.string()) return {};  // a link is a name that a person chose
   for (fs::directory_iterator entry(by_id, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code unreadable;
     if (fs::canonical(entry->path(), unreadable) == device) return entry->path().string();

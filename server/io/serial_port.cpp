@@ -22,7 +22,7 @@ namespace {
 
 std::string system_text() { return std::strerror(errno); }
 
-// The kernel's XOFF compares whole bytes, so a DC3 with parity (0x93) stops it only when bit 7 is taken off on the way
+// The kernel's XOFF compares whole bytes, so a DC3 with parity (0x93) stops it only when bit 7 is taken off on the path
 // in; the parity of what comes in is then not seen.
 void let_kernel_hold(termios& settings, const machine::LineSettings& line) {
   settings.c_iflag |= IXON;
@@ -53,7 +53,7 @@ std::expected<void, std::string> set_line(int descriptor, const machine::LineSet
   return {};
 }
 
-// DTR and RTS say to the control that somebody is there (Fanuc alarm 086 otherwise). Devices without modem lines
+// DTR and RTS say to the control that a person is there (Fanuc alarm 086 otherwise). Devices without modem lines
 // refuse; that is no fault.
 void raise_modem_lines(int descriptor) {
   int lines = TIOCM_DTR | TIOCM_RTS;

@@ -34,7 +34,7 @@ std::optional<app::LineErrors> read_line_errors(int descriptor);
 // Sets our RTS; false where the device has none (a pty).
 bool set_rts(int descriptor, bool on);
 
-// Characters that the driver holds unsent; nothing where it does not tell. A pty always says 0.
+// Characters that the driver holds unsent; nothing where it does not report. A pty always says 0.
 std::optional<std::uint64_t> read_unsent(int descriptor);
 
 // Before a close: what the driver holds must not follow later, a line that is held must not hold the close, and the far

@@ -1,4 +1,4 @@
-// The speed of a tty, any number of baud: the kernel's termios2, whose header does not bear <termios.h> beside it.
+// The speed of a tty, any number of baud: the kernel's termios2, whose header does not bear <termios.h> next to it.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace dripfeed::io {
 
-// Sets the speed both ways and reads back what the device took; or why not: it refused, or took another one that is
-// further away than 2 %.
+// Sets the speed in both directions and reads back what the device took; or why not: it refused, or took another one
+// that is further away than 2 %.
 std::expected<void, std::string> set_speed(int descriptor, std::uint32_t baud);
 
 }  // namespace dripfeed::io

@@ -1,4 +1,4 @@
-// The system's clocks behind app::Clock.
+// The system's clocks as app::Clock.
 #pragma once
 
 #include <chrono>

@@ -66,7 +66,7 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
     return taken;
   }
 
-  // What fails here fails again in the read that waits, which tells of it. Bounded by the link's allowance: a caller
+  // What fails here fails again in the read that waits, which reports it. Bounded by the link's allowance: a caller
   // that reads until nothing comes ends, however fast the other side is.
   std::size_t read(std::span<std::byte> into) {
     if (!up_ || resting_) return 0;

@@ -1,4 +1,4 @@
-// The special-purpose registries of IANA (RFC 6890 and its updates), as far as they tell the three apart.
+// The special-purpose registries of IANA (RFC 6890 and its updates), as far as they distinguish the three.
 #include "server/io/target_address.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Small buffers bound what the network holds of a program, and of what a control said and nobody heard yet; keepalive
+// Small buffers bound what the network holds of a program, and of what a control said and no one heard yet; keepalive
 // and the user timeout find a peer that is gone without a word.
 #include "server/io/tcp_link.h"
 
@@ -88,7 +88,7 @@ class TcpLink : public app::Link {
   bool reset_;
 };
 
-// Who may connect to a listener; empty: anybody.
+// Who may connect to a listener; empty: anyone.
 using AllowedPeers = std::vector<asio::ip::address>;
 
 bool is_allowed(const AllowedPeers& peers, const tcp::socket& socket) {
@@ -132,7 +132,7 @@ class TcpListenLink final : public TcpLink {
 };
 
 // The option peers: addresses with commas between, or "any". Whoever connects plays the control, so beyond loopback
-// somebody must have said who may.
+// a person must have said who may.
 std::expected<AllowedPeers, std::string> allowed_peers(const machine::LinkUrl& url, const asio::ip::address& local) {
   const auto given = url.options.find("peers");
   if (given == url.options.end()) {

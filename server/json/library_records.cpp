@@ -56,7 +56,7 @@ Document list_of_rows(const std::vector<Row>& rows, const Write& write) {
   return list;
 }
 
-// Nobody may take a list for whole that is not.
+// No one may take a list for whole that is not.
 Document why_calls_may_be_missing(const app::ProgramUses& uses) {
   if (!uses.known.is_known) return "the program is not in the library yet";
   return text_or_null(uses.known.not_read);

@@ -23,7 +23,7 @@ constexpr std::size_t kMostAssets = 1024;
 struct Component {
   std::string_view where;    // as DataItemRow has it
   std::string_view element;  // in probe; in streams its name
-  std::string_view id;       // behind the device's
+  std::string_view id;       // after the device's
 };
 constexpr std::array kComponents = {Component{"", "Device", ""}, Component{"controller", "Controller", "_cont"},
                                     Component{"path", "Path", "_path"}};

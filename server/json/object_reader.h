@@ -1,5 +1,5 @@
 // Reads the members of one JSON object with everything that can be wrong about them: missing, of the wrong type, out of
-// range, unknown. Faults are collected with their pointers, so that one reading tells all. The same functions describe
+// range, unknown. Faults are collected with their pointers, so that one reading finds all. The same functions describe
 // what they read: a reader that is made to describe notes each member that it is asked for, and gives none, so that a
 // schema cannot differ from its reading. Only files of this folder and of server/lsp include this.
 #pragma once

@@ -14,7 +14,7 @@ namespace dripfeed::json {
 
 namespace {
 
-// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …": the place is told by ourselves.
+// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …": the place is found here.
 std::string_view words_of(const nlohmann::json::exception& error) {
   std::string_view words = error.what();
   if (const std::size_t name = words.find("] "); name != std::string_view::npos) words.remove_prefix(name + 2);

@@ -14,7 +14,7 @@ namespace dripfeed::json {
 
 namespace {
 
-// What it is signed in with has to be one thing, and only a person's secret has a name beside it.
+// What it is signed in with has to be one thing, and only a person's secret has a name next to it.
 void read_members(ObjectReader& o, SessionBody& into) {
   std::string password;
   std::string pin;

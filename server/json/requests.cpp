@@ -56,7 +56,7 @@ void read_members(ObjectReader& o, ProgramBody& into) {
   o.text("text", into.text, true);
 }
 
-// As app::why_no_name, and short enough to stand beside others.
+// As app::why_no_name, and short enough to stand next to others.
 void read_tags(ObjectReader& o, std::optional<std::vector<std::string>>& into) {
   constexpr std::size_t kMostTags = 32;
   constexpr std::size_t kLongest = 64;

@@ -1,4 +1,4 @@
-// Reports of checks as SARIF 2.1.0 (OASIS), which editors and code hosts show beside the lines of a file.
+// Reports of checks as SARIF 2.1.0 (OASIS), which editors and code hosts show next to the lines of a file.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What an editor asks for, and the toolpath beside it.
+// What an editor asks for, and the toolpath next to it.
 #include "dialects/compile/dialect/language.h"
 #include "dialects/compile/dialect/outline.h"
 #include "dialects/compile/translate/convert.h"
@@ -32,7 +32,7 @@ Schema fault() {
                                          range() + Members{{"text", text("that stands in its place then")}}))}});
 }
 
-// What is known of a program's motions beside its points.
+// What is known of a program's motions next to its points.
 Members path_members() {
   const auto place = [](std::string about) { return list_of(3, number("x y z, x as radius"), std::move(about)); };
   return {{"dialect", text("in which the text was read")},

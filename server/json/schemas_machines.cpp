@@ -15,7 +15,7 @@ namespace dripfeed::json {
 
 namespace {
 
-// Why a line does not go on. Feeds and packets name theirs in tables; the rest are words of mailboxes, folders and
+// Why a line stands still. Feeds and packets name theirs in tables; the rest are words of mailboxes, folders and
 // punches (server/app/*_line.cpp, machine_watch.cpp).
 Words stall_words() {
   static constexpr std::string_view kOthers[] = {

@@ -1,4 +1,4 @@
-// What a path has beside its points is the same wherever it is shown.
+// What a path has next to its points is the same wherever it is shown.
 #include "server/json/tool_path.h"
 
 #include <utility>

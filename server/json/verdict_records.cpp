@@ -1,4 +1,4 @@
-// The report of a verdict is a document of its own: its members stand beside those of the row, which count.
+// The report of a verdict is a document of its own: its members stand next to those of the row, which count.
 #include "server/json/verdict_records.h"
 
 #include "server/json/parse.h"

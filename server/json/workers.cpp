@@ -114,7 +114,7 @@ app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work
 
 app::Result<std::vector<app::ProgramDigest>> DocumentWorkers::digest(const std::vector<app::DigestOrder>& orders,
                                                                      const app::Waiter& waiter) {
-  // Somebody waits for all other work.
+  // A caller waits for all other work.
   if (!workplace_.works().empty()) return app::fail(app::ErrorCode::unavailable, "other work comes first");
   if (orders.empty()) return std::vector<app::ProgramDigest>{};
   WorkPackage request;

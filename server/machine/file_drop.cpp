@@ -86,7 +86,7 @@ std::expected<std::string, std::string> file_name_for(const Profile& profile, st
   std::string extension(rule->extension);
   if (const auto given = profile.line.link.options.find("ext"); given != profile.line.link.options.end())
     extension = given->second == "none" ? "" : "." + given->second;
-  // SINUMERIK's inner names carry their type behind an underscore: _N_SHAFT_MPF is SHAFT.MPF outside.
+  // SINUMERIK's inner names carry their type after an underscore: _N_SHAFT_MPF is SHAFT.MPF outside.
   if (rule->letters_first) {
     if (name.starts_with("_N_")) name.erase(0, 3);
     for (const std::string_view type : {"_MPF", "_SPF"}) {

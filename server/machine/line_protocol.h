@@ -33,7 +33,7 @@ std::optional<LineProtocol> parse_line_protocol(std::string_view name);
 // Nothing where the line speaks DC codes.
 std::optional<packet::Protocol> packet_protocol_of(LineProtocol protocol);
 
-// A transfer over this line tells the control the program's name: YMODEM. The URL's options count.
+// A transfer over this line gives the control the program's name: YMODEM. The URL's options count.
 bool sends_name(const LineSettings& line);
 
 // The settings of a packet line, URL options included; or one sentence that says which is wrong. Only for a line whose

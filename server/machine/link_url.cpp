@@ -17,7 +17,7 @@ struct Scheme {
   LinkKind kind;
   std::string_view prefix;  // between scheme and address
   bool has_path;            // a path, otherwise host:port
-  bool has_unit;            // …/unit behind the port
+  bool has_unit;            // …/unit after the port
 };
 constexpr std::array kSchemes = {
     Scheme{"serial", LinkKind::serial, "", true, false},

@@ -98,7 +98,7 @@ class Fleet::Station {
 
   [[nodiscard]] bool over() const {
     if (settings_.repeat) return cut_;
-    // The host must hear the last DC3 and see the line stay up behind it before the cable is pulled.
+    // The host must hear the last DC3 and see the line stay up after it before the cable is pulled.
     const auto quiet = control_->quiet_since();
     const bool left = control_->finished() && quiet && now_ns() - *quiet > kStayAfterEnd;
     return cut_ || left || control_->state() == ControlState::alarm;
@@ -138,7 +138,7 @@ class Fleet::Station {
     plug_in_at_ = now_ns() + kUnplugged;
   }
 
-  // The same wire again; a port or path that somebody took meanwhile stays lost.
+  // The same wire again; a port or path that another took meanwhile stays lost.
   void plug_in() {
     plug_in_at_.reset();
     auto wire = Wire::open(settings_.link);

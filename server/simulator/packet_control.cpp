@@ -102,7 +102,7 @@ void PacketControl::judge() {
   }
   if (report_.state != ControlState::reading) return;
   if (!tape_.fault().empty()) return raise("123 CAN NOT USE MACRO COMMAND IN DNC");
-  // 3964 has no end of its own; where the others have not told theirs yet, this is refused.
+  // 3964 has no end of its own; where the others have not sent theirs yet, this is refused.
   const auto protocol = packet::parse_protocol(settings_.protocol);
   if (tape_.at_end() && protocol && packet::is_3964(*protocol))
     static_cast<void>(receiver_.conclude(packet::Time(now_)));

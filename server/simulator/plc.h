@@ -1,6 +1,6 @@
 // A simulated PLC: a Modbus server, TCP or RTU, with the block mailbox's registers and the machine's words, which
-// appends what comes exactly once and runs it at its own pace. Beside the map (protocol/modbus) it has a panel, which a
-// test or a person writes by any Modbus client:
+// appends what comes exactly once and runs it at its own pace. Next to the map (protocol/modbus) it has a panel, which
+// a test or a person writes by any Modbus client:
 //   192      what the machine does: 0 by itself, else a state of the map (3 held, 4 alarm, 5 emergency stop, 6 manual)
 //   193-194  its alarm number
 //   195      what the doorbell asks for, 196-197 the program's number

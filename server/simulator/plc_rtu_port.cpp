@@ -33,7 +33,7 @@ constexpr std::chrono::milliseconds kNoPeer{5};
 
 struct FrameRow {
   std::uint8_t function;
-  std::size_t length;                   // with unit and CRC; without the data that a count tells
+  std::size_t length;                   // with unit and CRC; without the data that a count announces
   std::optional<std::size_t> count_at;  // of data bytes
 };
 constexpr std::array kFrames = {
@@ -41,7 +41,7 @@ constexpr std::array kFrames = {
     FrameRow{6, 8, {}}, FrameRow{15, 9, 6}, FrameRow{16, 9, 6}, FrameRow{22, 10, {}}, FrameRow{23, 13, 10},
 };
 
-// Nothing: it cannot be told yet, or no such function.
+// Nothing: it is not decided yet, or no such function.
 std::optional<std::size_t> length_of(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 2) return std::nullopt;
   const auto row = std::ranges::find(kFrames, bytes[1], &FrameRow::function);
@@ -62,7 +62,7 @@ std::optional<speed_t> speed_of(std::uint32_t baud) {
   return row->speed;
 }
 
-// A device that is there: a tty, or one end of somebody's pair of pseudo-terminals.
+// A device that is there: a tty, or one end of another's pair of pseudo-terminals.
 class DeviceWire final : public Wire {
  public:
   DeviceWire(int file, std::string path) : file_(file), path_(std::move(path)) {}
@@ -73,7 +73,7 @@ class DeviceWire final : public Wire {
     return count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   void write(std::span<const std::byte> bytes) override {
-    static_cast<void>(!::write(file_, bytes.data(), bytes.size()));  // what does not go out is lost, as on a wire
+    static_cast<void>(!::write(file_, bytes.data(), bytes.size()));  // what is not sent is lost, as on a wire
   }
   void cut() override {
     if (file_ >= 0) ::close(file_);

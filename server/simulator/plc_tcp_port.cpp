@@ -99,7 +99,7 @@ class TcpPort final : public PlcPort {
     dropped_ = false;
     if ((files[0].revents & POLLIN) != 0) accept_client();
   }
-  void drop_all() override { dropped_ = true; }  // behind the request that is being answered
+  void drop_all() override { dropped_ = true; }  // after the request that is being answered
   [[nodiscard]] std::uint16_t port() const override {
     sockaddr_in address{};
     socklen_t length = sizeof(address);

@@ -191,7 +191,7 @@ class ModbusUnit final : public PlcUnit {
 
   static int word_at(std::span<const std::uint8_t> pdu, std::size_t at) { return pdu[at] * 256 + pdu[at + 1]; }
 
-  // A read of the machine's words: function, first register, count; of an exchange those behind the function, too.
+  // A read of the machine's words: function, first register, count; of an exchange those after the function, too.
   static bool reaches_words(std::span<const std::uint8_t> pdu) {
     const bool reads = pdu[0] == MODBUS_FC_READ_HOLDING_REGISTERS || pdu[0] == MODBUS_FC_WRITE_AND_READ_REGISTERS;
     if (!reads || pdu.size() < 5) return false;

@@ -1,5 +1,5 @@
-// One unit of a simulated PLC: its registers, the receiver behind them, and the machine that runs what came. Locks for
-// itself; sockets and lines are not its matter.
+// One unit of a simulated PLC: its registers, the receiver that reads them, and the machine that runs what came. Locks
+// for itself; sockets and lines are not its matter.
 #pragma once
 
 #include <cstdint>

@@ -186,7 +186,7 @@ bool SimulatedControl::strikes(const Arrival& arrival) {
       raise("086 DR SIGNAL OFF");
     }
     if (fault.kind != FaultKind::reset && fault.kind != FaultKind::alarm) continue;
-    // As a remote buffer tells it: reading stops, then what happened.
+    // As a remote buffer reports it: reading stops, then what happened.
     stop_reading(arrival.at);
     send(fault.kind == FaultKind::reset ? kSyn : kNak, arrival.at);
     if (fault.kind == FaultKind::alarm) {

@@ -26,7 +26,7 @@ void TapeReader::reset() {
 void TapeReader::take(char c, Time_ns at) {
   if (at_end_ || c == '\0' || c == '\r' || c == 0x7F) return;
   if (label_skip_) {
-    // All up to the first EOB behind the first '%' is leader.
+    // All up to the first EOB after the first '%' is leader.
     if (c == '%') seen_percent_ = true;
     if (c == '\n' && seen_percent_) label_skip_ = false;
     return;

@@ -38,12 +38,12 @@ class PtyWire final : public Wire {
   [[nodiscard]] int descriptor() const override { return master_; }
   std::size_t read(std::span<std::byte> into) override { return read_some(master_, into); }
   void write(std::span<const std::byte> bytes) override {
-    // A few control characters: the pty's buffer of 20 kB takes them, or nobody listens and they are lost as on a wire.
+    // A few control characters: the pty's buffer of 20 kB takes them, or no one listens and they are lost as on a wire.
     static_cast<void>(!::write(master_, bytes.data(), bytes.size()));
   }
   void cut() override {
     if (master_ < 0) return;
-    owner_.let_go();  // before the number is free for somebody else
+    owner_.let_go();  // before the number is free for another
     ::close(master_);
     master_ = -1;
   }

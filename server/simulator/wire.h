@@ -21,7 +21,7 @@ class Wire {
   virtual ~Wire() = default;
   // What to poll for input; -1 while there is nothing to wait for.
   [[nodiscard]] virtual int descriptor() const = 0;
-  // A peer connected since the last call (a socket only; a pty does not tell).
+  // A peer connected since the last call (a socket only; a pty does not show it).
   [[nodiscard]] virtual bool take_connected() { return false; }
   // Bytes that came; 0 when none.
   virtual std::size_t read(std::span<std::byte> into) = 0;

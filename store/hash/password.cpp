@@ -21,7 +21,7 @@ std::optional<std::string> password_hash(std::string_view password) {
   return std::string(text.data());
 }
 
-// A name that nobody has must not answer sooner than one with a wrong password.
+// A name that no one has must not answer sooner than one with a wrong password.
 bool is_password_of(std::string_view password, const std::string& hash) {
   start_sodium();
   static const std::optional<std::string> kOfNoUser = password_hash(std::string_view("\0", 1));

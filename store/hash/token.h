@@ -8,7 +8,7 @@
 namespace dripfeed::hash {
 
 // 43 characters of base64url, from the system's random source. The program ends when libsodium cannot start: there is
-// no safe way on.
+// no safe step.
 std::string random_token();
 // What the store keeps and looks for.
 std::string token_hash(std::string_view token);

@@ -1,4 +1,4 @@
-// The key is what the base64 behind the prefix stands for.
+// The key is what the base64 after the prefix stands for.
 #include "store/hash/webhook_secret.h"
 
 #include <array>

@@ -17,7 +17,7 @@ struct OpenSettings {
 };
 
 // Opens the database that `url` names ("postgresql://user@host/database", all that libpq takes), brings its schema up
-// to date. A connection that breaks is made anew by the next call. With `own` nothing is changed any more once another
+// to date. A connection that breaks is made again by the next call. With `own` nothing is changed any more once another
 // server has owned the store. Store::backup() is refused (invalid_value): the server has means of its own. Errors:
 // cannot_open, in_use, not_a_store, newer_schema, migration_failed, disk_full, io_failed, busy.
 store::Result<std::unique_ptr<store::Store>> open(const std::string& url, const OpenSettings& settings = {});

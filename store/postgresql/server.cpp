@@ -1,5 +1,5 @@
-// The lock of the owner is an advisory lock of the session. The epoch tells a lock that was kept from one that was lost
-// and taken again: who took it between may have changed what this server holds true of its lines.
+// The lock of the owner is an advisory lock of the session. The epoch distinguishes a lock that was kept from one that
+// was lost and taken again: who took it between may have changed what this server holds true of its lines.
 #include "store/postgresql/server.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Opens connections to one database. With `own` the connection that writes holds the lock of the one server of a store:
-// it goes with the connection, and is taken again with the next one, unless somebody else had it meanwhile.
+// it goes with the connection, and is taken again with the next one, unless another had it meanwhile.
 #pragma once
 
 #include <string>

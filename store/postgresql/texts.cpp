@@ -1,5 +1,5 @@
 // U+10FFhh is F4 8F BC..BF 80..BF: the byte's upper two bits in the third, its lower six in the fourth. Where a text
-// has such a character itself, its four bytes go one by one, so that the way back is one way.
+// has such a character itself, its four bytes go one by one, so that the return is unique.
 #include "store/postgresql/texts.h"
 
 #include <algorithm>

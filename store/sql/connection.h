@@ -42,7 +42,7 @@ class Statement {
 };
 
 struct Words {
-  std::string_view begin_to_write;  // from here on nobody else changes anything: what is read is not outdated
+  std::string_view begin_to_write;  // from here on no one else changes anything: what is read is not outdated
   std::string_view begin_to_read;   // all reads see one state
   std::string_view version;         // one number, another one after every commit of other connections
   std::string_view newest_event;    // number of the newest row that the table event ever had; no row: 0
@@ -70,7 +70,7 @@ class Connection {
   // Of the last call. `about` names what it was for; the engine's own words follow it.
   [[nodiscard]] virtual store::Error fault(std::string_view about) const = 0;
 
-  // A statement that nobody else runs, from those that were given back or new; null when the engine refuses it.
+  // A statement that no one else runs, from those that were given back or new; null when the engine refuses it.
   std::unique_ptr<Statement> take(std::string_view sql);
   void give_back(std::string_view sql, std::unique_ptr<Statement> statement);
 

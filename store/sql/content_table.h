@@ -14,7 +14,7 @@ class ContentTable final : public store::Contents {
   store::Result<store::Content> find(std::string_view sha256) override;
   store::Result<std::size_t> read(std::string_view sha256, std::uint64_t offset, std::span<char> into) override;
   store::Result<void> verify(std::string_view sha256) override;
-  // Drops what a writer left behind at a crash, and what nothing refers to. For the one owner of the store, before
+  // Drops what a writer left over at a crash, and what nothing refers to. For the one owner of the store, before
   // anything else is done with it.
   store::Result<void> drop_unused();
 

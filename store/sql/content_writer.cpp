@@ -1,4 +1,4 @@
-// The first transaction makes the row of the content, without a hash: nobody finds it yet. The last one seals it, or
+// The first transaction makes the row of the content, without a hash: no one finds it yet. The last one seals it, or
 // finds that the same bytes are there already.
 #include "store/sql/content_writer.h"
 

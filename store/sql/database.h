@@ -150,7 +150,7 @@ class Database {
   std::mutex pool_mutex_;
   std::vector<std::unique_ptr<Connection>> pool_;
   std::mutex version_mutex_;
-  std::unique_ptr<Connection> version_reader_;  // never writes: every commit is somebody else's to it
+  std::unique_ptr<Connection> version_reader_;  // never writes: every commit is another's to it
 };
 
 }  // namespace dripfeed::sql

@@ -1,4 +1,4 @@
-// Rows are added by the tables whose changes they tell of, too.
+// Rows are added by the tables whose changes they report, too.
 #include "store/sql/event_table.h"
 
 #include <algorithm>

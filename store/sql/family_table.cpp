@@ -27,7 +27,7 @@ constexpr std::string_view kList =
 constexpr std::string_view kRevisions =
     "SELECT family, revision, body, actor, at_ms FROM family_revision WHERE family = ? AND revision < ? "
     "ORDER BY revision DESC LIMIT ?";
-// What was rendered from a family is judged anew when the family changes.
+// What was rendered from a family is judged again when the family changes.
 constexpr std::string_view kStale =
     "UPDATE verdict SET stale = 1 WHERE stale = 0 AND sha256 IN (SELECT sha256 FROM program_revision WHERE family = ?)";
 

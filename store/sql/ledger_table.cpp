@@ -33,7 +33,7 @@ constexpr std::string_view kInsert =
 constexpr std::string_view kUpdateHead =
     "UPDATE ledger_head SET last = ?, seq = ?, at_ms = ?, handed = ?, clocked = ?, confirmed = ?, reserve = ? WHERE "
     "job = ?";
-// The first marked row at or behind a place.
+// The first marked row at or after a place.
 constexpr std::string_view kMark = "SELECT ledger FROM ledger_mark WHERE job = ? AND seq >= ? ORDER BY seq LIMIT 1";
 // From one row back along the list to a row number.
 constexpr std::string_view kWalk =
@@ -89,7 +89,7 @@ bool falls(const LedgerCounts& from, const LedgerCounts& to) {
   return to.handed < from.handed || to.clocked < from.clocked || to.confirmed < from.confirmed;
 }
 
-// What is wrong with a row behind another one.
+// What is wrong with a row after another one.
 std::optional<LedgerFault> fault_of(Id job, const LedgerCounts& before, const LedgerCounts& counts) {
   if (!in_order(counts)) return LedgerFault{job, "the counts contradict each other", false};
   if (falls(before, counts)) return LedgerFault{job, "a count fell", false};

@@ -14,7 +14,7 @@ struct Migration {
   const char* sql = nullptr;
 };
 
-// How an engine tells a store from another program's tables.
+// How an engine distinguishes a store from another program's tables.
 struct Mark {
   // Whether the mark stands there; false where there is nothing at all. Errors: not_a_store.
   store::Result<bool> (*stands)(Connection& connection);

@@ -1,4 +1,4 @@
-// Pages of a list: one row more than asked for tells whether there is a next page.
+// Pages of a list: one row more than asked for shows whether there is a next page.
 #pragma once
 
 #include <type_traits>
@@ -18,7 +18,7 @@ store::Result<std::uint32_t> rows_of(const store::PageRequest& page);
 store::Result<IdPage> newest_first(const store::PageRequest& page);
 store::Result<IdPage> oldest_first(const store::PageRequest& page);
 
-// Reads the rows of a query; key(item) is the cursor behind an item.
+// Reads the rows of a query; key(item) is the cursor after an item.
 template <class Read, class Key>
 auto collect(Query& query, const store::PageRequest& page, Read read, Key key)
     -> store::Page<std::invoke_result_t<Read, Query&>> {

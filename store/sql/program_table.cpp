@@ -93,8 +93,8 @@ std::string revisions_where(std::string_view rest) {
                      kRevisionColumns, rest);
 }
 
-// A pattern of LIKE for what begins so when its ASCII letters are small ones: people who name folders do not tell their
-// case apart.
+// A pattern of LIKE for what begins so when its ASCII letters are small ones: people who name folders do not
+// distinguish their case apart.
 std::string beginning_with(std::string_view text) {
   std::string pattern;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// The audit tells of tokens by id, name and role, never by their hash.
+// The audit names tokens by id, name and role, never by their hash.
 #include "store/sql/token_table.h"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ Token read_token(Query& query) {
 
 std::string select_where(std::string_view rest) { return fmt::format("{}{}", kSelect, rest); }
 
-// The user's number; 0 for nobody. Refuses a name that nobody has.
+// The user's number; 0 for no one. Refuses a name that no one has.
 Result<Id> user_of(Session& session, const std::string& name) {
   if (name.empty()) return 0;
   Query query(session, "SELECT id FROM account WHERE name = ?", name);

@@ -1,4 +1,4 @@
-// The audit tells of webhooks by id, url and types, never by their secrets.
+// The audit names webhooks by id, url and types, never by their secrets.
 #include "store/sql/webhook_table.h"
 
 #include <algorithm>

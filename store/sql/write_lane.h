@@ -24,7 +24,7 @@
 namespace dripfeed::sql {
 
 enum class Turn : std::uint8_t {
-  in_order,  // when nobody who goes first waits
+  in_order,  // when no one who goes first waits
   first,     // the ledger
   taken,     // the caller has the lane already
 };
@@ -70,7 +70,7 @@ class WriteLane {
     take(use, wanted_at);
   }
 
-  // True: the caller has the lane, and makes the change and those of next_shared(). False: somebody else made it, and
+  // True: the caller has the lane, and makes the change and those of next_shared(). False: another made it, and
   // `committed` says what came of it.
   bool enter_shared(SharedChange& change) {
     std::unique_lock lock(mutex_);

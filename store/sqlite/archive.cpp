@@ -112,7 +112,7 @@ Result<std::string> put_aside(const std::string& path) {
     remove_store(path);
     return std::string();
   }
-  // One that is no store keeps what it has; the files beside it are moved with it.
+  // One that is no store keeps what it has; the files next to it are moved with it.
   if (auto old = Connection::open(path, {}, Access::write))
     static_cast<void>((*old)->execute("PRAGMA wal_checkpoint(TRUNCATE)"));
   std::string kept;
@@ -157,7 +157,7 @@ Result<Holding> restore(const std::string& backup, const std::string& path, bool
   if (!kept) return std::unexpected(kept.error());
   holding->kept = std::move(*kept);
   if (auto named = give_name(fresh.path(), path); !named) return std::unexpected(named.error());
-  remove_store(library_path(path));  // it is of the store that was there, and is made anew
+  remove_store(library_path(path));  // it is of the store that was there, and is made again
   return holding;
 }
 

@@ -58,7 +58,7 @@ Result<void> make_steps(Connection& source, Connection& target, const Synced& fi
   return synced;
 }
 
-// In WAL a file wants two others beside it, and a folder that can be written.
+// In WAL a file wants two others next to it, and a folder that can be written.
 constexpr const char* kOneFile = "PRAGMA journal_mode = DELETE";
 constexpr const char* kHoldState = "BEGIN; SELECT count(*) FROM sqlite_schema";
 

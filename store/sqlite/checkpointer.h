@@ -1,5 +1,5 @@
 // Brings what the write-ahead log holds into the database file, on a thread and a connection of its own: a commit that
-// the ledger waits for never pays for it. PASSIVE: it waits for nobody and nobody waits for it.
+// the ledger waits for never pays for it. PASSIVE: it waits for nothing and nothing waits for it.
 #pragma once
 
 #include <condition_variable>
@@ -15,7 +15,7 @@ namespace dripfeed::sqlite {
 class Checkpointer {
  public:
   // The log is brought in when it is longer than this: often and little, because the disk makes a commit wait for what
-  // is being written beside it.
+  // is being written next to it.
   static constexpr std::uint64_t kLogBytes = std::uint64_t{1} << 20U;
   // Where the thread cannot keep up, or fails, a commit does it all the same: in pages of 4 KiB.
   static constexpr std::uint32_t kFallbackPages = 65'536;

@@ -88,7 +88,7 @@ store::Result<std::unique_ptr<sql::Connection>> File::connect_to_read() {
   return Connection::open(path_, settings_, Access::read);
 }
 
-// A commit brings the log into the file only where no thread does it, or when that falls behind.
+// A commit brings the log into the file only where no thread does it, or when that lags.
 store::Result<std::unique_ptr<sql::Connection>> File::connect_to_write() {
   auto opened = Connection::open(path_, settings_, Access::write);
   if (opened && settings_.checkpoints_aside) {

@@ -1,4 +1,4 @@
-// Opens the library beside a store. One that is damaged, or of another version, is made anew, empty.
+// Opens the library next to a store. One that is damaged, or of another version, is made again, empty.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The file is made where it is not there, and made anew where it cannot be used: nothing stands in it that is not
+// The file is made where it is not there, and made again where it cannot be used: nothing stands in it that is not
 // derived.
 #include <array>
 #include <cstdio>

@@ -26,7 +26,7 @@ using sql::Session;
 using store::ErrorCode;
 using store::Result;
 
-// "DRIP": stands in the file's header and tells a store from any other SQLite file.
+// "DRIP": stands in the file's header and distinguishes a store from any other SQLite file.
 constexpr std::uint64_t kApplicationId = 0x44524950;
 constexpr const char* kMark =
     "PRAGMA application_id = 0x44524950;"

@@ -13,7 +13,7 @@ struct OpenSettings {
   bool own = false;                      // be the one server of this store: others that want to own it get in_use
   bool create = true;                    // make the file when it is not there
   bool checkpoints_aside = false;        // bring the log into the file on a thread, not in a commit: for a server
-  bool derived = false;                  // what it holds can be made anew: a commit does not wait for the disk
+  bool derived = false;                  // what it holds can be made again: a commit does not wait for the disk
   std::uint32_t busy_timeout_ms = 5000;  // how long to wait for another process's write
   std::string vfs{};                     // SQLite's VFS by name, empty for its default; for tests
 };

@@ -1,4 +1,5 @@
-// The lock of the one server of a store: a file beside it. The system drops the lock with the process, however it ends.
+// The lock of the one server of a store: a file next to it. The system drops the lock with the process, however it
+// ends.
 #pragma once
 
 #include <string>

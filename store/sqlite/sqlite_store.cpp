@@ -34,7 +34,7 @@ Result<void> use_wal(Connection& connection) {
   return session.refuse(ErrorCode::cannot_open, fmt::format("the file system gives no WAL, but {}", mode));
 }
 
-// A store is for its owner alone: it has the hashes of tokens and what a shop makes. SQLite gives the files beside it
+// A store is for its owner alone: it has the hashes of tokens and what a shop makes. SQLite gives the files next to it
 // the rights of the database.
 void create_private(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);

@@ -1,4 +1,4 @@
-// A quick look at a store: what can be said of it without reading all of it. Nothing is written, and a server may run.
+// A quick look at a store: what can be known of it without reading all of it. Nothing is written, and a server may run.
 // Whether it is whole, verify() says.
 #pragma once
 

@@ -26,7 +26,7 @@ std::string loose_reference(Query& row) {
   return fmt::format("row {} of {} names one that is not there", row.number(), table);
 }
 
-// 20 of one kind of damage; more tells nobody more.
+// 20 of one kind of damage; more adds nothing.
 constexpr std::array kFile = {sql::FileLook{"PRAGMA integrity_check(20)", unsound},
                               sql::FileLook{"PRAGMA foreign_key_check", loose_reference}};
 

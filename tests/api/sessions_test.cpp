@@ -164,7 +164,7 @@ TEST_F(SessionsTest, SigningInOftenEndsOnlyOnesOwnSessions) {
   EXPECT_FALSE(by_cookie(cookie(own[own.size() - Sessions::kMostOfOne - 1]))) << "the oldest goes";
 }
 
-TEST_F(SessionsTest, ASessionEndsWhenNobodyUsesItAndOneDayInAnyCase) {
+TEST_F(SessionsTest, ASessionEndsWhenNoOneUsesItAndOneDayInAnyCase) {
   const std::string value = *sessions_.open("secret");
   const Credential held = by_cookie(cookie(value))->credential;
   now_ms_ += Sessions::kIdle_ms - kSecond_ms;

@@ -3,7 +3,7 @@
 // a waiting thread costs more than all else, so both must run under the same pinning:
 //   cmake --build build/dev --target modbus_rate && taskset -c 0 build/dev/modbus_rate 100000
 // With a second number one more transfer, whose server is killed and restarted so often, at random requests, before or
-// behind what they do; a person's "proceed" follows each restart:
+// after what they do; a person's "proceed" follows each restart:
 //   taskset -c 0 build/dev/modbus_rate 20000 300
 #include <algorithm>
 #include <atomic>

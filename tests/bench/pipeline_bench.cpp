@@ -1,6 +1,6 @@
 // The stages between a program's text and its plan, as figure 8 of A. Keinert, A. Verl shows them: when each ran on
 // which thread. One thread interprets, because a block means what those before it made of the modes. What cutter
-// compensation leads beside the programmed way, the shapes of the moves, and the rounding of the corners between them
+// compensation leads next to the programmed path, the shapes of the moves, and the rounding of the corners between them
 // (smoothing) need neighbours alone and are made batch by batch by all; the look-ahead cuts the whole path into parts.
 // By hand: build/dev/pipeline_bench [blocks] [threads]
 #include <algorithm>
@@ -58,8 +58,8 @@ class Text final : public compile::ProgramText {
   std::size_t at_ = 0;
 };
 
-// What one thread takes at a time. A move's way beside the programmed one depends on its neighbours: the first `lead`
-// are there for that, and so is the last, unless the program ends with it; they are told by another batch.
+// What one thread takes at a time. A move's path next to the programmed one depends on its neighbours: the first `lead`
+// are there for that, and so is the last, unless the program ends with it; they belong to another batch.
 constexpr std::size_t kLead = 3;
 struct Batch {
   std::size_t number = 0;

@@ -1,4 +1,4 @@
-// How fast the look-ahead plans, beside a planner of the kind that small controls have, in the same run: blocks a
+// How fast the look-ahead plans, against a planner of the kind that small controls have, in the same run: blocks a
 // second at gentle and low acceleration, by one thread and by more; and the figures 5 to 7 of A. Keinert, A. Verl. By
 // hand: cmake --build build/release --target planner_bench && build/release/planner_bench [blocks] [figures]
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Real programs of other people against the readers and validators: for every file of DIR/<dialect>/ the tokens tile
 // the bytes, the same dialect converts to the same bytes, no truncation stops a reader, and the validator ends; what is
-// printed anew makes the same motions; as a family it renders to its bytes; read without its plain moves it does the
+// printed again makes the same motions; as a family it renders to its bytes; read without its plain moves it does the
 // same. Prints, for each dialect, how many files
 // have no error and how often each diagnostic came. What a diagnostic is worth is for a person to judge, from the list:
 //
@@ -156,7 +156,7 @@ class Corpus {
     note_time(name, std::chrono::steady_clock::now() - begin);
   }
 
-  // Definition files in the program's folder, and in one named DEF beside it, as a control keeps them.
+  // Definition files in the program's folder, and in one named DEF next to it, as a control keeps them.
   static compile::FindText definitions_beside(const fs::path& program) {
     return [program](std::string_view name) -> std::optional<text::Source> {
       const fs::path own = program.parent_path();

@@ -1,5 +1,5 @@
 // The Modbus server on any bytes: the answers do not depend on how the stream is cut, each is a frame that a client can
-// read, and nothing is answered behind an end.
+// read, and nothing is answered after an end.
 #include <algorithm>
 #include <string>
 

@@ -90,7 +90,7 @@ void run_sender(const packet::Settings& settings, fuzz::Choices& choices) {
     fuzz::require(sender->state() != packet::State::armed || counters.handed == 0, "nothing before the start");
     fuzz::require(sender->state() != packet::State::done || counters.confirmed == sender->total_bytes(),
                   "done with all of it confirmed");
-    // The remote buffer's host answers a reset, without text; of XMODEM a person's abort is told, by CANs.
+    // The remote buffer's host answers a reset, without text; of XMODEM a person's abort is reported, by CANs.
     const bool takes_leave =
         packet::is_xmodem(settings.protocol) &&
         std::ranges::all_of(sender->pending_out(), [](std::byte b) { return b == std::byte{0x18}; });

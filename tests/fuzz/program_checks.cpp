@@ -85,7 +85,7 @@ void require_places(const std::vector<text::Diagnostic>& diagnostics, const text
     }
     if (diagnostic.fix) require(lies_in(diagnostic.fix->replaced, source.text()), "a fix replaces a part of the text");
     const text::Position at = source.position(diagnostic.span.begin);
-    // Behind the last EOB begins a line that nothing is in.
+    // After the last EOB begins a line that nothing is in.
     require(at.line >= 1 && at.line <= source.line_count() + 1, "a diagnostic's line is there");
     require(!text::format_diagnostic(diagnostic, source, "control").empty(), "a diagnostic can be shown");
     require(diagnostic.arguments.size() == places_in(text::row_of(diagnostic.id).text),

@@ -1,5 +1,5 @@
-// Wire bytes to text and text to wire bytes: what comes out does not depend on how the stream is cut, and each way
-// undoes the other. The first two bytes choose parity and EOB.
+// Wire bytes to text and text to wire bytes: what comes out does not depend on how the stream is cut, and each
+// direction undoes the other. The first two bytes choose parity and EOB.
 #include "protocol/tape_code/tape_code.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 //   tests/fuzz/run.sh SECONDS [NAME...]                                        runs them one after the other
 //   ctest --test-dir build/dev -L fuzz                                         replays the seeds of tests/fuzz/corpus
 //
-// An input that breaks a property is made small (-minimize_crash=1), written anew as a seed of the target's folder
+// An input that breaks a property is made small (-minimize_crash=1), written as a seed of the target's folder
 // under tests/fuzz/corpus, and committed with the fix.
 #pragma once
 

@@ -15,10 +15,20 @@ EVERYWHERE = (
 # In messages also words that docs use for places: a file beside another, a server behind a proxy.
 IN_MESSAGES = (r'ways?', r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing')
 
+# In comments also words that stand for "after", "in the same block as", "path" and "reports".
+IN_COMMENTS = (r'behind', r'beside', r'tells?', r'told', r'ways?')
+# What these words are right for: a port that a device server stands before, two things that are alike, what is in transit.
+RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telnet|RFC 2217|gateway|address|others)|told\s+apart'
+                   r'|(?:on\s+(?:its|their)|under|gives?|given|gave)\s+way', re.I)
+# Test names, by the words that they are made of.
+IN_TEST_NAMES = re.compile(r'(?:Nobody|Somebody|Anybody|Anew|Behind|Beside|Tells?|Told|Ways|(?:Is|Are|And)Said)(?![a-z])')
+TEST_NAME = re.compile(r'\bTEST(?:_F|_P)?\(\w+,\s*(\w+)\)')
+
 # Literals that are names; headers whose texts are values of the API, or whose change rebuilds everything.
 LITERAL = re.compile(r'"(?:anybody|[a-z]+(?:-[a-z]+)+)"')  # a role, the name of a diagnostic
 FILES = re.compile(r'^store/sqlite/schema|^dialects/ir/cost_model\.h$|^checks/machine\.h$|^server/app/(?:lines/line|receive/read_back)\.h$')
-HEADERS = ('checks', 'protocol', 'server')  # whose comments were swept
+# Whose comments were not swept yet; of headers of the server, protocols and checks all were.
+COMMENTS_LATER = re.compile(r'^dialects/(?:facts|family|optimize)/|^dialects/\w+/validator/|^store/sqlite/schema|^tests/unit/dialects/(?:facts|optimize)/')
 NOT_SWEPT = {'docs/style.md'}  # it names them
 
 
@@ -35,8 +45,11 @@ def faults(root):
     for path in tree.files(root, tree.TOPS, tree.CODE):
         if not FILES.match(path):
             found += _in_literals(path, tree.read(root, path), messages)
-    for path in tree.files(root, HEADERS, ('.h',)):
-        found += _in_comments(path, tree.read(root, path), docs)
+    comments = pattern(EVERYWHERE + IN_COMMENTS)
+    for path in tree.files(root, tree.TOPS + ('tests',), tree.CODE):
+        if not COMMENTS_LATER.match(path):
+            found += _in_comments(path, tree.read(root, path), comments)
+            found += _in_test_names(path, tree.read(root, path))
     for key, value in json.loads(tree.read(root, 'web/src/i18n/en.json')).items():
         found += [f'web/src/i18n/en.json: {key}: {m[0]}' for m in messages.finditer(value)]
     return found
@@ -52,7 +65,12 @@ def _in_comments(path, text, wanted):
     code = tree.without_comments(text)
     comments = ''.join(a if a == '\n' or a != b else ' ' for a, b in zip(text, code)).replace('//', '  ')
     comments = re.sub(r'`[^`\n]*`', lambda m: ' ' * len(m[0]), comments)
+    comments = RIGHT.sub(lambda m: re.sub(r'\S', ' ', m[0]), comments)
     return [f'{path}:{tree.line_of(text, m.start())}: {" ".join(m[0].split())} in a comment' for m in wanted.finditer(comments)]
+
+
+def _in_test_names(path, text):
+    return [f'{path}:{tree.line_of(text, m.start())}: {word[0]} in {m[1]}' for m in TEST_NAME.finditer(text) for word in IN_TEST_NAMES.finditer(m[1])]
 
 
 def _in_literals(path, text, wanted):

@@ -1,4 +1,4 @@
-# Shows that the lint of phrases refuses them in docs, messages and the page's words, and in comments of headers, and leaves code and names alone.
+# Shows that the lint of phrases refuses them in docs, messages and the page's words, in comments and names of tests, and leaves code and names alone.
 import unittest
 
 import bad_tree
@@ -31,6 +31,21 @@ class Phrases(bad_tree.BadTree):
         self.write('server/app/a.h', '#pragma once\nint nobody = 0;  // `nobody` of the system, and a port behind a proxy\n')
         self.assert_clean(phrases.faults)
 
+    def test_comments_of_sources(self):
+        for comment in ('The block behind it.', 'Tells who has it.', 'The way to the part.', 'words beside it', 'a pole on all ways'):
+            self.write('dialects/text/a.cpp', f'// {comment}\nint a = 0;\n')
+            self.assert_refused(phrases.faults, 'dialects/text/a.cpp:1')
+        for comment in ('A port behind a device server.', 'Bytes on their way to it.', 'Cannot be told apart.', 'It gives way.'):
+            self.write('dialects/text/a.cpp', f'// {comment}\nint a = 0;\n')
+            self.assert_clean(phrases.faults)
+
+    def test_names_of_tests(self):
+        for name in ('AFaultIsSaid', 'HoldsNobodyUp', 'TellsWhoWaits', 'WhatStandsBehindIt'):
+            self.write('tests/unit/a_test.cpp', f'TEST(Text, {name}) {{\n')
+            self.assert_refused(phrases.faults, name)
+        self.write('tests/unit/a_test.cpp', 'TEST_F(Told, ATellerOfWayside) {\n')
+        self.assert_clean(phrases.faults)
+
     def test_page(self):
         self.write('web/src/i18n/en.json', '{"a.b": "Somebody must look."}')
         self.assert_refused(phrases.faults, 'en.json: a.b: Somebody')
@@ -38,7 +53,7 @@ class Phrases(bad_tree.BadTree):
     def test_good_texts(self):
         self.write('docs/a.md', 'A server behind a proxy. `nobody` is a user. The always-known way.\n')
         self.write('docs/style.md', 'not: somebody\n')
-        self.write('dialects/text/a.cpp', '// Behind it goes nobody.\n#include "dialects/text/beside.h"\nauto a = "comparison-beside-logic";\n')
+        self.write('dialects/text/a.cpp', '// What it is.\n#include "dialects/text/beside.h"\nauto a = "comparison-beside-logic";\n')
         self.assert_clean(phrases.faults)
 
 

@@ -1,5 +1,5 @@
 // Proved chord bounds against dense sampling: on conics, Bezier and NURBS curves, for chords and for arcs as paths,
-// with ends on the curve and beside it. Never below what sampling finds, never more than 5 % above.
+// with ends on the curve and next to it. Never below what sampling finds, never more than 5 % above.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -103,12 +103,12 @@ TEST(ChordBound, OfChordsWithTheirEndsOnTheCurve) {
       [](const ParametricCurve& curve, Range t) { return Segment{curve.at(t.low).point, curve.at(t.high).point}; }, 40);
 }
 
-TEST(ChordBound, OfLinesBesideTheCurve) {
+TEST(ChordBound, OfLinesNextToTheCurve) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> off(-0.5, 0.5);
   try_chords(
       [&](const ParametricCurve& curve, Range t) {
-        // Beside it along the normals, so that the feet of both ends are where they should be.
+        // Next to it along the normals, so that the feet of both ends are where they should be.
         const auto beside = [&](double at) {
           const ParametricPoint on = curve.at(at);
           return on.point + off(random) * unit({-on.derivative.x, on.derivative.z});

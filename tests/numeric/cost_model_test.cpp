@@ -30,7 +30,7 @@ TEST(CostModel, MeetsTables1To4WithinThreePercent) {
                text::format_fixed(100 * fit.residual_ms[i] / one.row.measured_ms, 1));
     EXPECT_LE(std::fabs(fit.residual_ms[i]), 0.03 * one.row.measured_ms) << one.what;
   }
-  // A write goes with every block there: which of the two it is that costs, these rows do not tell.
+  // A write goes with every block there: which of the two it is that costs, these rows do not show.
   for (std::size_t i = 0; i < ir::kCostTerms.size(); ++i) {
     if (fit.is_determined[i])
       fmt::print("{} {}\n", ir::kCostTerms[i].name, text::format_fixed(fit.model.*ir::kCostTerms[i].ms, 3));

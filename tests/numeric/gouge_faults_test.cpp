@@ -142,7 +142,7 @@ class Faults {
  public:
   explicit Faults(const Part& part) : part_(part) {}
 
-  // A rapid ends below all that is cut; its way leads through material that stays.
+  // A rapid ends below all that is cut; its path leads through material that stays.
   Fault lowered_rapid(std::mt19937& random) {
     const double deep = std::uniform_real_distribution<double>(0.5, 3.0)(random);
     const std::size_t axis = part_.turns ? kX : kZ;
@@ -168,7 +168,7 @@ class Faults {
     }
     const std::size_t at = candidates[std::uniform_int_distribution<std::size_t>(0, candidates.size() - 1)(random)];
     Fault fault{"shortened retract", part_.motions, tools_of(part_.geometry), part_.motions[at].place.line};
-    // Put in front of it: the tool stands in the material's height beside the part, and runs across at that height.
+    // Put in front of it: the tool stands in the material's height next to the part, and runs across at that height.
     ir::Motion& across = fault.motions[at];
     across.axes_unknown = 0;
     const double deep = std::uniform_real_distribution<double>(1.0, 4.0)(random);

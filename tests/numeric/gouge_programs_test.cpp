@@ -61,7 +61,7 @@ std::uint32_t line_of(const std::string& text, const std::string& block) {
   return 1 + static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-// The word of that block is written anew.
+// The word of that block is written again.
 std::string with_word(std::string text, const std::string& block, const std::string& word, const std::string& changed) {
   const std::size_t line = ("\n" + text).find("\n" + block + " ");
   const std::size_t at = text.find(word, line);
@@ -117,7 +117,7 @@ gouge::Report check(const Program& program, const std::string& text, OtherTool o
 
 enum class For : std::uint8_t { turning, milling, milling_with_registers, milling_with_edges };
 
-// One word of one block, written anew with a value of the range; then the harm's block and depth.
+// One word of one block, written again with a value of the range; then the harm's block and depth.
 struct Fault {
   const char* what;
   For where;

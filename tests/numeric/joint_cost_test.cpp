@@ -2,7 +2,7 @@
 // execution speed of the CNC parametric part programs"). The figures that tables 1 to 4 alone give are 2.2 to 5.3 times
 // too high at the programs. What reconciles them:
 //
-// - A round of a table's test program costs a fixed time beside its statements. Ten statements share it in tables 1 to
+// - A round of a table's test program costs a fixed time besides its statements. Ten statements share it in tables 1 to
 //   3; in table 4, whose one statement is a round, it is most of the time. What it is (the timer is read, the reading
 //   ahead stops for it) the paper does not say. It is no part of the cost model, because the programs have no room for
 //   it: a point of the fourth takes 9 ms with ten blocks.
@@ -50,7 +50,7 @@ constexpr ir::ComputeCounts kWhile = {.blocks = 1, .number_reads = 1, .operators
 constexpr ir::ComputeCounts kFor = {
     .blocks = 1, .named_reads = 1, .named_writes = 1, .operators = 1, .rounds = 1};  // PP is an INT of the program
 
-// How much slower a jump back is than the end of a WHILE: IF … GOTOB and REPEAT, beside WHILE, with the same block.
+// How much slower a jump back is than the end of a WHILE: IF … GOTOB and REPEAT, next to WHILE, with the same block.
 constexpr double kJumpLessRound_ms = (paper::kIfGoto_ms + paper::kRepeat_ms) / 2 - paper::kWhile_ms;
 
 struct Figure {

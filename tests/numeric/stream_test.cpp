@@ -1,5 +1,5 @@
 // A text that is run while it is read gives what the same text gives when it is read whole: motions, counts, reports,
-// and the place of every diagnostic. The oracle is the whole reading. Beside it: long plain programs take no memory.
+// and the place of every diagnostic. The oracle is the whole reading. Next to it: long plain programs take no memory.
 #include "dialects/compile/dialect/stream.h"
 
 #include <atomic>
@@ -46,7 +46,7 @@ bool reads_whole(const std::string& text, const Dialect& dialect, const ir::Cont
 const Dialect& fanuc() { return *find_dialect("fanuc"); }
 const Dialect& sinumerik() { return *find_dialect("sinumerik-840d"); }
 
-TEST(Stream, AlmostEveryWayToWriteAPlainBlock) {
+TEST(Stream, AlmostEverySpellingOfAPlainBlock) {
   for (const ir::MachineKind kind : {ir::MachineKind::mill, ir::MachineKind::lathe}) {
     const ir::Control control = fanuc().control(kind, ir::GSystem::a);
     const std::string text =
@@ -248,7 +248,7 @@ std::string raster(std::size_t blocks, std::string_view eob) {
   return text + fmt::format("M30{0}%{0}", eob);
 }
 
-// Longer than the buffer, so that lines lie across its end, in every way to end a line.
+// Longer than the buffer, so that lines lie across its end, in every form of a line's end.
 TEST(Stream, LongProgramsInAllLineEnds) {
   const ir::Control control = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
   for (const std::string_view eob : {"\n", "\r\n", "\n\r\r", "\r"}) {

@@ -30,7 +30,7 @@ TEST_F(AnswerTest, AWholeOneLeavesNothingTorn) {
   EXPECT_EQ(kept.bytes_total, 30U);
 }
 
-TEST_F(AnswerTest, OneThatNobodyEndedIsTornAtTheNextStartUntilAPersonConfirms) {
+TEST_F(AnswerTest, OneThatNoOneEndedIsTornAtTheNextStartUntilAPersonConfirms) {
   must(answers().begin("mill-1", 30, by("dripfeed", 5)));
   const auto torn = must(answers().tear_unfinished(by("dripfeed", 20)));
   ASSERT_EQ(torn.size(), 1U);
@@ -81,7 +81,7 @@ TEST(WriteLane, TheLedgerGoesBeforeAllWhoWait) {
   EXPECT_GE(use.others.held, std::chrono::milliseconds(50)) << "the first kept the lane so long";
 }
 
-TEST(WriteLane, TellsWhoWaits) {
+TEST(WriteLane, ReportsWhoWaits) {
   sql::WriteLane lane;
   lane.enter(sql::Turn::in_order);
   std::thread other([&] {

@@ -74,8 +74,8 @@ TEST_F(AuditTest, AMissingRowIsFound) {
   EXPECT_EQ(must(store_->audit().verify()).first_broken, 2U);
 }
 
-// Whoever alters a row and gives it the right hash again breaks the row behind it.
-TEST_F(AuditTest, AHashMadeAnewIsFound) {
+// Whoever alters a row and gives it the right hash again breaks the row after it.
+TEST_F(AuditTest, AHashMadeAgainIsFound) {
   fill();
   drop_trigger("audit_update", "audit");
   const auto page = must(store_->audit().list({.limit = 10, .after = {}}));

@@ -1,4 +1,4 @@
-// Contents: chunks at their edges, equal ones once, what is left behind, and a large one in little memory.
+// Contents: chunks at their edges, equal ones once, what is left over, and a large one in little memory.
 #include <algorithm>
 #include <random>
 
@@ -100,7 +100,7 @@ TEST_F(ContentTest, UnknownTooLongAndUnfinished) {
   EXPECT_EQ(has_rows("content_chunk", 1), "");
 }
 
-TEST_F(ContentTest, AnOwnerDropsWhatACrashLeftAndWhatNobodyUses) {
+TEST_F(ContentTest, AnOwnerDropsWhatACrashLeftAndWhatNoOneUses) {
   const Program program = add_program(*store_, "used");
   must(store_->contents().put("not used"));
   EXPECT_EQ(sql(fmt::format("INSERT INTO content (id, sha256, bytes) VALUES (77, NULL, 0);"

@@ -1,5 +1,5 @@
 // Every change fails at every n-th write, sync, truncation and removal. What the next start finds is the state before
-// the change or the one after it, never one between; and an error is told as what it was.
+// the change or the one after it, never one between; and an error is reported as what it was.
 #include <functional>
 #include <set>
 

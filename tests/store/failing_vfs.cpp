@@ -1,4 +1,4 @@
-// The shim: its file holds the real file behind it in the same memory.
+// The shim: its file holds the real file under it in the same memory.
 #include "tests/store/failing_vfs.h"
 
 #include <algorithm>

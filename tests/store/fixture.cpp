@@ -1,4 +1,4 @@
-// The ways that every test of the store walks first.
+// The steps that every test of the store takes first.
 #include "tests/store/fixture.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// What the tests of the store share: a folder that goes away, a store in it, and the way from a machine to a job.
+// What the tests of the store share: a folder that goes away, a store in it, and the steps from a machine to a job.
 #pragma once
 
 #include <filesystem>
@@ -80,7 +80,7 @@ class StoreTest : public ::testing::Test {
   [[nodiscard]] store::Result<std::unique_ptr<store::Store>> open_second(
       const sqlite::OpenSettings& settings = {}) const;
   [[nodiscard]] std::string path() const { return folder_.file("dripfeed.db"); }  // on SQLite
-  // Runs SQL beside the store; the engine's words, "" when it went well.
+  // Runs SQL next to the store; the engine's words, "" when it went well.
   [[nodiscard]] std::string sql(const std::string& text) const;
   [[nodiscard]] static std::string_view zero_byte() { return engine() == EngineKind::postgresql ? "'\\x00'" : "x'00'"; }
   void drop_trigger(const std::string& name, const std::string& table) const;

@@ -48,7 +48,7 @@ TEST_F(LedgerTest, SaysWhatIsKnown) {
   EXPECT_EQ(must(store_->ledger().verify(job.id)), 3U);
 }
 
-TEST_F(LedgerTest, WrongRowsAreToldAndDoNotStopTheOthers) {
+TEST_F(LedgerTest, WrongRowsAreReportedAndDoNotStopTheOthers) {
   const Job first = add_job(*store_, "mill-1");
   const Job second = add_job(*store_, "mill-2");
   append(first.id, {0, 0, 0, 100});
@@ -74,7 +74,7 @@ TEST_F(LedgerTest, WrongRowsAreToldAndDoNotStopTheOthers) {
   EXPECT_EQ(must(store_->ledger().interval(second.id)).last.handed, wrong.size());
 }
 
-TEST_F(LedgerTest, MoreThanReservedIsWrittenAndTold) {
+TEST_F(LedgerTest, MoreThanReservedIsWrittenAndReported) {
   const Job job = add_job(*store_, "mill-1");
   append(job.id, {0, 0, 0, 100});
   const auto faults = append(job.id, {101, 90, 0, 200});

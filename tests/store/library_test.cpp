@@ -159,7 +159,7 @@ TEST_F(LibraryTest, AnEntryIsReplaced) {
   EXPECT_EQ(found("pump", true), Ids{});
 }
 
-TEST_F(LibraryTest, CallsLeadBothWays) {
+TEST_F(LibraryTest, CallsLeadInBothDirections) {
   put({.program = 1,
        .name = "MAIN.NC",
        .names = {"MAIN", "O1"},
@@ -181,7 +181,7 @@ TEST_F(LibraryTest, CallsLeadBothWays) {
   EXPECT_FALSE(must(library_->calls_of(77)).is_known);
 }
 
-TEST_F(LibraryTest, IsKeptAndMadeAnewWhereItCannotBeUsed) {
+TEST_F(LibraryTest, IsKeptAndMadeAgainWhereItCannotBeUsed) {
   put({.program = 1, .name = "PUMP"});
   open();
   EXPECT_EQ(found("pump"), Ids{1});

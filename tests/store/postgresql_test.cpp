@@ -37,7 +37,7 @@ TEST_F(PostgresqlTest, AnotherProgramsTablesAreLeftAlone) {
   EXPECT_EQ(run_sql("of_others", "ALTER TABLE migration DROP COLUMN id; DROP TABLE migration"), "");
 }
 
-TEST_F(PostgresqlTest, AConnectionThatBreaksIsMadeAnew) {
+TEST_F(PostgresqlTest, AConnectionThatBreaksIsMadeAgain) {
   reopen({.own = true});
   EXPECT_EQ(add_machine("mill-1"), "");
   const std::uint64_t before = must(store_->version());

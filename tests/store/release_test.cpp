@@ -109,7 +109,7 @@ TEST_F(ReleaseTest, ANewMachineProfileMakesItsVerdictsStale) {
   EXPECT_TRUE(must(store_->verdicts().add(late, by("anna"))).stale) << "made for a profile that is gone";
 }
 
-TEST_F(ReleaseTest, TheWholeWay) {
+TEST_F(ReleaseTest, TheWholePath) {
   const Verdict verdict = add_verdict(*store_, program_, "mill-1");
   const Release release = make_draft();
   EXPECT_EQ(release.state, ReleaseState::draft);
@@ -220,7 +220,7 @@ TEST_F(ReleaseTest, EachPointIsWaivedByItselfAndAWaiverEnds) {
   EXPECT_NE(over.error().detail.find("a waiver of bert has ended"), std::string::npos) << over.error().detail;
 }
 
-TEST_F(ReleaseTest, AStaleVerdictDoesNotTakeAnApprovalBackButIsTold) {
+TEST_F(ReleaseTest, AStaleVerdictDoesNotTakeAnApprovalBackButIsReported) {
   add_verdict(*store_, program_, "mill-1");
   approve(*store_, program_, "mill-1");
   must(store_->families().change("roll", 1, "roll 2", by("anna")));

@@ -48,7 +48,7 @@ class Shared : public StoreTest {
     if (!added) return std::unexpected(added.error());
     return {};
   }
-  // The callers come while somebody else has the store, so that they wait together. `change` is each one's work.
+  // The callers come while another has the store, so that they wait together. `change` is each one's work.
   std::vector<Result<void>> together(
       const std::function<Result<void>(int)>& change, const std::function<void()>& before_others = [] {}) const {
     std::vector<Result<void>> results(kCallers);
@@ -116,7 +116,7 @@ TEST_F(Shared, WhatOneThrowsComesToItsOwnCaller) {
   EXPECT_EQ(machines(), 3U);
 }
 
-// Whichever write or sync of their commit fails: nobody is told that his change was done, and none is there.
+// Whichever write or sync of their commit fails: no one is informed that a change was done, and none is there.
 TEST_F(Shared, ACommitThatFailsFailsForAll) {
   int changed = 0;
   bool met = true;
@@ -196,7 +196,7 @@ class SharedCrash : public StoreTest {
   SharedCrash() : StoreTest(TempFolder::Where::disk) {}
 };
 
-// Six callers add jobs in a child that is killed: each job that one of them was told of is there.
+// Six callers add jobs in a child that is killed: each job whose answer one of them had is there.
 TEST_F(SharedCrash, WhatWasAcknowledgedIsThereAfterAKill) {
   const Released released = add_released(*store_, "mill-1");
   store_.reset();

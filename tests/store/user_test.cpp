@@ -76,7 +76,7 @@ TEST_F(UserTest, ASecretIsKeptAndANewOneEndsSessions) {
   for (const AuditRow& row : rows) EXPECT_EQ(row.entry.detail.find("hash"), std::string::npos) << row.entry.detail;
 }
 
-TEST_F(UserTest, RefusalsAreCountedAndALockLastsUntilSomebodyUnlocks) {
+TEST_F(UserTest, RefusalsAreCountedAndALockLastsUntilAPersonUnlocks) {
   add("olga");
   must(users().note_refusal("olga", 0, by("dripfeed", 10)));
   must(users().note_refusal("olga", 900, by("dripfeed", 20)));

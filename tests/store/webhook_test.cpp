@@ -1,4 +1,4 @@
-// Events stand in the log with the change that they tell of, or not at all; each becomes one delivery a webhook that
+// Events stand in the log with the change that they report, or not at all; each becomes one delivery a webhook that
 // wants it; what is not taken is tried again until it is dead, and may be replayed.
 #include <algorithm>
 
@@ -38,7 +38,7 @@ TEST_F(EventLogTest, AChangeAndItsEventAreOneTransaction) {
   EXPECT_EQ(events[0].by.at_ms, 7);
 }
 
-TEST_F(EventLogTest, JobsTellOfTheirStatesButNotOfHolds) {
+TEST_F(EventLogTest, JobsReportTheirStatesButNotOfHolds) {
   const Job job = add_job(*store_, "mill-1");
   const std::uint64_t before = newest();
   bring(*store_, job.id, JobState::feeding);
@@ -50,7 +50,7 @@ TEST_F(EventLogTest, JobsTellOfTheirStatesButNotOfHolds) {
   EXPECT_EQ(types(before), (std::vector<std::string>{"job.armed", "job.feeding", "job.failed"}));
 }
 
-TEST_F(EventLogTest, AlarmsTellOfWhatChangesForPeople) {
+TEST_F(EventLogTest, AlarmsReportWhatChangesForPeople) {
   must(store_->machines().add("mill-1", "{}", by("anna")));
   const NewAlarm lost{.machine = "mill-1", .kind = "link_lost", .text = "no link", .lasts = true};
   const Alarm alarm = must(store_->alarms().raise(lost, 10));
@@ -65,7 +65,7 @@ TEST_F(EventLogTest, AlarmsTellOfWhatChangesForPeople) {
                                                "alarm.shelved", "alarm.unshelved"}));
 }
 
-TEST_F(EventLogTest, ProgramsReleasesAndReceiptsTellOfTheirSteps) {
+TEST_F(EventLogTest, ProgramsReleasesAndReceiptsReportTheirSteps) {
   const Released made = add_released(*store_, "mill-1");
   const auto seen = types();
   EXPECT_EQ(std::ranges::count(seen, "program.added"), 1);
@@ -122,7 +122,7 @@ TEST_F(WebhookTest, TypesCoverByWholeWords) {
   EXPECT_FALSE(wants({}, "line.idle"));
 }
 
-TEST_F(WebhookTest, EachIsToldOfWhatItWantsFromItsBeginningOn) {
+TEST_F(WebhookTest, EachGetsWhatItWantsFromItsBeginningOn) {
   happen("idle");
   const Webhook all = add();
   const Webhook some = add({"line.torn", "job.*"});
@@ -174,7 +174,7 @@ TEST_F(WebhookTest, AFullQueueLetsTheLogWait) {
   EXPECT_EQ(must(store_->webhooks().get(hook.id)).missed, 1U) << "the fourth was forgotten before it was a delivery";
 }
 
-TEST_F(WebhookTest, OneThatIsDisabledIsToldOfNothing) {
+TEST_F(WebhookTest, OneThatIsDisabledGetsNothing) {
   const Webhook hook = add();
   happen("armed");
   must(store_->webhooks().take_new(10, 100));

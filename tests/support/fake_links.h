@@ -48,7 +48,7 @@ struct Cable {
   std::optional<std::size_t> accept_at_most;  // of each write
   std::optional<std::uint64_t> unsent;
   std::optional<std::uint64_t> unconfirmed;
-  std::string unread;                                   // came in, and the system has not told of it
+  std::string unread;                                   // came in, and the system has not reported it
   std::function<void(std::size_t total)> before_write;  // with the bytes that will have been written
   Peer* peer = nullptr;
 };

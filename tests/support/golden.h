@@ -1,7 +1,7 @@
 // Golden programs of the '#' controls, under tests/golden/<folder>/<diagnostic>/: trigger*.nc must give that
-// diagnostic, near_miss*.nc must not, and all diagnostics must be those of the expected file beside it (UPDATE_GOLDEN=1
-// writes it). A name with .drip is fed while it runs, one with .machine stands for a named machine, .two moves at most
-// two axes at once, .parallel has an axis U beside X, Y and Z.
+// diagnostic, near_miss*.nc must not, and all diagnostics must be those of the expected file next to it
+// (UPDATE_GOLDEN=1 writes it). A name with .drip is fed while it runs, one with .machine stands for a named machine,
+// .two moves at most two axes at once, .parallel has an axis U besides X, Y and Z.
 #pragma once
 
 #include <algorithm>

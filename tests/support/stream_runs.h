@@ -34,7 +34,7 @@ class Pieces final : public ProgramText {
   std::size_t at_ = 0;
 };
 
-// Inputs that are named behind the end of the program were never met: `read_whole` leaves them in.
+// Inputs that are named after the end of the program were never met: `read_whole` leaves them in.
 inline std::string describe(const interpreter::RunResult& r, std::string_view trace, bool read_whole) {
   std::string out = fmt::format("{} blocks, {} motions, {}, last {}:{}\n", r.blocks, r.motions, name_of(r.ended),
                                 r.last.line, r.last.ordinal);
@@ -47,7 +47,7 @@ inline std::string describe(const interpreter::RunResult& r, std::string_view tr
   return out.append(trace);
 }
 
-// Nothing is read behind the end of a stream, so what is named there only is not listed.
+// Nothing is read after the end of a stream, so what is named there only is not listed.
 inline std::string describe_variables(const interpreter::RunResult& r) {
   std::string out;
   for (const interpreter::VariableValue& v : r.variables) out += fmt::format("{}={}\n", v.name, v.value.value_or(-0.5));
@@ -65,7 +65,7 @@ inline interpreter::RunOptions options_with(interpreter::RunNames& names, std::u
 
 struct Whole {
   std::string said;
-  std::string said_as_read;  // as if nothing behind the end had been read
+  std::string said_as_read;  // as if nothing after the end had been read
   std::string variables;
   std::uint32_t faulty_line = 0;  // the first that the reader has an error for; it is then not run
 };

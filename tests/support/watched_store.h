@@ -1,5 +1,5 @@
-// A store with somebody who looks at each commit of the ledger before it is made: he may let it through, hold it up or
-// fail it; and an audit that may be closed. All else goes to the store behind it.
+// A store with a person who looks at each commit of the ledger before it is made: he may let it through, hold it up or
+// fail it; and an audit that may be closed. All else goes to the store under it.
 #pragma once
 
 #include <functional>

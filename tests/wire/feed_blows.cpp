@@ -1,5 +1,5 @@
 // Thousands of seeded runs in which one thing goes wrong, or is wished, at a random instant: what stops and cancels
-// leave behind, that the interval of what is known is true, and that nothing goes out after it.
+// leave, that the interval of what is known is true, and that nothing goes out after it.
 #include <array>
 #include <map>
 #include <memory>
@@ -26,7 +26,7 @@ bool ends_with_block(const std::string& wire, std::size_t count, const feed::Set
   return true;
 }
 
-// The bytes that the job may be at most torn at: an offset is whole if it is behind the final '%' or ends a block.
+// The bytes that the job may be at most torn at: an offset is whole if it is after the final '%' or ends a block.
 bool is_whole(const std::string& wire, std::size_t count, const feed::Settings& settings) {
   const std::size_t final_percent =
       wire.rfind(static_cast<char>(tape_code::with_parity('%', settings.wire.eighth_bit)));
@@ -176,7 +176,7 @@ TEST(FeedBlows, AfterABlowNothingGoesOutAndTheIntervalIsTrue) {
   EXPECT_GT(ends[State::torn], 500);
   EXPECT_GT(ends[State::failed], 15);
   EXPECT_GT(ends[State::cancelled], 100);
-  // The modelled control asks again when it starves, which a stop cannot tell from a reset.
+  // The modelled control asks again when it starves, which a stop cannot distinguish from a reset.
   EXPECT_GT(ends[State::stopped] + ends[State::stopped_held] + ends[State::reset_suspected], 100);
   EXPECT_GT(ends[State::done], 20);
 }

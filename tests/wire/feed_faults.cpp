@@ -261,8 +261,8 @@ TEST(FeedFaultsControl, ASlowButSoundControlGetsEverything) {
       if (run.fault() != FaultKind::slow) continue;
       run.run();
       ++sound;
-      // A control that drops its RTS with the last character is not told from one that holds before it: the stall has
-      // its name, and a person ends it.
+      // A control that drops its RTS with the last character is not distinguished from one that holds before it: the
+      // stall has its name, and a person ends it.
       EXPECT_TRUE(run.state() == State::done || run.is_shut_in_the_end()) << run.where;
       EXPECT_EQ(run.report().state, ControlState::ended) << run.where;
       EXPECT_EQ(run.report().alarm, "") << run.where;

@@ -1,4 +1,4 @@
-// Ten thousand holds at each rate and each kind of receiver: what came in behind the control's stop, as a histogram,
+// Ten thousand holds at each rate and each kind of receiver: what came in after the control's stop, as a histogram,
 // and how much of the line was used while nothing held it.
 #include <algorithm>
 #include <array>
@@ -70,7 +70,7 @@ class FeedHolds : public testing::Test {
       const std::string text = random_program(random, 600);
       VirtualLine line(model, text, seed);
       line.run(3600s);
-      // A control that drops its RTS with the last character is not told from one that holds before it.
+      // A control that drops its RTS with the last character is not distinguished from one that holds before it.
       const bool shut = model.by_lines && line.feed().stall() == feed::Stall::cts_off;
       ASSERT_TRUE(line.feed().state() == feed::State::done || shut) << where << " seed " << seed;
       worst = std::max(worst, line.worst_after_dc3);

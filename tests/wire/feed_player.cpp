@@ -253,7 +253,7 @@ std::string FeedPlayer::expect_out(const std::string& rest) {
   return {};
 }
 
-// A write that the driver had begun before the last input and tells of now.
+// A write that the driver had begun before the last input and reports now.
 std::string FeedPlayer::late_write(const std::string& rest) {
   feed().mark_sent(number(rest), now_);
   return {};

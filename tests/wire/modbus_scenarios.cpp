@@ -23,8 +23,8 @@ struct Faults {
   int duplicate = 0;
   int late = 0;      // an earlier write is applied once more, later
   int torn = 0;      // only some registers of a write arrive, in any order of looking
-  int flip = 0;      // one bit of a write changes on the way
-  int garble = 0;    // one bit of a status changes on the way
+  int flip = 0;      // one bit of a write changes in transit
+  int garble = 0;    // one bit of a status changes in transit
   int swap = 0;      // two words of a write, or the bytes of all, change places
   int exchange = 0;  // a write brings the status with it
   int full = 0;      // the receiver cannot store a block

@@ -36,7 +36,7 @@ void PacketPair::make_receiver() { receiver_ = std::move(packet::Receiver::make(
 Time PacketPair::up_to(Time most) { return Time(static_cast<std::int64_t>(random_() % 1000) * (most.count() / 1000)); }
 
 bool PacketPair::is_beginning() const { return (text_ + std::string(1024, '\x1A')).starts_with(sink_.text); }
-// YMODEM tells the length, so nothing is filled up.
+// YMODEM states the length, so nothing is filled up.
 bool PacketPair::same() const {
   if (settings_.protocol == packet::Protocol::ymodem) return sink_.text == text_;
   return sink_.text.size() >= text_.size() && is_beginning();

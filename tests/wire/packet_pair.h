@@ -21,8 +21,8 @@ struct LineFaults {
   int insert = 0;     // any byte
   int burst = 0;      // this byte and up to 9 more become anything
   int delay = 0;      // the line stands still for up to 3 s
-  int silence = 0;    // nothing passes for up to 60 s, either way
-  int restart = 0;    // in a thousand for each frame: the receiver was switched off and begins anew
+  int silence = 0;    // nothing passes for up to 60 s, in either direction
+  int restart = 0;    // in a thousand for each frame: the receiver was switched off and begins again
   int link_down = 0;  // in a thousand for each frame: the sender's link is lost
   int full = 0;       // in a hundred for each frame: the receiver has no room for up to 30 s
   int stop = 0;       // in a hundred for each frame: a person stops, and resumes up to 60 s later
@@ -42,7 +42,7 @@ class PacketPair {
   const std::string& received() const { return sink_.text; }
   std::uint64_t faults_made() const { return faults_made_; }
   bool receiver_restarted() const { return restarted_; }
-  // What arrived is the text, its blocks filled up behind.
+  // What arrived is the text, its blocks filled up at the end.
   bool same() const;
   bool is_beginning() const;
 

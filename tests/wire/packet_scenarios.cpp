@@ -28,7 +28,7 @@ struct Ends {
   int whole = 0;        // both say so and the text is the same
   int broken = 0;       // not whole, and named
   int undetected = 0;   // both say whole and the text differs
-  int unconfirmed = 0;  // the text is there, and the sender was not told so
+  int unconfirmed = 0;  // the text is there, and the sender was not informed
   int forgotten = 0;    // acknowledged, and lost with the memory of the receiver
   std::map<Cause, int> causes;
   std::uint64_t faults = 0;
@@ -43,7 +43,7 @@ void judge(PacketPair& run, Ends& ends) {
     return offset > 0 && offset < run.text().size() && run.text()[offset - 1] != '\n';
   };
   if (sender.state() == State::done) {
-    // A receiver that was switched off behind its last acknowledgement: no protocol tells, an empty memory does.
+    // A receiver that was switched off after its last acknowledgement: no protocol shows it, an empty memory does.
     const bool forgotten = run.receiver_restarted() && run.received().empty();
     forgotten ? ++ends.forgotten : run.same() ? ++ends.whole : ++ends.undetected;
     return;
@@ -75,7 +75,7 @@ TEST(XmodemScenarios, AGoodLineCarriesEveryText) {
 
 TEST(XmodemScenarios, WhatASumCanSeeIsRepeatedUntilItIsRight) {
   // A flipped bit never passes a sum or a CRC; answers are single bytes without any check. A character that is lost or
-  // doubled shifts those behind it, and what then stands in the place of the sum is right once in 256 times.
+  // doubled shifts those after it, and what then stands in the place of the sum is right once in 256 times.
   for (const Protocol protocol : kXmodems) {
     for (const LineFaults& faults : {LineFaults{.flip = 60}, LineFaults{.lose = 60}, LineFaults{.twice = 60},
                                      LineFaults{.delay = 60}, LineFaults{.silence = 20}}) {

@@ -1,5 +1,5 @@
-// Seeded scenarios in virtual time: punches in the controls' ways over lines that split, lose, flip and cut. Whatever
-// happens, what is called whole is the text that was punched.
+// Seeded scenarios in virtual time: punches by the controls' methods over lines that split, lose, flip and cut.
+// Whatever happens, what is called whole is the text that was punched.
 #include <gtest/gtest.h>
 
 #include "protocol/tape_code/code_table.h"

@@ -48,7 +48,7 @@ std::vector<std::byte> some_bytes(std::mt19937& random) {
   return bytes;
 }
 
-TEST(TelnetPair, CarriesEveryByteBothWays) {
+TEST(TelnetPair, CarriesEveryByteInBothDirections) {
   for (unsigned seed = 1; seed <= 400; ++seed) {
     std::mt19937 random(seed);
     telnet::ComPortSettings settings{.baud = 1 + static_cast<std::uint32_t>(random() % 4'000'000),

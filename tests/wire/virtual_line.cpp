@@ -155,7 +155,7 @@ void VirtualLine::control_sends(std::uint8_t byte) {
   add(reverse_free_at_, Kind::host_receives, byte);
 }
 
-// Counts what still comes in behind a DC3; sends DC3 above the high mark and behind the final '%'.
+// Counts what still comes in after a DC3; sends DC3 above the high mark and after the final '%'.
 void VirtualLine::control_takes(std::uint8_t byte) {
   if (control_holds_) worst_after_dc3 = std::max(worst_after_dc3, ++after_dc3_);
   const bool eia = model_.settings.wire.eia.has_value();
@@ -166,8 +166,8 @@ void VirtualLine::control_takes(std::uint8_t byte) {
   const bool whim = percents_ < 2 && random_() % 300 == 0;
   if (ended || (!control_holds_ && (fill_ >= high_ || whim))) {
     if (!model_.by_lines) control_sends(kDc3);
-    // Some keep their RTS on behind the end, some drop it. (One that ends inside a hold and stays off cannot be told
-    // from one that holds on.)
+    // Some keep their RTS on after the end, some drop it. (One that ends inside a hold and stays off cannot be
+    // distinguished from one that holds on.)
     if (ended && model_.by_lines) return control_holds(!control_holds_ && random_() % 2 == 0);
     if (control_holds_) return;
     if (model_.by_lines) control_holds(true);

@@ -63,7 +63,7 @@ class VirtualLine {
   std::uint64_t worst_after_dc3 = 0;
   std::array<std::uint64_t, 512> after_dc3{};  // holds by the characters that came after
   // Of the time at which the feed was free to send, the share at which the host's port was busy (the link's own delay
-  // behind it, which no pacing can help, is left out).
+  // after it, which no pacing can help, is left out).
   double line_use() const;
 
  private:

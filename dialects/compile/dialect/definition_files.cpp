@@ -43,7 +43,7 @@ class Definitions {
       part.last += shift;
     }
     for (ir::Structure& structure : program_.structures) structure.partner = ir::kNoIndex;
-    (void)ir::match_structures(program_);  // halves have been told
+    (void)ir::match_structures(program_);  // halves have been reported
   }
 
  private:

@@ -1,4 +1,4 @@
-// Kind, axes, feed; then the states that tell the two apart.
+// Kind, axes, feed; then the states that distinguish the two.
 #include "dialects/compile/dialect/describe_move.h"
 
 #include <array>

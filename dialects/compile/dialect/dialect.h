@@ -1,5 +1,5 @@
 // The one interface that every control language has here, and the list of those that are built in. What a dialect does
-// behind each function is its own folder's; the rest of the program knows this struct only.
+// for each function is its own folder's; the rest of the program knows this struct only.
 #pragma once
 
 #include <memory>
@@ -47,7 +47,7 @@ struct Dialect {
 std::span<const Dialect> dialects();
 // nullptr when there is none of that name.
 const Dialect* find_dialect(std::string_view name);
-// The dialect whose text this most likely is, by what only one of them has; the first of the list when nothing tells.
+// The dialect whose text this most likely is, by what only one of them has; the first of the list when nothing shows.
 const Dialect& infer_dialect(const text::Source& source);
 
 // A control without quirks, in which a built family is run: calculator decimals, radius or diameter as given, all axes.

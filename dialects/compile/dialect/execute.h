@@ -27,7 +27,7 @@ class FanOut final : public ir::MotionSink {
   std::vector<ir::MotionSink*> sinks_;
 };
 
-// Motions that nobody wants.
+// Motions that no one wants.
 class NoMotions final : public ir::MotionSink {
  public:
   void consume(std::span<const ir::Motion>) override {}

@@ -59,7 +59,7 @@ std::uint32_t add_native(ir::Program& program, std::string_view name, bool moves
   return static_cast<std::uint32_t>(program.natives.size() - 1);
 }
 
-// What a block of Siemens mode has set nobody sees here: the blank before each part stands for it.
+// What a block of Siemens mode has set no one sees here: the blank before each part stands for it.
 void mark_blocks_before_parts(const ir::Program& host, ir::Program& iso) {
   const auto begin_of = [](const ir::Statement& s) { return s.span.begin; };
   for (const ir::ForeignPart& part : host.foreign_parts) {
@@ -115,7 +115,7 @@ std::span<const ir::CodeRow> iso_m_codes() {
   return rows;
 }
 
-// A part is no program: what every program has, its host has, and which way the run goes is to be seen there.
+// A part is no program: what every program has, its host has, and which branch the run takes is to be seen there.
 bool concerns_host(const text::Diagnostic& d) {
   constexpr DiagnosticId kIds[] = {DiagnosticId::missing_program_number, DiagnosticId::missing_tape_mark,
                                    DiagnosticId::missing_program_end, DiagnosticId::unreachable,

@@ -1,4 +1,4 @@
-// Block by block, over the reader's tokens. The blocks of a toolpath say little that anybody looks for and are most of
+// Block by block, over the reader's tokens. The blocks of a toolpath say little that anyone looks for and are most of
 // a long text: beyond its beginning they are left out.
 #include "dialects/compile/dialect/program_digest.h"
 

@@ -63,7 +63,7 @@ class TextStream final : public interpreter::PlainStream {
     stopped_ = scan.stop == ir::PlainStop::not_plain;
   }
 
-  // Moves what is left to the front and reads behind it. False when nothing is left, or a line is longer than the
+  // Moves what is left to the front and reads after it. False when nothing is left, or a line is longer than the
   // buffer, which the reader may judge.
   bool refill() {
     std::memmove(buffer_.data(), buffer_.data() + scanned_, filled_ - scanned_);
@@ -82,7 +82,7 @@ class TextStream final : public interpreter::PlainStream {
     return lines_end_ > 0;
   }
 
-  // Behind the last EOB that is whole whatever follows: LF CR CR, or LF that no CR follows.
+  // After the last EOB that is whole whatever follows: LF CR CR, or LF that no CR follows.
   [[nodiscard]] std::size_t end_of_lines() const {
     const std::string_view text(buffer_.data(), filled_);
     for (std::size_t end = filled_ - 1; end > 0; --end) {
@@ -97,7 +97,7 @@ class TextStream final : public interpreter::PlainStream {
   const Dialect& dialect_;
   const ir::Control& control_;
   std::unique_ptr<ir::PlainScanner> scanner_;
-  std::vector<char> buffer_;   // and one byte for an EOB behind the text
+  std::vector<char> buffer_;   // and one byte for an EOB after the text
   std::uint64_t before_ = 0;   // bytes of the text before the buffer
   std::size_t scanned_ = 0;    // in the buffer
   std::size_t lines_end_ = 0;  // of the whole lines in it

@@ -28,7 +28,7 @@ struct StreamRun {
 };
 
 // As execute() of the program that dialect.read(text) gives, but that what it says of a faulty block comes when the run
-// arrives at the first block that is not plain, and that nothing behind the end of
+// arrives at the first block that is not plain, and that nothing after the end of
 // the program is read. `name` is what messages call the text. options.observer is not heard.
 StreamRun execute_stream(ProgramText& bytes, const std::string& name, const Dialect& dialect,
                          const ir::Control& control, ProgramLibrary* library, ir::MotionSink& sink,

@@ -10,7 +10,7 @@
 
 namespace dripfeed::compile {
 
-// A control that nobody described has the axes of its kind and those that the source's machine has.
+// A control that no one described has the axes of its kind and those that the source's machine has.
 std::string joint_axes(const ir::Control& to, const ir::Control& from);
 
 // Errors: words that move an axis of `from` that `to` does not have.

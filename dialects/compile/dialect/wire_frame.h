@@ -12,7 +12,7 @@ namespace dripfeed::compile {
 //   %_N_ROLL_1_MPF           first line: the name at the control
 //   ;$PATH=/_N_MPF_DIR       second line: the folder it belongs to
 //   …
-//   %                        the tape's end, so that the sender knows that all is said
+//   %                        the tape's end, so that the sender knows that all is sent
 void wrap_for_wire(ir::PrintResult& printed, std::string_view dialect, std::string_view program_name);
 
 }  // namespace dripfeed::compile

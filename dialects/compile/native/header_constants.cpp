@@ -126,12 +126,12 @@ std::uint32_t numbers_of(const ir::Program& program, const ir::Statement& s) {
 
 using Tokens = std::vector<ir::Token>::const_iterator;
 
-// Of the first token at or behind the offset.
+// Of the first token at or after the offset.
 Tokens token_at(const ir::Program& program, std::uint32_t offset) {
   return std::ranges::lower_bound(program.tokens, offset, {}, [](const ir::Token& one) { return one.span.begin; });
 }
 
-// The token of the comment behind the offset, in its line; the end of all without one.
+// The token of the comment after the offset, in its line; the end of all without one.
 Tokens comment_after(const ir::Program& program, std::uint32_t offset) {
   for (Tokens token = token_at(program, offset); token != program.tokens.end(); ++token) {
     if (token->kind == ir::TokenKind::eob) break;

@@ -24,7 +24,7 @@ struct HeaderConstant {
 // arguments of calls of programs of the same text. Each target once.
 std::vector<HeaderConstant> header_constants(const ir::Program& program, const ir::Control& control);
 
-// The comment behind the number at `offset`; "" where the line sets another number as well, because only a person knows
+// The comment after the number at `offset`; "" where the line sets another number as well, because only a person knows
 // which of them is meant.
 std::string_view comment_on_line(const ir::Program& program, std::uint32_t offset);
 

@@ -30,7 +30,7 @@ std::size_t closing_bracket(std::string_view text, std::size_t open) {
   return text.size();
 }
 
-// Behind the name when it stands at `at`.
+// After the name when it stands at `at`.
 std::optional<std::size_t> end_of_name(std::string_view text, std::size_t at, std::string_view target) {
   if (text.substr(at).starts_with(target)) {
     const std::size_t end = at + target.size();

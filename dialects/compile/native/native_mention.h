@@ -8,7 +8,7 @@ namespace dripfeed::compile {
 
 enum class Mention : std::uint8_t { none, reads, sets };
 
-// `target` in upper case: "#100", "R10", "DIA"; R10 is also $R10, R[10] and, as far as anybody knows, R[R1].
+// `target` in upper case: "#100", "R10", "DIA"; R10 is also $R10, R[10] and, as far as is known, R[R1].
 Mention mention_of(std::string_view text, std::string_view target);
 
 // Whether it is an argument, by itself, in which a procedure of the control gives back a value: READ(R10,...).

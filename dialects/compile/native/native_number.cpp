@@ -1,4 +1,4 @@
-// Decimals beyond the ninth are noise of the way through stored units.
+// Decimals beyond the ninth are noise of the conversion through stored units.
 #include "dialects/compile/native/native_number.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Statement by statement; what nobody can look into counts for what it may do.
+// Statement by statement; what cannot be looked into counts for what it may do.
 #include "dialects/compile/native/native_other_uses.h"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ class Search {
   }
 
   // A call that hands the variable itself to a program which is not here: EXTERN says whether that gives it back; where
-  // it does not, nobody knows.
+  // it does not, is not known.
   void external_call(std::uint32_t i) {
     const ir::Call& call = program_.calls[program_.statements[i].payload];
     if (call.name == ir::StringId::none || facts::is_standard_cycle(program_, program_.statements[i]) ||

@@ -14,7 +14,7 @@
 namespace dripfeed::compile {
 
 struct Overwritten {
-  bool is_fault = false;                  // otherwise it is possible and nobody here can see it
+  bool is_fault = false;                  // otherwise it is possible and no one here can see it
   std::string why;                        // "" where nothing sets it
   std::vector<std::uint32_t> statements;  // that show it
 };

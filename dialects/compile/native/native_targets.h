@@ -26,7 +26,7 @@ struct NativeConstant {
 struct NativeTarget {
   std::optional<NativeConstant> constant;
   std::string why = {};                      // without one: why not
-  std::string warning = {};                  // with one: what may take its value away, as far as nobody here can see
+  std::string warning = {};                  // with one: what may take its value away, as far as no one here can see
   std::vector<ir::Variable> variables = {};  // that take its value: all are one
   std::vector<bool> scope = {};              // by statement: where they are that one
   std::vector<text::DiagnosticNote> notes = {};  // the places of the program that show either

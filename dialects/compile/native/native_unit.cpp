@@ -1,4 +1,4 @@
-// What the text states counts first; what holds at power-on counts where somebody has looked at the machine.
+// What the text states counts first; what holds at power-on counts where a person has looked at the machine.
 #include "dialects/compile/native/native_unit.h"
 
 #include <algorithm>

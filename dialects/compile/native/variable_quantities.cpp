@@ -49,7 +49,7 @@ VariableQuantities::VariableQuantities(const ir::Program& program, const ir::Con
                                        const facts::Resolved& resolved)
     : program_(program), control_(control), resolved_(resolved) {
   learn();
-  // What nothing else tells of may be a counter; where one is a factor, the other factor measures what the product
+  // What nothing else reports may be a counter; where one is a factor, the other factor measures what the product
   // does.
   counters();
   learn();

@@ -110,7 +110,7 @@ void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
     case MotionKind::linear:
     case MotionKind::arc_cw:
     case MotionKind::arc_ccw:
-    case MotionKind::spline:  // of curves that are not interpreted the run tells
+    case MotionKind::spline:  // of curves that are not interpreted the run reports
     case MotionKind::thread: return move(motion);
     case MotionKind::dwell:
       add(Function::dwell);

@@ -100,7 +100,7 @@ CarriedBlocks::ByLine CarriedBlocks::collect(const ir::Program& program) const {
     CarriedBlock carried = carried_by(program, program.blocks[statement.payload]);
     if (carried.empty()) continue;
     const auto [entry, is_new] = out.try_emplace(statement.line, std::move(carried));
-    // Places are lines: with G43 H1;G41 D2; nobody knows which block is executed.
+    // Places are lines: with G43 H1;G41 D2; it is not known which block is executed.
     if (!is_new) entry->second.computed.emplace_back("numbers of several blocks in one line");
   }
   return out;

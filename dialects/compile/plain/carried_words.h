@@ -1,5 +1,5 @@
-// What a block says and motions do not: numbers of tool lengths and compensation, M functions of the machine, the way
-// to the reference point. The explicit form takes it over as it stands in the program.
+// What a block says and motions do not: numbers of tool lengths and compensation, M functions of the machine, the
+// direction to the reference point. The explicit form takes it over as it stands in the program.
 #pragma once
 
 #include <cstdint>
@@ -50,7 +50,7 @@ class CarriedBlocks {
         prepares_tools_(control.kind == ir::MachineKind::mill && control.semantics.tool_word == ir::ToolWord::number),
         finder_(finder) {}
 
-  // Number `program` of the run; nullptr when nobody has it. `names` are the run's programs.
+  // Number `program` of the run; nullptr when there is none. `names` are the run's programs.
   const ir::Program* source_of(std::uint32_t program, const std::vector<std::string>& names) const;
   // nullptr: nothing. Valid as long as this.
   const CarriedBlock* at(std::uint32_t program, const std::vector<std::string>& names, std::uint32_t line);

@@ -95,7 +95,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     }
   }
 
-  // A cut right behind another, with the spindle turned round between them: a tap. As a thread of a cycle, it is a
+  // A cut right after another, with the spindle turned round between them: a tap. As a thread of a cycle, it is a
   // rigid one (G84 with ,R1).
   [[nodiscard]] bool turns_back() const { return turns_back_; }
   [[nodiscard]] bool turns_back_in_thread() const { return turns_back_in_thread_; }
@@ -266,7 +266,7 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunT
     out.push_back(cannot_write(lost.name, {}));
     texts.place(out.back(), run, lost.program, lost.first_line);
     if (lost.effects_known) out.back().severity = text::Severity::warning;
-    // Its chords are written; whether the control bends as we do is for somebody to look at.
+    // Its chords are written; whether the control bends as we do is for a person to look at.
     if (lost.function == ir::Function::spline) out.back().severity = text::Severity::warning;
   }
   // What is carried is taken from the text, where the number of such a code does not stand.
@@ -297,8 +297,8 @@ struct Taps {
   text::Span first;  // of them, in the main program
 };
 
-// G331 and G332 turn the spindle with the axis, one way in and the other out, and so does G84 behind M29, as G84.2 or
-// with ,R1. A thread of plain blocks follows a spindle that goes on turning: the tap would be torn out.
+// G331 and G332 turn the spindle with the axis, one direction in and the other out, and so does G84 after M29, as G84.2
+// or with ,R1. A thread of plain blocks follows a spindle that goes on turning: the tap would be torn out.
 Taps taps_of(const ir::Program& program, const ir::Control& control) {
   Taps out;
   const auto any = [&](const auto& test) { return std::ranges::any_of(program.codes, test); };

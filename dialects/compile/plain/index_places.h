@@ -11,7 +11,7 @@
 
 namespace dripfeed::compile {
 
-// `own_names`: variables that are told of. The text must be what printing `made.program`, raised, gave.
+// `own_names`: variables that are reported. The text must be what printing `made.program`, raised, gave.
 PlaceIndex index_places(const ir::PrintResult& printed, const ExplicitProgram& made,
                         const std::set<std::string>& own_names);
 

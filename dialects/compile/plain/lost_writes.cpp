@@ -86,7 +86,7 @@ std::map<std::uint32_t, std::size_t> writes_by_line(const ir::Program& program, 
 LostWrites::ByLine LostWrites::look_at(const ir::Program& program) {
   ByLine out;
   for (const ir::Statement& s : program.statements) {
-    // A count of parts reads itself, for nobody but those who come later.
+    // A count of parts reads itself, for no one but those who come later.
     const bool assigns = s.kind == ir::StatementKind::assign;
     const std::string target = assigns ? key_of(program, program.at(program.assigns[s.payload].target)) : "";
     for (const passes::VariableUseAt& use : passes::variables_of(program, s)) {

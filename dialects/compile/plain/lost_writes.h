@@ -34,7 +34,7 @@ class LostWrites {
   // `control` must outlive this.
   explicit LostWrites(const ir::Control& control) : control_(control) {}
 
-  // A block of `program` was executed: number `index` of the run, nullptr for one that nobody can look at. What it
+  // A block of `program` was executed: number `index` of the run, nullptr for one that cannot be looked at. What it
   // writes is reported at `place`, of the main program.
   void executed(std::uint32_t index, const ir::Program* program, std::uint32_t line, text::Span place);
   // Errors: what is written for others. A warning: what is computed with and not kept at the end.

@@ -1,4 +1,4 @@
-// The motion and G90 or G91 in effect, on all ways.
+// The motion and G90 or G91 in effect, on all paths.
 #include "dialects/compile/plain/machine_moves.h"
 
 #include <algorithm>

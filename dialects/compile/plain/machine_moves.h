@@ -1,4 +1,4 @@
-// Moves to places of the machine (G53, SUPA): absolute and by G0 they mean the same on all controls, other ones do not
+// Moves to machine positions (G53, SUPA): absolute and by G0 they mean the same on all controls, other ones do not
 // (ir::MachineMove).
 #pragma once
 

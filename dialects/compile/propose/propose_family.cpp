@@ -112,7 +112,7 @@ class Proposer {
     return out + "\n\n";
   }
 
-  // The comment beside the program's number, or at its very top.
+  // The comment next to the program's number, or at its very top.
   [[nodiscard]] std::string title_of(const ir::Program& program) const {
     constexpr std::uint32_t kLines = 3;
     for (const ir::Token& token : program.tokens) {

@@ -1,5 +1,6 @@
-// A family proposed from a native program: the constants of its header become parameters, with the comments beside them
-// as texts. A person edits what is proposed; that it renders to the program's own bytes is tried before it is given.
+// A family proposed from a native program: the constants of its header become parameters, with the comments next to
+// them as texts. A person edits what is proposed; that it renders to the program's own bytes is tried before it is
+// given.
 #pragma once
 
 #include <cstddef>

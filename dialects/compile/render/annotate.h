@@ -16,7 +16,7 @@ namespace dripfeed::compile {
 
 struct Annotation {
   std::vector<std::string> heading;              // lines before the first block
-  std::map<std::uint32_t, std::string> meaning;  // by line of the family: beside the first line that is printed of it
+  std::map<std::uint32_t, std::string> meaning;  // by line of the family: next to the first line that is printed of it
 };
 
 // `more`: lines for the heading, such as revision and part. `computed`: the control computes, and assignments show the

@@ -1,4 +1,4 @@
-// What can be said of a family without rendering it: its parameters, whether values fit, its geometry.
+// What can be known of a family without rendering it: its parameters, whether values fit, its geometry.
 #include <memory>
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace dripfeed::compile {
 
 namespace {
 
-// The family, with what can be said of a native program that it keeps.
+// The family, with what can be known of a native program that it keeps.
 family::ReadFamilyResult read_whole(const text::Source& source) {
   family::ReadFamilyResult read = family::read_family(source);
   if (text::has_error(read.diagnostics)) return read;

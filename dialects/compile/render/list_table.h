@@ -16,7 +16,7 @@ struct TableColumn {
   std::vector<text::Diagnostic> diagnostics;  // errors; spans in the table
 };
 
-// The column of that name, with the unit behind its name ("x mm", "x [mm]") for cells that have none. An empty name is
+// The column of that name, with the unit after its name ("x mm", "x [mm]") for cells that have none. An empty name is
 // the parameter's own, or the table's only column. Cells are checked by the parameter of `family`; a family with faults
 // and a parameter that is no list are left to who binds it. A list of points takes one column an axis, which is named
 // x, y or z; `column` is empty.

@@ -82,7 +82,7 @@ class Renderer {
     return std::move(result_);
   }
 
-  // After render() of a family that is written anew: by line of the text, the family's.
+  // After render() of a family that is rewritten: by line of the text, the family's.
   [[nodiscard]] std::vector<std::uint32_t> take_lines() { return std::move(printed_.origin_lines); }
 
  private:
@@ -90,7 +90,7 @@ class Renderer {
     result_.diagnostics.insert(result_.diagnostics.end(), diagnostics.begin(), diagnostics.end());
   }
 
-  // A machine that somebody described has the axes that are described.
+  // A machine that a person described has the axes that are described.
   void refuse_missing_axes() {
     std::string refused;
     for (const family::Step& step : family_->steps) {
@@ -166,7 +166,7 @@ class Renderer {
     macro(kMemory, false);
   }
 
-  // `only`: there is no other way, faults are errors; otherwise a fault is why it is rendered explicitly.
+  // `only`: there is no other mode, faults are errors; otherwise a fault is why it is rendered explicitly.
   void macro(std::string_view because, bool only) {
     try_lists();
     if (text::has_error(result_.diagnostics)) return;
@@ -313,7 +313,7 @@ std::optional<text::Diagnostic> fault_of_machine(ir::MachineKind wanted, const i
 
 namespace {
 
-// The native program is kept line by line behind the family's declarations.
+// The native program is kept line by line after the family's declarations.
 std::vector<std::uint32_t> lines_of_kept(const text::Source& family, std::string_view text) {
   const std::uint32_t head = family.position(family::native_begin(family.text())).line - 1;
   std::vector<std::uint32_t> lines;

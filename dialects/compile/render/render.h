@@ -40,7 +40,7 @@ struct RenderResult {
   std::string text;                     // LF as EOB
   RenderMode mode = RenderMode::macro;  // never automatic
   std::string because;                  // one sentence: why this mode
-  bool is_kept = false;                 // a native program with its values, not written anew
+  bool is_kept = false;                 // a native program with its values, not rewritten
   std::uint64_t blocks = 0;             // non-empty lines but '%'
   std::uint64_t bytes = 0;
   std::uint32_t variables = 0;                   // distinct user variables that the text touches

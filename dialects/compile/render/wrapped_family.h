@@ -9,7 +9,7 @@
 
 namespace dripfeed::compile {
 
-// What can be said of the targets without a machine: the program is read for the usual control of its language. Spans
+// What can be known of the targets without a machine: the program is read for the usual control of its language. Spans
 // are in the family's source, as in all that follows.
 std::vector<text::Diagnostic> target_faults(const family::Family& family);
 

@@ -1,4 +1,4 @@
-// A lathe's side is judged by where the tool retracts after its cuts, before the line and behind it.
+// A lathe's side is judged by where the tool retracts after its cuts, before the line and after it.
 #include "dialects/compile/restart/restart_approach.h"
 
 #include <algorithm>
@@ -181,7 +181,7 @@ class Approach {
     out.clear = std::max(out.clear, m.end[kX]);
   }
 
-  // Of what this tool cuts, before the line and behind it.
+  // Of what this tool cuts, before the line and after it.
   [[nodiscard]] std::optional<Extent> extent() const {
     Extent out;
     for (std::size_t i = begin_; i < end_; ++i) {

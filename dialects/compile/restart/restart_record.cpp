@@ -101,7 +101,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver,
   }
   void variables(std::vector<interpreter::VariableValue> values) override { run_.point->variables = std::move(values); }
 
-  // Told of a block when the next one has begun.
+  // Called for a block when the next one has begun.
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
     if (run_.point && place.ordinal >= run_.point->ordinal) return;
     for (const interpreter::VariableChange& change : changes) {

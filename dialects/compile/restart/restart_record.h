@@ -68,7 +68,7 @@ struct RestartRun {
     static constexpr LineSeen kNever;
     return line == 0 || line > lines.size() ? kNever : lines[line - 1];
   }
-  // Index of the first motion of `ordinal` or behind it.
+  // Index of the first motion of `ordinal` or after it.
   [[nodiscard]] std::size_t first_motion(std::uint64_t ordinal) const;
   [[nodiscard]] std::size_t moves_before(std::uint64_t ordinal) const;
 };

@@ -40,7 +40,7 @@ bool is_retract(const RestartDraft& draft, const ir::Block& block) {
   return to_machine && tool_axis;
 }
 
-// The nearest before the line, otherwise the first behind it; 0: there is none.
+// The nearest before the line, otherwise the first after it; 0: there is none.
 std::uint32_t retract_line(const RestartDraft& draft) {
   std::uint32_t found = 0;
   for (std::uint32_t i = draft.places.main().first; i < draft.places.main().last; ++i) {

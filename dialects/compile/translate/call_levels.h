@@ -1,4 +1,4 @@
-// Calls between the programs of one text: arguments that nobody takes, and how deep they are.
+// Calls between the programs of one text: arguments that no one takes, and how deep they are.
 #pragma once
 
 #include <string>

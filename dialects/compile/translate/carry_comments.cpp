@@ -1,4 +1,4 @@
-// The comments of a source line go behind its first printed line where they cannot be taken for anything else there,
+// The comments of a source line go after its first printed line where they cannot be taken for anything else there,
 // otherwise onto lines of their own before it; those of lines that print nothing go before the next line that does.
 #include "dialects/compile/translate/carry_comments.h"
 
@@ -39,7 +39,7 @@ class CommentText {
  public:
   explicit CommentText(CommentStyle style) : style_(style) {}
 
-  // What the other control can show of it; lost() tells whether that is less than was written. A tape mark would end
+  // What the other control can show of it; lost() shows whether that is less than was written. A tape mark would end
   // the program on a line, and brackets end or open a comment.
   std::string translate(std::string_view text) {
     lost_ = false;

@@ -1,4 +1,4 @@
-// Comments of a program that is translated, put into the translation beside the lines that came from theirs. A comment
+// Comments of a program that is translated, put into the translation next to the lines that came from theirs. A comment
 // says what the other control's comments can say and never becomes code there; framing lines (;$PATH=) are none.
 #pragma once
 

@@ -139,7 +139,7 @@ class Writer {
     text = std::move(out);
   }
 
-  // All in one, where their style lets them stand beside each other.
+  // All in one, where their style lets them stand next to each other.
   [[nodiscard]] std::string comments_of(const std::vector<std::uint32_t>& lines) const {
     std::string out;
     for (const std::uint32_t line : lines) {
@@ -248,7 +248,7 @@ class Writer {
     return out;
   }
 
-  // Of the block number where nobody jumps to it.
+  // Of the block number where nothing jumps to it.
   [[nodiscard]] text::Span number_of(std::uint32_t line) const {
     const auto line_of = [this](const ir::Label& label) { return before_.statements[label.statement].line; };
     for (const ir::Label& label : std::ranges::equal_range(before_.labels, line, {}, line_of))

@@ -15,7 +15,7 @@ namespace dripfeed::compile {
 
 struct KeptText {
   bool comments = true;  // false: but for those before the first block, they are left out
-  bool numbers = true;   // false: block numbers that nobody jumps to are left out
+  bool numbers = true;   // false: block numbers that nothing jumps to are left out
 };
 
 struct ChangedText {

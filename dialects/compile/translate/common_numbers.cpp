@@ -56,7 +56,7 @@ void CommonNumbers::note(const std::string& name, const ir::Program& program, st
   facts_.insert_or_assign(name, std::move(facts));
 }
 
-// nullptr where nobody has the program.
+// nullptr where there is no program.
 const CommonNumbers::Facts* CommonNumbers::facts_of(const std::string& name) {
   if (const auto known = facts_.find(name); known != facts_.end()) return &known->second;
   const ir::Program* program = library_ == nullptr ? nullptr : library_->find(name);
@@ -138,7 +138,7 @@ void CommonNumbers::took(const std::string& program, const ir::Program& raised) 
   }
 }
 
-// Where it begins is written, where it ends is not: nobody gets what lies behind it.
+// Where it begins is written, where it ends is not: no one gets what comes after it.
 void CommonNumbers::took_array(std::set<std::uint32_t>& given, const ir::Program& raised, ir::ExpressionId index) {
   const ir::Expression& e = raised.at(index);
   const bool has_base = e.op == ir::Operator::add && raised.at(e.b).op == ir::Operator::constant;

@@ -1,4 +1,4 @@
-// Where programs call each other, each has its names in local variables, which every call gets anew; there are 33 of
+// Where programs call each other, each has its names in local variables, which every call gets again; there are 33 of
 // them. What does not fit there goes to common variables that nothing which may run at the same time has: neither a
 // program that calls it, over however many others, nor one that it calls.
 #pragma once

@@ -122,7 +122,7 @@ class Steps {
     return {};
   }
 
-  // A program beside the text: what no run shows of it is not looked at.
+  // A called program: what no run shows of it is not looked at.
   std::string gap_of_called(const std::string& name) {
     if (ir::section_named(of_.program, name)) return {};  // OpaqueLines has looked at it
     const ir::Program* called = of_.library.find(name);

@@ -18,7 +18,7 @@
 
 namespace dripfeed::compile {
 
-// Coordinates are held against each other to a millionth of a millimetre or degree: what two ways of writing one number
+// Coordinates are held against each other to a millionth of a millimetre or degree: what two spellings of one number
 // differ by is less, what a control rounds to is more.
 inline constexpr double kSameCoordinate = 1e-6;
 

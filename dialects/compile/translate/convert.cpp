@@ -114,7 +114,7 @@ void Converter::drop_repeated_diagnostics() {
 }
 
 // What its own control would alarm on has no meaning that could be translated. A name that is not defined may be the
-// control's global data: raising tells where that matters.
+// control's global data: raising reports where that matters.
 void Converter::refuse_faulty(const ir::Program& program) {
   std::vector<text::Diagnostic> found = from_.validate(program, request_.from, ir::Delivery::memory);
   std::erase_if(found, [](const text::Diagnostic& one) {

@@ -34,7 +34,7 @@ struct ConvertResult {
   std::string text;                           // empty with an error, except where it is the source's own bytes
   std::vector<std::uint32_t> origin_lines;    // per printed line the source's line; empty for the source's own bytes
   std::vector<text::Diagnostic> diagnostics;  // spans in `source`
-  // Source and translation were run and made the same moves; otherwise why that cannot be said. Empty for the source's
+  // Source and translation were run and made the same moves; otherwise why that is not known. Empty for the source's
   // own bytes, too.
   std::string not_verified;
 };

@@ -31,7 +31,7 @@ bool is_own(const ir::Code& c) {
          c.function == Function::hole_pattern || passes::is_floating_tap(c);
 }
 
-// Words that mean the same beside any move.
+// Words that mean the same with any move.
 bool stays(Address a) { return a == Address::s || a == Address::t || a == Address::m || a == Address::d; }
 // Words of an arc; those of a cycle are all that do not stay.
 bool is_of_arc(Address a) {
@@ -327,7 +327,7 @@ InlineMoves::Restored InlineMoves::restored(const ir::Program& program, std::uin
   bool feeds = false;
   for (++visit; visit != run.visits.end() && !(moved && feeds); ++visit) {
     const auto tap = tap_lines_.find(visit->line);
-    if (tap != tap_lines_.end() && tap->second == line && visit->line != line) continue;  // the way out
+    if (tap != tap_lines_.end() && tap->second == line && visit->line != line) continue;  // the retract
     const ir::Block* block = block_at(visit->line);
     const bool replaced = std::ranges::find(owners_, visit->line) != owners_.end();
     if (block != nullptr && !replaced) {

@@ -1,5 +1,5 @@
 // Statements that the other control has no word for, written as the moves that they make: CIP and CT, the drilling
-// cycles of lathes, figures of holes, G70 to G73 and CYCLE95; and the taps of lathes, each as a tap of its own. The
+// cycles of lathes, hole patterns, G70 to G73 and CYCLE95; and the taps of lathes, each as a tap of its own. The
 // program is run; where nothing from outside decides what it does, a statement that makes the same moves each time is
 // replaced by them, and the translation is run and compared.
 #pragma once
@@ -51,7 +51,7 @@ class InlineMoves {
   // The program as it was read, whose ISO parts are spliced where lower() gets it: this is what is run, and compared
   // wherever nothing from outside decides what it does.
   void run_as(const ir::Program& program) { as_read_ = program; }
-  // Replaces what it can; what cannot be said so is an error at its block.
+  // Replaces what it can; what cannot be written so is an error at its block.
   std::vector<text::Diagnostic> lower(ir::Program& program);
   // Runs a program of which nothing is replaced, for compare(). `called`: whether the programs that it calls are part
   // of the translation.

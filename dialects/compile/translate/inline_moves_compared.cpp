@@ -1,7 +1,7 @@
 // The translation is run, too, and must move as the source did, from its first block to its last. Within a cycle that
-// both controls have, a rapid may stop on its way, chips may be broken by another speed back and a tap be said as a
-// thread: the passes that translate cycles know why. A tap that is said as a tap has the same lead, at the same speed;
-// how a spindle turns that its position is given for, a run does not say.
+// both controls have, a rapid may stop on its way, chips may be broken by another speed back and a tap be written as a
+// thread: the passes that translate cycles know why. A tap that is written as a tap has the same lead, at the same
+// speed; how a spindle turns that its position is given for, a run does not say.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ struct PlacedMove {
   ir::Motion motion;
 };
 
-// Whether the end of the first rapid lies on the straight way that both go.
+// Whether the end of the first rapid lies on the straight line that both go.
 bool only_stops(const ir::Motion& first, const ir::Motion& second) {
   if (first.kind != ir::MotionKind::rapid || second.kind != ir::MotionKind::rapid) return false;
   const std::uint16_t moved = first.axes_commanded | second.axes_commanded;
@@ -133,7 +133,7 @@ class Comparison {
   static double diameter(const ir::Control& c) {
     return c.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
   }
-  // A tap and its thread; the way back between two pecks.
+  // A tap and its thread; the return between two pecks.
   static bool may_stand_for(ir::MotionKind a, ir::MotionKind b) {
     using enum ir::MotionKind;
     return (a == linear && (b == thread || b == rapid)) || (b == linear && (a == thread || a == rapid));

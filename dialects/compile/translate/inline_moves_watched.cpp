@@ -1,5 +1,5 @@
 // A program that is translated statement by statement, or block by block, is run as it was read. What the run took from
-// outside nobody knows for the translation either, so that nothing is compared then.
+// outside is not known for the translation either, so that nothing is compared then.
 #include <algorithm>
 #include <string>
 

@@ -1,5 +1,5 @@
-// Taps of lathes: their moves are known from the run, and are said as a tap of the other control, not as plain moves,
-// on which feed override and feed hold act.
+// Taps of lathes: their moves are known from the run, and are written as a tap of the other control, not as plain
+// moves, on which feed override and feed hold act.
 #include <algorithm>
 #include <utility>
 
@@ -92,7 +92,7 @@ void InlineMoves::replace_tap_part(const ir::Program& program, std::uint32_t ind
   if (!codes.empty() || !words.empty()) out.emit_block(codes, words);
 }
 
-// With the way out, where that has a line of its own.
+// With the retract, where that has a line of its own.
 std::string InlineMoves::same_tap_each_time(std::uint32_t line, const TapStatement& tap,
                                             std::span<const ir::Motion>& motions) const {
   bool found = false;

@@ -1,4 +1,4 @@
-// What an address counts depends on the codes beside it and, of modal ones, before it in its part.
+// What an address counts depends on the codes in its block and, of modal ones, before it in its part.
 #include "dialects/compile/translate/iso_increments.h"
 
 #include <algorithm>
@@ -116,7 +116,7 @@ class Increments {
     return constant(value / per_unit, id);
   }
 
-  // The block's own, or what holds before it on all ways; nothing, and told, where they differ.
+  // The block's own, or what holds before it on all paths; nothing, and reported, where they differ.
   std::optional<Function> mode(Mode wanted, std::string name, text::Span span) {
     const ir::Statement& s = program_.statements[index_];
     if (s.kind == StatementKind::block)

@@ -11,7 +11,7 @@
 namespace dripfeed::compile {
 
 // Of the statements of Program::foreign_parts. `from` is the control in Siemens mode, `iso` the same in ISO mode, `to`
-// the one that errors name: where the unit or the kind of feed is not the same on all ways, or what a number counts is
+// the one that errors name: where the unit or the kind of feed is not the same on all paths, or what a number counts is
 // not known here.
 std::vector<text::Diagnostic> translate_iso_increments(ir::Program& program, const ir::Control& from,
                                                        const ir::Control& iso, const ir::Control& to);

@@ -64,7 +64,7 @@ bool sets_all(const interpreter::PlainBlock& block, bool thread) {
 
 bool may_be_skipped(const ir::Program& program, const ir::Statement& s) {
   if (s.skip_level != 0 || s.kind != StatementKind::block) return s.skip_level != 0;
-  // Behind "/M14" nothing moves.
+  // After "/M14" nothing moves.
   const ir::Block& block = program.blocks[s.payload];
   return std::ranges::any_of(program.words_of(block), [&](const ir::Word& w) { return ir::in_rest(block, w.span); }) ||
          std::ranges::any_of(program.codes_of(block),

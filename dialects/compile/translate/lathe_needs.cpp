@@ -31,7 +31,7 @@ bool brings_its_feed(const ir::Program& program, const ir::Statement& s) {
 // What a statement does to something that stays in effect.
 enum class Use : std::uint8_t { none, sets, needs };
 
-// Where the program goes on elsewhere, or nobody knows how: what is in effect may be needed there.
+// Where the program goes on elsewhere, or it is not known how: what is in effect may be needed there.
 bool leaves(const ir::Program& program, const ir::Statement& s) {
   constexpr std::array kElsewhere = {StatementKind::subprogram_return, StatementKind::return_to,
                                      StatementKind::modal_call,        StatementKind::modal_call_end,

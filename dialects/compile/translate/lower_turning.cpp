@@ -328,7 +328,7 @@ class Lowering {
     out_.emit_block({motion_code(Function::thread)}, words);
   }
 
-  // The moves end in rapid; what was in effect before is said again.
+  // The moves end in rapid; what was in effect before is written again.
   void motion_again(const LatheState& before, const std::vector<ir::Word>& words) {
     if (before.cycle != LatheState::kNone) return;
     std::vector<ir::Code> codes;

@@ -11,7 +11,7 @@
 
 namespace dripfeed::compile {
 
-// What cannot be said so is an error at its block.
+// What cannot be written so is an error at its block.
 std::vector<text::Diagnostic> lower_turning(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 }  // namespace dripfeed::compile

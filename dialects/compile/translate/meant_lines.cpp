@@ -40,7 +40,7 @@ class Reading {
  public:
   Reading(const ir::ReadResult& read, const ir::Control& control)
       : program_(read.program), text_(read.program.source.text()), control_(control) {
-    // 10 is 10. for certain: a control that nobody has to look at for it.
+    // 10 is 10. for certain: a control that needs no look for it.
     points_matter_ = control.semantics.decimal_mode != ir::DecimalMode::calculator ||
                      (ir::has_numbered_variables(control) && !control.semantics.decimal_mode_confirmed);
     for (const ir::Label& label : program_.labels) {
@@ -249,7 +249,7 @@ class Reading {
     const bool shows_point = points_matter_ && decimal->has_point && decimal->value != 0.0 && is_of_address();
     return text::format_shortest(decimal->value) + (shows_point ? "." : "");
   }
-  // In an expression 1 is 1. everywhere; behind a letter one counts increments, and the other millimetres.
+  // In an expression 1 is 1. everywhere; after a letter one counts increments, and the other millimetres.
   [[nodiscard]] bool is_of_address() const {
     const ir::Token* at = before_;
     if (at != nullptr && at->kind == TokenKind::symbol) {

@@ -1,7 +1,7 @@
 // What the lines of a program say, whatever they look like: blanks, comments, the case of letters, leading zeros, the
-// digits behind a point and block numbers that nothing refers to are left out. Two programs of one control whose lines
+// digits after a point and block numbers that nothing refers to are left out. Two programs of one control whose lines
 // say the same do the same. It rests on the reader's tokens, statements and labels; where the reader did not understand
-// something, it says so and nobody may call the programs equal.
+// something, it says so and no one may call the programs equal.
 #pragma once
 
 #include <cstdint>

@@ -28,7 +28,7 @@ bool has_parameters(const ir::Program& text, const ir::Section& program) {
   return false;
 }
 
-// The text that a call of `name` finds; nullptr where nobody has it.
+// The text that a call of `name` finds; nullptr where there is none.
 const ir::Program* text_with(const ir::Program& text, std::string_view name, ProgramLibrary* library) {
   if (text.name == name || ir::section_named(text, name)) return &text;
   return library == nullptr ? nullptr : library->find(name);

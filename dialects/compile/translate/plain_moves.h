@@ -30,7 +30,7 @@ struct BlockRest {
   std::vector<ir::Code> before;  // a block of its own, in front of the moves
   std::vector<ir::Code> codes;   // with the first move
   std::vector<ir::Word> words;
-  std::vector<ir::Code> after;  // a block of its own, behind them
+  std::vector<ir::Code> after;  // a block of its own, after them
 };
 
 ir::Code motion_code(ir::Function function);
@@ -42,9 +42,9 @@ class PlainMoves {
 
   // The error names what of them has no plain block.
   std::expected<void, std::string> write(std::span<const ir::Motion> motions, BlockRest rest);
-  // What the last F said; nothing where none was said.
+  // What the last F stated; nothing where there was none.
   [[nodiscard]] std::optional<double> last_feed() const { return feed_; }
-  // F was said beside the moves; nothing: it counts no longer.
+  // F was stated in a block of moves; nothing: it counts no longer.
   void set_last_feed(std::optional<double> feed) { feed_ = feed; }
   ir::Word feed_word(double feed);
   ir::Word position(std::size_t axis, double value);

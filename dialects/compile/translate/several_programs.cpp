@@ -47,7 +47,7 @@ ir::Program program_of(const ir::Program& text, const ir::Section& section) {
     part.last -= section.first;
   }
   for (ir::Structure& structure : out.structures) structure.partner = ir::kNoIndex;
-  (void)ir::match_structures(out);  // the reader has told of halves
+  (void)ir::match_structures(out);  // the reader has reported halves
   return out;
 }
 

@@ -162,7 +162,7 @@ class Splicing {
     if (s.kind == StatementKind::modal_call_end && s.skip_level == 0) calls_each_move = false;
   }
 
-  // What goes on into the blocks of Siemens mode, is said at the first one that it would matter to.
+  // What goes on into the blocks of Siemens mode, is stated at the first one that it would matter to.
   void refuse_in_effect(const ir::Statement& s) {
     std::string what(words_.in_effect());
     if (iso_calls_each_move_) what = "G66 of ISO mode, which is in effect,";

@@ -1,6 +1,6 @@
-// A tap is found by its two ways: the second one leads back to where the first began. (SINUMERIK PG, "Rigid tapping
-// (G331, G332)": SPOS before them, M3 behind; "Tapping with compensating chuck (G63)": F is the speed times the lead, a
-// minute, and M4 stands in the block of the way out. Fanuc 0i-F B-64604EN-1, "Front tapping cycle (G84), side tapping
+// A tap is found by its two moves: the second one leads back to where the first began. (SINUMERIK PG, "Rigid tapping
+// (G331, G332)": SPOS before them, M3 after; "Tapping with compensating chuck (G63)": F is the speed times the lead, a
+// minute, and M4 stands in the block of the retract. Fanuc 0i-F B-64604EN-1, "Front tapping cycle (G84), side tapping
 // cycle (G88)"; R is a distance from the initial level there.)
 #include "dialects/compile/translate/tap_moves.h"
 
@@ -94,7 +94,7 @@ std::expected<std::optional<TapCut>, std::string> tap_at(std::span<const Motion>
   return tap;
 }
 
-// Rapids and plain cuts are kept together, so that PlainMoves has what stands beside the first of them.
+// Rapids and plain cuts are kept together, so that PlainMoves has what stands next to the first of them.
 std::expected<void, std::string> TapMoves::write(std::span<const Motion> motions, BlockRest rest) {
   const std::vector<ir::Code> after = std::exchange(rest.after, {});
   std::vector<Motion> plain;
@@ -190,7 +190,7 @@ void TapMoves::write_floating(const TapCut& tap) {
   if (!changed_feed_mode_) plain_.set_last_feed(feed);
 }
 
-// Behind a change of its mode the feed is to be said again (PG, "Feedrate (G93, G94, G95, F, FGROUP, FL, FGREF)").
+// After a change of its mode the feed is to be stated again (PG, "Feedrate (G93, G94, G95, F, FGROUP, FL, FGREF)").
 void TapMoves::feed_per_minute() {
   if (terms_.feed_mode == ir::FeedMode::per_min || std::exchange(changed_feed_mode_, true)) return;
   out_.emit_block({code_of(Function::feed_per_min, ModalGroup::feed)}, {});

@@ -39,7 +39,7 @@ struct TapCut {
 };
 
 // The tap that begins with the first of these motions; nothing where that is a plain move. The error names what of it
-// is no tap that could be said.
+// is no tap that could be written.
 std::expected<std::optional<TapCut>, std::string> tap_at(std::span<const ir::Motion> motions);
 
 class TapMoves {
@@ -47,7 +47,7 @@ class TapMoves {
   TapMoves(ir::Program& program, passes::Rewrite& out, const BlockTerms& terms, const ir::Control& to, bool rigid)
       : program_(program), out_(out), terms_(terms), to_(to), rigid_(rigid), plain_(program, out, terms) {}
 
-  // The error names what of them cannot be said.
+  // The error names what of them cannot be written.
   std::expected<void, std::string> write(std::span<const ir::Motion> motions, BlockRest rest);
   [[nodiscard]] PlainMoves& plain() { return plain_; }
 
@@ -67,7 +67,7 @@ class TapMoves {
   const ir::Control& to_;
   bool rigid_;
   PlainMoves plain_;
-  std::optional<ir::SpindleState> state_;  // that the written blocks left; nothing: it is to be said
+  std::optional<ir::SpindleState> state_;  // that the written blocks left; nothing: it is to be stated
   bool changed_feed_mode_ = false;
 };
 

@@ -39,7 +39,7 @@ class TapWalk {
 
   std::vector<TapStatement> run() {
     for (index_ = 0; index_ < program_.statements.size(); ++index_) {
-      if (out_[index_].role != TapRole::none) continue;  // the way out of a tap
+      if (out_[index_].role != TapRole::none) continue;  // the retract of a tap
       if (from_.kind == ir::MachineKind::mill)
         mill();
       else
@@ -70,7 +70,7 @@ class TapWalk {
     if (e.op == ir::Operator::negate && program_.at(e.a).op == ir::Operator::constant) return -program_.at(e.a).value;
     return std::nullopt;
   }
-  // The next statement that is something; none where a label is on the way.
+  // The next statement that is something; none where a label is on the path.
   [[nodiscard]] std::uint32_t next_of(std::uint32_t i) const {
     for (++i; i < program_.statements.size(); ++i) {
       if (statement(i).is_label || statement(i).skip_level != 0) break;
@@ -79,7 +79,7 @@ class TapWalk {
     return ir::kNoIndex;
   }
 
-  // CYCLE84, CYCLE840 and G84 of mills are said elsewhere; G63 would become a plain feed.
+  // CYCLE84, CYCLE840 and G84 of mills are written elsewhere; G63 would become a plain feed.
   void mill() {
     if (any_code(index_, passes::is_floating_tap)) out_[index_] = {.role = TapRole::tap, .fault = "on a mill"};
   }
@@ -202,7 +202,7 @@ class TapWalk {
     if (orients()) mark_orientation();
   }
 
-  // In and, right behind it but for a dwell, out again.
+  // In and, right after it but for a dwell, out again.
   template <class Test>
   void pair(TapStatement in, Test&& goes_out) {
     std::uint32_t out = next_of(index_);
@@ -278,8 +278,8 @@ class TapWalk {
   bool astray_ = false;                // … somewhere else
   bool taps_ = false;                  // G84 is in effect
   bool rigid_ = false;                 // … and was announced
-  bool by_m29_ = false;                // … that way
-  bool shares_m29_ = false;            // … which was said before the tap before it
+  bool by_m29_ = false;                // … in that direction
+  bool shares_m29_ = false;            // … which was stated before the tap before it
   std::optional<TapStatement> modal_;  // by MCALL
 };
 

@@ -14,7 +14,7 @@ namespace dripfeed::compile {
 enum class TapRole : std::uint8_t {
   none,
   tap,
-  part,     // belongs to a tap: the way out, M29, MCALL; what else its block says stays
+  part,     // belongs to a tap: the retract, M29, MCALL; what else its block says stays
   orients,  // SPOS=0 before G331: the spindle stands
 };
 
@@ -23,8 +23,8 @@ struct TapStatement {
   bool rigid = false;                  // the spindle is turned by its position
   bool own_speed = false;              // by a call: whether its speed is that of what follows, the manual does not say
   bool needs_stop = false;             // G331: the spindle was brought to a stop
-  std::uint32_t owner = ir::kNoIndex;  // of the way out: the statement of the way in
-  std::string fault = {};              // why it cannot be said
+  std::uint32_t owner = ir::kNoIndex;  // of the retract: the statement of the approach
+  std::string fault = {};              // why it cannot be written
 };
 
 // For each statement, in the order of the text.

@@ -48,7 +48,7 @@ class Lines {
   struct Line {
     std::string_view text;
     std::size_t begin = 0;
-    std::size_t end = 0;  // behind its EOB
+    std::size_t end = 0;  // after its EOB
     bool has_eob = true;  // LF or CR LF
   };
   bool next(Line& line) {
@@ -165,7 +165,7 @@ bool has_text_argument(const ir::Program& program, const ir::Call& call) {
   });
 }
 
-// Blocks of the stretches are none that anything leads to, nothing is done behind each of them, and none of them needs
+// Blocks of the stretches are none that anything leads to, nothing is done after each of them, and none of them needs
 // a feed of its own.
 bool looks_at_each_block(const ir::Program& program) {
   using enum ir::StatementKind;
@@ -251,7 +251,7 @@ bool ThinProgram::take(const text::Source& thin, const std::vector<ir::PlainStre
   auto statement = program.statements.begin();
   for (ir::PlainStretch stretch : found) {
     const auto at = static_cast<std::uint32_t>(stretch.begin - removed_bytes);
-    const std::uint32_t line = thin.position(at).line;  // the first that is kept behind it
+    const std::uint32_t line = thin.position(at).line;  // the first that is kept after it
     for (; statement != program.statements.end() && statement->line < line; ++statement)
       statement->line += removed_lines;
     if (statement == program.statements.end() || statement->line != line) return false;
@@ -289,7 +289,7 @@ void ThinProgram::place(std::vector<text::Diagnostic>& diagnostics) const {
   for (text::Diagnostic& one : diagnostics) place(one);
 }
 
-// A fault in a stretch has the place of the line behind it, and its own line.
+// A fault in a stretch has the place of the line after it, and its own line.
 void ThinProgram::place(interpreter::RunResult& run) const {
   for (interpreter::RunDiagnostic& one : run.diagnostics) {
     if (one.program != 0) continue;

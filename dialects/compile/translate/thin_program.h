@@ -41,8 +41,8 @@ class ThinProgram {
   static constexpr std::uint32_t kKeptBefore = 8;  // lines of a stretch that are read
   static constexpr std::uint32_t kKeptAfter = 2;
 
-  // nullptr where nothing is gained, or where something in the program might tell the difference: jumps, contours by
-  // their labels, calls behind each block.
+  // nullptr where nothing is gained, or where something in the program might depend on the difference: jumps, contours
+  // by their labels, calls after each block.
   static std::unique_ptr<ThinProgram> read(const text::Source& whole, const Dialect& dialect,
                                            const ir::Control& control, const ThinOptions& options = {});
 
@@ -55,7 +55,7 @@ class ThinProgram {
   ir::ReadResult read_result;
   ir::PlainStretches stretches;  // for RunOptions::stretches
 
-  // Of the thin text: the first line behind a stretch, by its number.
+  // Of the thin text: the first line after a stretch, by its number.
   [[nodiscard]] std::uint32_t line_after(std::size_t stretch) const { return cuts_[stretch].line; }
   [[nodiscard]] std::uint32_t line_in_whole(std::uint32_t thin_line) const;
 
@@ -64,7 +64,7 @@ class ThinProgram {
   void place(interpreter::RunResult& run) const;
 
  private:
-  // What stands behind a stretch in the thin text, and how much is removed by this cut and all before it.
+  // What comes after a stretch in the thin text, and how much is removed by this cut and all before it.
   struct Cut {
     std::uint32_t at = 0;
     std::uint32_t line = 0;

@@ -1,4 +1,4 @@
-// Behind the last block of a thread the feed is said again as it is there.
+// After the last block of a thread the feed is stated again as it is there.
 #include "dialects/compile/translate/thread_leads.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ class Leads {
            !facts::has_own_words(program_, block);
   }
 
-  // G34 K2 F0.1 here is G34 F2 K0.1 there, G35 the same with K below 0. Behind it F is no feed on the one control and
+  // G34 K2 F0.1 here is G34 F2 K0.1 there, G35 the same with K below 0. After it F is no feed on the one control and
   // the lead on the other.
   void changing() {
     const ir::Block block = program_.blocks[statement_.payload];
@@ -128,7 +128,7 @@ class Leads {
     const ir::Expression e = program_.at(change.value);
     const bool written = e.op == ir::Operator::constant;
     const bool shrinks = code->argument == 1;
-    // Which way it goes, the code says and no sign.
+    // In which direction it goes, the code says and no sign.
     if (e.op == ir::Operator::negate || (written && e.value < 0.0) || (shrinks && !written)) return false;
     code->argument = 0;
     if (shrinks) change.value = constant(-e.value);
@@ -162,7 +162,7 @@ class Leads {
     if (feed && *feed != 0.0) out_.emit_block({}, {word(Address::f, constant(*feed))});
   }
 
-  // The lead stays in effect as a feed there, and is said in each block here.
+  // The lead stays in effect as a feed there, and is stated in each block here.
   void feed_as_lead(const LatheState& before, const ir::Block& block) {
     if (block.rest_level != 0) return out_.keep();
     const std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());

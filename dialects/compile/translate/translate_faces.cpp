@@ -1,6 +1,6 @@
 // G12.1 counts C from where the axis stands, TRANSMIT on the axis' own scale: they are the same where C stands at 0.
-// G12.1 brings its plane along, behind TRANSMIT it is G17; arcs on a circumference lie in the plane of Z and what
-// stands for C: with G18 the other way round than with G19.
+// G12.1 brings its plane along, after TRANSMIT it is G17; arcs on a circumference lie in the plane of Z and what
+// stands for C: with G18 the opposite of G19.
 #include "dialects/compile/translate/translate_faces.h"
 
 #include <algorithm>
@@ -142,7 +142,7 @@ class Faces {
       emit(ir::kCylinderByRotary, {}, {word(Address::c, constant(0.0))});
     else
       emit(ir::kTransformationEnds, to_rotary_ ? "" : "TRAFOOF", {});
-    // What the program has in effect behind it.
+    // What the program has in effect after it.
     if (here && now != here) plane(*here);
     if (!here)
       findings_.cannot(passes::not_known("the plane after polar or cylindrical interpolation, not known here,"));

@@ -1,4 +1,4 @@
-// Polar and cylindrical interpolation (G12.1, G07.1) as TRANSMIT and TRACYL, and the other way round. The coordinate
+// Polar and cylindrical interpolation (G12.1, G07.1) as TRANSMIT and TRACYL, and the reverse. The coordinate
 // across is C there and Y here: on the face both in millimetres, on the circumference degrees there and millimetres
 // here.
 #pragma once

@@ -212,7 +212,7 @@ void Converter::lower(ir::Program& program) {
     passes::FreeNumbers numbers(program, kHighestBlockNumber);
     add(passes::lower_repeated_parts(program, numbers).diagnostics);
   }
-  // Behind the jumps that repeat: they lead there with other modes, too.
+  // After the jumps that repeat: they lead there with other modes, too.
   add(passes::lower_polar_positions(program, request_.from, request_.to));
 }
 

@@ -1,4 +1,4 @@
-// One walk through the text with what is in effect beside it.
+// One walk through the text with what is in effect at each place.
 #include "dialects/compile/translate/without_counterpart.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Which statements move in a way that the other control has no word for, but that could be written as plain moves: arcs
-// by a point in between or a tangent, drilling cycles of lathes, figures of holes, stock removal.
+// Which statements make moves that the other control has no word for, but that could be written as plain moves: arcs
+// by a point in between or a tangent, drilling cycles of lathes, hole patterns, stock removal.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace dripfeed::compile {
 
-// Taps are told by tap_statements().
+// Taps are found by tap_statements().
 enum class WithoutCounterpart : std::uint8_t { no, arc, drilling, removal, tap, tap_part };
 
 // For each statement, in the order of the text: what is in effect counts from the block that says it to the next one

@@ -127,7 +127,7 @@ Outcome Arithmetic::finish(double value) const {
   return {value + 0.0};
 }
 
-// One row an operator. Operands come without vacant, but for equality, which tells vacant from 0.
+// One row an operator. Operands come without vacant, but for equality, which distinguishes vacant from 0.
 struct Arithmetic::Rules {
   using Unary = Outcome (*)(const Arithmetic&, double);
   using Binary = Outcome (*)(const Arithmetic&, double, double);

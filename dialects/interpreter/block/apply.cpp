@@ -324,7 +324,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   if (own_feed) [[unlikely]]
     set_block_feed(block, state);
 
-  // M functions beside a hole act when its first positioning begins (Fanuc, "Canned cycle for drilling").
+  // M functions in the block of a hole act when its first positioning begins (Fanuc, "Canned cycle for drilling").
   const bool ends_first = state.drilling.active && effects.one_shot == Function::none;
   if (ends_first) [[unlikely]]
     finish(effects, state, out);

@@ -68,7 +68,7 @@ void feed(CodeContext& c, ir::FeedMode mode) {
     c.state.feed_unknown = !c.rules.semantics.feed_code_ends_surface_speed;
   }
   c.state.modes.feed_mode = mode;
-  // … but the feed code that a reader puts beside G96 belongs to it.
+  // … but the feed code that a reader puts with G96 belongs to it.
   if (c.rules.semantics.feed_code_ends_surface_speed && c.state.modes.surface_speed && !c.effects.surface_code) {
     end_surface_speed(c);
     c.effects.announces = true;
@@ -121,7 +121,7 @@ void select_offset(CodeContext& c) {
   c.state.unknown = kAllAxes;  // offsets lie in the control: how far they are apart is not known
 }
 
-// G54.1 with a P that was computed; its number is told as those of constant ones are.
+// G54.1 with a P that was computed; its number is reported as those of constant ones are.
 void extended_offset(CodeContext& c) {
   const double p = c.block.has(Address::p) ? c.block.at(Address::p) : 1.0;
   const bool is_known = (c.block.unknown & bit_of(Address::p)) == 0;

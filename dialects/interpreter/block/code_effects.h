@@ -23,7 +23,7 @@ struct Effects {
   bool coolant_off = false;
   bool spindle_stop = false;
   bool surface_code = false;                    // this block switches the surface speed
-  bool announces = false;                       // something that events tell of may have changed
+  bool announces = false;                       // something that events report may have changed
   std::int16_t stop = -1;                       // 0 program, 1 optional
   ir::Function move_once = ir::Function::none;  // instead of the modal motion
   Flow flow = Flow::next;

@@ -29,13 +29,13 @@ constexpr Operand make_operand(Space space, std::uint32_t index) {
 constexpr Space space_of(Operand operand) { return static_cast<Space>(static_cast<std::uint32_t>(operand) & 3U); }
 constexpr std::uint32_t index_of(Operand operand) { return static_cast<std::uint32_t>(operand) >> 2; }
 constexpr std::uint32_t raw_of(Operand operand) { return static_cast<std::uint32_t>(operand); }
-// The register behind another one of the same space.
+// The register after another one of the same space.
 constexpr std::uint32_t next_register(std::uint32_t operand) { return operand + 4; }
 
 // `a` is what is written unless said otherwise; `extra` a small enum; targets are instruction indices.
 enum class Opcode : std::uint8_t {
   copy,  // a = b
-  // Double precision only; a result out of range or not a number goes the long way.
+  // Double precision only; a result out of range or not a number takes the slow path.
   add,
   subtract,
   multiply,
@@ -113,11 +113,11 @@ enum class Opcode : std::uint8_t {
   repeat_section,  // back to a, number b times; section c
   section_end,     // of section c: to a when it is being repeated
   execute_text,    // string a as a block
-  foreign_part,    // part a in the control's other language; behind it, to b
+  foreign_part,    // part a in the control's other language; after it, to b
   plain_stretch,   // number a of the program
   apply,           // block template a
   call,            // call site a
-  modal_call,      // from here on call site a behind each block that moves, number b times
+  modal_call,      // from here on call site a after each block that moves, number b times
   modal_end,
   passes,      // an alarm unless number a is one that a program can run
   skip_given,  // to b when parameter a was given

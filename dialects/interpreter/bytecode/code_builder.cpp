@@ -19,7 +19,7 @@ void CodeBuilder::reserve(std::uint32_t statements) {
   const ir::Program& program = source();
   out_.code.reserve(2 * std::size_t{statements} + 1);
   out_.spans.reserve(2 * std::size_t{statements} + 1);
-  if (statements < program.statements.size()) return;  // a part: nobody knows how much of the rest is its own
+  if (statements < program.statements.size()) return;  // a part: it is not known how much of the rest is its own
   out_.blocks.reserve(program.blocks.size());
   out_.words.reserve(program.words.size());
   out_.codes.reserve(program.codes.size());

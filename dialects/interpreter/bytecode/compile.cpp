@@ -124,7 +124,7 @@ std::unique_ptr<CompiledProgram> compile_text(ir::Program& program, const Compil
     }
     out->symbols.push_back(slot);
   }
-  // Its temporaries lie behind everything that the host uses.
+  // Its temporaries come after everything that the host uses.
   out->declared_slots = out->frame_slots = host.frame_slots;
   out->declared_strings = out->string_slots = host.string_slots;
   CodeBuilder builder(*out, context);

@@ -205,7 +205,7 @@ Value ExpressionCompiler::compile_binary(const ir::Expression& e, Operand target
   Value a = compile(e.a);
   Value b = compile(e.b);
   if (is_comparison(e.op) && a.is_string() != b.is_string()) {
-    // An axis beside its name, or global data beside a text.
+    // An axis next to its name, or global data next to a text.
     if (a.type == ValueType::axis || b.type == ValueType::axis)
       return combine(e.op, as_axis(a, span_of(e.a)), as_axis(b, span_of(e.b)), e.span, target);
     if (!a.is_string() && is_shared_variable(e.a)) a = compile_string(e.a);
@@ -342,7 +342,7 @@ Value ExpressionCompiler::compile_is_variable(const ir::Expression& e) {
   if (shared.definition_of(shared.id_of(name)) != nullptr) return constant(1.0, ValueType::boolean);
   for (const ir::SystemVariableRow& row : builder_.context().control.system_variables)
     if (!row.name.empty() && row.name == name) return constant(1.0, ValueType::boolean);
-  // Without the definition files nobody knows the control's names.
+  // Without the definition files no one knows the control's names.
   const bool unknown = builder_.context().control.semantics.unset_is_unknown && !shared.has_definitions();
   if (!unknown) return constant(0.0, ValueType::boolean);
   return {builder_.constant(kVacant), ValueType::boolean, std::nullopt};

@@ -217,7 +217,7 @@ void FlowCompiler::resolve(std::span<const StatementCode> code, std::uint32_t fi
   auto label = out.is_foreign ? std::ranges::lower_bound(labels, first, {}, &ir::Label::statement) : labels.begin();
   for (; label != labels.end() && !(out.is_foreign && label->statement >= last); ++label) {
     if (first <= label->statement && label->statement < last) take(*label, code[label->statement - first].begin);
-    if (label->statement >= all) take(*label, builder_.here());  // behind the last one
+    if (label->statement >= all) take(*label, builder_.here());  // after the last one
   }
   for (auto& entry : out.numbers) std::ranges::sort(entry.second);
   for (auto& entry : out.labels) std::ranges::sort(entry.second);

@@ -17,13 +17,13 @@ class ProgramTable {
 
   // The program's section of that name, its first one without such.
   CompiledProgram& add(const ir::Program& program, std::string_view name);
-  // Looked for in the text of the caller, in the main program's text, and then by the finder; nullptr when nobody has
-  // it. `in_other_language`: a program that begins in the control's other language: by the finder, or a file of the
-  // main program's text that says itself in which language it is.
+  // Looked for in the text of the caller, in the main program's text, and then by the finder; nullptr when there is
+  // none, it. `in_other_language`: a program that begins in the control's other language: by the finder, or a file of
+  // the main program's text that says itself in which language it is.
   CompiledProgram* find(std::string_view name, const CompiledProgram& caller, bool in_other_language = false);
-  // A part of the program in that language; nullptr when nobody can read it.
+  // A part of the program in that language; nullptr when no reader can read it.
   CompiledProgram* foreign_part(const CompiledProgram& host, std::uint32_t part);
-  // The same program, returning behind that statement.
+  // The same program, returning after that statement.
   CompiledProgram& part_of(const CompiledProgram& whole, std::uint32_t last);
 
  private:

@@ -14,7 +14,7 @@ namespace dripfeed::interpreter {
 class StatementCompiler {
  public:
   explicit StatementCompiler(CodeBuilder& builder);
-  // All statements of the program, and what happens at the end of its text. It returns behind that statement, too.
+  // All statements of the program, and what happens at the end of its text. It returns after that statement, too.
   void compile(std::uint32_t returns_after = ir::kNoIndex);
   // The statements [first, last), and a return from the foreign part that they are.
   void compile_part(std::uint32_t first, std::uint32_t last);

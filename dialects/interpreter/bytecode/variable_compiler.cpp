@@ -1,4 +1,4 @@
-// Every bank has its own way: numbers are looked up in the control's ranges, names in the program's symbols, system
+// Every bank has its own rules: numbers are looked up in the control's ranges, names in the program's symbols, system
 // variables in the control's table.
 #include "dialects/interpreter/bytecode/variable_compiler.h"
 

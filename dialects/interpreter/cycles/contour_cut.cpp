@@ -1,17 +1,17 @@
-// Roughing, seen with the way to the left and the level upward (outside, along Z):
+// Roughing, seen with the travel to the left and the level upward (outside, along Z):
 //
-//   S *------------------------------   S: the lift beside the contour's first way and over its highest level
+//   S *------------------------------   S: the lift next to the contour's first travel and over its highest level
 //     |  <-- rapid, lifted --  /
 //     | pass n -------------->/ up the contour to the level of the pass before
 //     |--------------------->/
 //   contour begins *________/           the passes are equal, none deeper than MID
 //
-// Behind a height of the contour lie its relief cuts; each is roughed by itself when all that can be reached from in
+// After a height of the contour lie its relief cuts; each is roughed by itself when all that can be reached from in
 // front is done: down its flank by FF2, along the level to the other one, up and off.
 //
 // Finishing goes along the contour once. A contour that is drawn from its other end is taken backwards. Outside the
-// levels go deeper against their axis, inside along it, whether the way is Z or X (PGZ, VARI; from memory). What the
-// cycle does beyond this is told: a relief cut within another one or at the end.
+// levels go deeper against their axis, inside along it, whether the travel is Z or X (PGZ, VARI; from memory). What the
+// cycle does beyond this is reported: a relief cut within another one or at the end.
 #include "dialects/interpreter/cycles/contour_cut.h"
 
 #include <algorithm>
@@ -129,7 +129,7 @@ class ContourCutter {
     }
   }
 
-  // The allowances lie on the side of the tool: FAL beside the contour, those along the axes besides. False when a
+  // The allowances lie on the side of the tool: FAL next to the contour, those along the axes besides. False when a
   // piece is too short.
   bool shift() {
     forward_ = pieces_.back().segment.to.travel < pieces_.front().segment.from.travel ? -1.0 : 1.0;
@@ -188,7 +188,7 @@ class ContourCutter {
     }
   }
 
-  // What lies over the level above is cut already, and so is the way over the height.
+  // What lies over the level above is cut already, and so is the travel over the height.
   void pass(const Relief& relief, double level, double above) {
     const double over = relief.begin().level - side_ * cycle_.lift_mm;
     const ShapePoint begin{travel_down(relief, above), above};

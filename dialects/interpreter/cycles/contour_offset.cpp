@@ -1,5 +1,5 @@
-// In coordinates in which the way goes to the right and levels rise away from the material the tool is on the left. The
-// corner of two lines beside is the centre of a rounding of that radius.
+// In coordinates in which the travel goes to the right and levels rise away from the material the tool is on the left.
+// The corner of two offset lines is the centre of a rounding of that radius.
 #include "dialects/interpreter/cycles/contour_offset.h"
 
 #include <cmath>
@@ -78,7 +78,7 @@ class Offset {
     const PlanePoint after = direction(b, b.start);
     return before.p * after.q - before.q * after.p;
   }
-  // What is left of the piece still goes its way.
+  // What is left of the piece still goes its travel.
   [[nodiscard]] bool fits(const PathPiece& piece, PlanePoint begin, PlanePoint end) const {
     if (!piece.is_arc) {
       const PlanePoint d = direction(piece, piece.start);

@@ -41,7 +41,7 @@ class Sections {
  private:
   [[nodiscard]] double height(ShapePoint p) const { return rise_ * p.level; }
 
-  // Line of the first piece against the direction of the way, 0 when there is none.
+  // Line of the first piece against the direction of the travel, 0 when there is none.
   [[nodiscard]] std::uint32_t line_of_reversal() const {
     double direction = 0.0;
     for (const ContourPiece& piece : pieces_) {

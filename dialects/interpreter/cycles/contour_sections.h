@@ -1,7 +1,7 @@
-// A contour as a cut along its way meets it: what can be reached from in front, level by level, and the relief cuts
-// behind its heights.
+// A contour as a cut along its travel meets it: what can be reached from in front, level by level, and the relief cuts
+// after its heights.
 //
-//          ____              the way goes to the right, levels rise upward
+//          ____              the travel goes to the right, levels rise upward
 //   ______/    \    _____/   front: up to the height, straight on (bridge) to where the contour is as high again
 //               \__/         relief: down and up again
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace dripfeed::interpreter {
 
-// A segment with the way that its motion turns.
+// A segment with the direction in which its motion turns.
 struct ContourPiece {
   ShapeSegment segment;
   bool ccw = false;

@@ -120,7 +120,7 @@ class ShapeCutter {
     return reversal;
   }
 
-  // Ways and levels with the allowances; the first move leads to the shape and is no part of it.
+  // Travels and levels with the allowances; the first move leads to the shape and is no part of it.
   void build() {
     const double dx = data_.allowance_x_mm;
     const double dz = data_.allowance_z_mm;
@@ -158,8 +158,8 @@ class ShapeCutter {
     return end < way0() ? -1.0 : 1.0;
   }
 
-  // Ways at which the level goes into the shape and out of it, in the order of the cut. The first stretch begins at the
-  // start point.
+  // Travels at which the level goes into the shape and out of it, in the order of the cut. The first stretch begins at
+  // the start point.
   struct Stretch {
     double from;
     double to;

@@ -6,7 +6,7 @@
 //                   | feed, in one or by pecks
 //   depth ----------+ dwell, reverse, stop or shift; then back by rapid or feed
 //
-// Back boring goes the other way round: rapid down to R beside the hole, feed up to the depth, rapid up to the initial
+// Back boring goes in reverse: rapid down to R next to the hole, feed up to the depth, rapid up to the initial
 // level. (Fanuc 0i-F B-64604EN-2, canned cycle for drilling; lathes B-64604EN-1.)
 #include "dialects/interpreter/cycles/drilling.h"
 
@@ -214,7 +214,7 @@ class Driller {
     turn(before);
   }
 
-  // The axes beside the drilling axis, all at once.
+  // The axes other than the drilling axis, all at once.
   void position(const PlainBlock& place) {
     const auto own = static_cast<std::uint16_t>(1U << axis_);
     Target target = find_any_target(place, rules_, state_, false);
@@ -225,7 +225,7 @@ class Driller {
     go(MotionKind::rapid, target);
   }
 
-  // From the R level to the bottom. The sign of a peck is the way's.
+  // From the R level to the bottom. The sign of a peck is the direction's.
   void advance() {
     const double begin = r_level();
     const double end = bottom();

@@ -8,7 +8,7 @@
 //
 // G34 is as the M700V/M70V programming manual has it (13.2, "Special fixed cycle": G00 between the holes, the tool ends
 // over the last one, other addresses are P32); the other three are from memory of the M800/M80 manual, same section,
-// and of Mazak's hole machining patterns. What these leave open is done as usual and told by a note.
+// and of Mazak's hole machining patterns. What these leave open is done as usual and reported by a note.
 #include "dialects/interpreter/cycles/hole_pattern.h"
 
 #include <array>

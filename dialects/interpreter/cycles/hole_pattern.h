@@ -1,4 +1,4 @@
-// Figures of holes: the drilling cycle in effect at each place of a circle, a line, an arc or a grid.
+// Hole patterns: the drilling cycle in effect at each place of a circle, a line, an arc or a grid.
 #pragma once
 
 #include "dialects/interpreter/state/block_result.h"

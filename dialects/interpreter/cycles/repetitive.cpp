@@ -1,8 +1,8 @@
 // The words of the cycles, and those without a shape.
 //
-// Pecking (G74 along Z, G75 along X): in by a peck, back by the retract, again to the end; then beside by the step, and
-// so on to the block's end point. Threading (G76): pass n lies dd·√n deep, no step being less than the least one, down
-// to the finishing allowance; the last depth is cut as often as asked for.
+// Pecking (G74 along Z, G75 along X): in by a peck, back by the retract, again to the end; then sideways by the step,
+// and so on to the block's end point. Threading (G76): pass n lies dd·√n deep, no step being less than the least one,
+// down to the finishing allowance; the last depth is cut as often as asked for.
 #include "dialects/interpreter/cycles/repetitive.h"
 
 #include <algorithm>

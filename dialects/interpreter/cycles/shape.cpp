@@ -1,4 +1,4 @@
-// Arcs are looked at by angle: a level is met where the sine (measured from the way's direction) fits, and the place
+// Arcs are looked at by angle: a level is met where the sine (measured from the travel's direction) fits, and the place
 // counts when the angle lies on the arc.
 #include "dialects/interpreter/cycles/shape.h"
 

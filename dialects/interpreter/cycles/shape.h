@@ -1,6 +1,6 @@
-// A shape to be cut away to, as a chain of lines and arcs in a plane of levels and ways: the way is the direction that
-// passes cut along, the level the one that they are stepped in. G71 has Z as way and the radius as level, G72 the
-// radius as way and Z as level.
+// A shape to be cut away to, as a chain of lines and arcs in a plane of levels and travels: the travel is the direction
+// that passes cut along, the level the one that they are stepped in. G71 has Z as travel and the radius as level, G72
+// the radius as travel and Z as level.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ struct ShapeSegment {
   ShapePoint to;
   ShapePoint center;  // arcs
   bool arc = false;
-  double turn = 0.0;  // arcs: angle from the start's to the end's direction, radians, positive from way to level
+  double turn = 0.0;  // arcs: angle from the start's to the end's direction, radians, positive from travel to level
   std::uint32_t line = 0;
 };
 
-// An arc's turn from its ends and centre; `positive`: from way to level. Counterclockwise in the ZX plane, from Z to X,
-// is positive where the way is Z and negative where it is X.
+// An arc's turn from its ends and centre; `positive`: from travel to level. Counterclockwise in the ZX plane, from Z to
+// X, is positive where the travel is Z and negative where it is X.
 double turn_of(const ShapeSegment& arc, bool positive);
-// Where it cuts the level, as a way; the first place in the direction of the segment. Nothing when it does not.
+// Where it cuts the level, as a travel; the first place in the direction of the segment. Nothing when it does not.
 std::optional<double> travel_at(const ShapeSegment& segment, double level);
 // The same in pieces of which both coordinates only rise or only fall.
 std::vector<ShapeSegment> split_at_turns(const ShapeSegment& segment);

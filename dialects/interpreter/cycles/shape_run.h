@@ -11,21 +11,21 @@ namespace dripfeed::interpreter {
 
 class ShapeRun {
  public:
-  // Instructions: of the cycle's block, of the shape's last block, and behind the cycle.
+  // Instructions: of the cycle's block, of the shape's last block, and after the cycle.
   void begin(std::uint32_t cycle, std::uint32_t last, std::uint32_t resume, const ModalState& state, ir::Place place);
-  // `last` is the block behind the shape: a label that stands alone ends it.
+  // `last` is the block after the shape: a label that stands alone ends it.
   void end_in_front_of_last() { runs_last_ = false; }
   void end() { active_ = false; }
 
   [[nodiscard]] bool active() const { return active_; }
-  // True for a block behind the last one, once that has been run.
+  // True for a block after the last one, once that has been run.
   bool ends_before(std::uint32_t instruction) {
     if (instruction == last_) reached_ = true;
     return reached_ && (instruction != last_ || !runs_last_);
   }
   // G70: the shape itself is cut.
   [[nodiscard]] bool finishes() const { return before_.repetitive.cycle == 0; }
-  // The way back after finishing, and the feed that was in effect.
+  // The return after finishing, and the feed that was in effect.
   void finish(ModalState& state, MotionBuffer& out) const;
 
   [[nodiscard]] std::uint32_t cycle() const { return cycle_; }

@@ -1,6 +1,6 @@
 // Fanuc 0i-F B-64604EN, M800/M80 "Automatic tool length measurement": the tool goes by rapid to a distance from the
 // place that is named, then slower, and stops where it touches. The difference of the two places goes to the offset in
-// effect, which counts from the next move on. On M80 and Mazak R is that distance and F the speed behind it; without
+// effect, which counts from the next move on. On M80 and Mazak R is that distance and F the speed after it; without
 // them, and on Fanuc always, parameters say both (6241 to 6256, #8004 to #8006). Which of its values the offset keeps
 // the difference in, wear or geometry, is the control's.
 #include "dialects/interpreter/cycles/tool_measuring.h"
@@ -20,7 +20,7 @@ using ir::MotionKind;
 
 constexpr std::uint16_t kX = 1;
 
-// Where it becomes slower; nothing where that is a parameter's, or not on the way. R of a diameter may be either.
+// Where it becomes slower; nothing where that is a parameter's, or not on the path. R of a diameter may be either.
 std::optional<Target> slow_from(const PlainBlock& block, const BlockRules& rules, const ModalState& state,
                                 const Target& target) {
   const bool one = std::has_single_bit(target.commanded);
@@ -35,7 +35,7 @@ std::optional<Target> slow_from(const PlainBlock& block, const BlockRules& rules
   return from;
 }
 
-// By rapid, and the rest by feed; all by rapid where nobody knows how much that is.
+// By rapid, and the rest by feed; all by rapid where it is not known how much that is.
 void go(const PlainBlock& block, const BlockRules& rules, const Target& target, ModalState& state, MotionBuffer& out,
         BlockResult& result) {
   if (target.commanded == 0 && target.unknown == 0) return;

@@ -1,4 +1,4 @@
-// G90 and G92 (turning, threading) go round this way, G94 (facing) the other way:
+// G90 and G92 (turning, threading) go round like this, G94 (facing) in reverse:
 //
 //          4 rapid
 //   A <---------------+
@@ -6,7 +6,7 @@
 //   v                 |
 //   B --------------> C      2 feed, of threads by the lead; C is the block's X and Z
 //
-// B lies R (a radius) beside C's diameter. The chamfer at a thread's end is a parameter and is left out. (0i-F
+// B lies R (a radius) next to C's diameter. The chamfer at a thread's end is a parameter and is left out. (0i-F
 // B-64604EN-1, canned cycle G90, G92, G94.)
 #include "dialects/interpreter/cycles/turning.h"
 
@@ -76,7 +76,7 @@ class Turner {
       if (block_.has(address)) t_.taper = rules_.length_mm(block_, address, state_.modes.inch);
   }
 
-  // A taper that begins beyond the cycle's own start: R against the way in, and longer.
+  // A taper that begins beyond the cycle's own start: R against the approach, and longer.
   [[nodiscard]] bool is_taper_too_long(double x, double z) const {
     const bool facing = t_.cycle == TurningCycle::along_x;
     const double way = facing ? t_.z - z : (t_.x - x) / (rules_.x_is_diameter ? 2.0 : 1.0);

@@ -110,7 +110,7 @@ std::optional<Flow> BlockRunner::run_plain(const Instruction& i, const ir::Plain
 }
 
 // Axes that the control does not have are named in the report, unless a code takes the letters for something else. Each
-// word of a plain block counts; of other blocks all but Y were told when they were compiled.
+// word of a plain block counts; of other blocks all but Y were reported when they were compiled.
 void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
   const auto takes_letters = [](const PlainCode& code) {
     return code.function == ir::Function::dwell || code.function == ir::Function::set_coordinates ||
@@ -164,7 +164,7 @@ void BlockRunner::report_radii(const Instruction& i, const BlockResult& result) 
                "a parameter of the machine decides how far they may differ (3410)");
 }
 
-// What is set is known from here on; that the machine's memory changes is said.
+// What is set is known from here on; that the machine's memory changes is reported.
 void BlockRunner::set_data() {
   const auto set = data_values(block_, rules_, state_, control_.kind != ir::MachineKind::mill);
   for (const DataValue& one : set.values) access_.set_system(one);

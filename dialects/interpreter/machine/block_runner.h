@@ -38,13 +38,13 @@ class BlockRunner {
 
   // What the block asks of the flow; nothing when the run has ended.
   std::optional<Flow> run(const Instruction& i, const CompiledProgram& program);
-  // The same for a block that was scanned; its reports are the caller's. `i` tells the report the place.
+  // The same for a block that was scanned; its reports are the caller's. `i` gives the report the place.
   std::optional<Flow> run_plain(const Instruction& i, const ir::PlainBatch& batch, const ir::PlainBlockRow& row);
   // The last block named an axis and moved (a cycle or dwell without positions did not).
   [[nodiscard]] bool moved() const { return moved_; }
   // How many motions and events it made; a cycle makes as many as it is asked for.
   [[nodiscard]] std::uint64_t made() const { return made_; }
-  // A program that nobody has was called.
+  // A program that no one has was called.
   void forget_tool() { watch_.forget(); }
   // … called a cycle whose shape is to be run.
   [[nodiscard]] bool needs_shape() const { return needs_shape_; }

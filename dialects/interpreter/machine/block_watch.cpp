@@ -54,7 +54,7 @@ void BlockWatch::take_tool(const PlainBlock& block) {
   if (other_length || (block.unknown & (bit_of(Address::h) | bit_of(Address::t))) != 0) length_known_ = false;
 }
 
-// Moves along the spindle in the part's coordinates need the length of the tool that was changed in.
+// Moves along the spindle in the part's coordinates need the tool length that was changed in.
 void BlockWatch::length(const Instruction& i, const PlainBlock& block) {
   if (!control_.semantics.length_needs_code || !length_known_ || reported_length_) return;
   if ((block.present & bit_of(Address::z)) == 0 || has_code(block, Function::machine_coordinates)) return;

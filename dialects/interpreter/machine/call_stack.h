@@ -52,13 +52,13 @@ class CallStack {
   // Enters a program without arguments that no call site names; `next` as for call(). False when the run has ended.
   bool enter_program(const Instruction& i, CompiledProgram& target, std::uint32_t next);
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
-  // G66, MCALL and their end: from now on the site's program is called, `times` at a time, behind blocks that move.
+  // G66, MCALL and their end: from now on the site's program is called, `times` at a time, after blocks that move.
   bool begin_modal(const Instruction& i, double times);
   void end_modal() { modal_.reset(); }
   // True where a block that moved is to be followed by the modal call: not in the programs that it has called.
   [[nodiscard]] bool has_modal() const { return modal_.has_value() && modal_frames_ == 0; }
   std::optional<std::uint32_t> call_modal(const Instruction& i, std::uint32_t next);
-  // Leaves a called program; gives where the caller goes on. A modal call may be due again: it is then entered anew.
+  // Leaves a called program; gives where the caller goes on. A modal call may be due again: it is then entered again.
   std::uint32_t go_back();
   [[nodiscard]] bool is_main() const { return frames_.size() == 1; }
   [[nodiscard]] bool was_given(std::uint32_t parameter) const {
@@ -87,7 +87,7 @@ class CallStack {
     bool is_string = false;
     double number = 0.0;
     std::string text;
-    std::optional<std::string> shared_text;  // of data of the control, whose type nobody knows
+    std::optional<std::string> shared_text;  // of data of the control, whose type no one knows
     std::optional<double> reference;
   };
 
@@ -104,7 +104,7 @@ class CallStack {
   Frame& push(CompiledProgram& target, std::uint32_t next, bool is_macro);
   void set_locals(const Bases& bases);
   struct Target {
-    CompiledProgram* program = nullptr;  // nullptr: nobody has it
+    CompiledProgram* program = nullptr;  // nullptr: there is none
     std::string name = {};
     ir::AlarmDetail detail = ir::AlarmDetail::none;
   };

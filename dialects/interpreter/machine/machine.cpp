@@ -119,7 +119,7 @@ void Machine::execute(std::uint32_t next) {
   const Instruction* code = stack_.program().code.data();
   const double limit = arithmetic_.limit();
   const auto reg = [this](std::uint32_t operand) -> double& { return storage_.reg(operand); };
-  // Stores a result that is in range; the rest (vacant operands, overflow, division by zero) goes the long way.
+  // Stores a result that is in range; the rest (vacant operands, overflow, division by zero) takes the slow path.
   const auto put = [&](const Instruction& i, double value, Operator op) {
     if (std::abs(value) <= limit) [[likely]] {
       reg(i.a) = value;

@@ -43,7 +43,7 @@ class Machine {
   // call or a return it is meant in another program.
   bool execute_rare(const Instruction& i, std::uint32_t& next);
 
-  // Arithmetic the long way: vacant operands, faults.
+  // Arithmetic on the slow path: vacant operands, faults.
   bool unary(const Instruction& i, ir::Operator op);
   bool binary(const Instruction& i, ir::Operator op);
   bool take_outcome(const Instruction& i, Outcome outcome, std::string_view function, double argument);
@@ -138,7 +138,7 @@ class Machine {
   std::uint64_t decisions_ = 0;                                      // since then
   std::vector<VariableChange> changes_;                              // of the running block
   std::unordered_map<const Instruction*, std::uint32_t> undecided_;  // how often a condition was not known
-  std::set<std::string> missing_programs_;                           // that were called and told of
+  std::set<std::string> missing_programs_;                           // that were called and reported
   std::uint32_t undecided_count_ = 0;                                // of all conditions
   struct OpenSection {
     std::size_t depth = 0;  // of calls

@@ -25,7 +25,7 @@ constexpr std::size_t kNumbers = 11;  // MID FALZ FALX FAL FF1 FF2 FF3 VARI DT D
 
 bool Machine::is_contour_cycle(const Instruction& i) const { return stack_.program().calls[i.a].cuts_contour; }
 
-// Not interpreted: the axes may be anywhere behind it.
+// Not interpreted: the axes may be anywhere after it.
 bool Machine::leave_contour(std::string name) {
   report_.count({.name = std::move(name)});
   state_.unknown = kAllAxes;

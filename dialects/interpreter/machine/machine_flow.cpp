@@ -31,13 +31,13 @@ bool Machine::follow(Flow flow, const Instruction& i, std::uint32_t& next) {
   return flow == Flow::program_end ? end_program(i, next) : go_back(i, next);
 }
 
-// Not known is taken as not fulfilled. A loop that waits for an input would never end that way: from the hundredth time
+// Not known is taken as not fulfilled. A loop that waits for an input would never end so: from the hundredth time
 // on the condition is taken as fulfilled every other time. A loop that ends by its condition ends at once.
 bool Machine::decide_unknown(const Instruction& i) {
   if (!is_unknown(storage_.reg(i.a), control_.semantics)) return false;
   constexpr std::uint32_t kPatience = 100;
   constexpr std::uint32_t kMostUndecided = 100'000;
-  // So long a way by guesses says nothing more: the next pass of a loop is the last.
+  // So many guesses say nothing more: the next pass of a loop is the last.
   if (++undecided_count_ == kMostUndecided) {
     passes_ = options_.limits.loop_passes;
     report_.end_guesses();
@@ -148,7 +148,7 @@ bool Machine::execute_text(const Instruction& i, std::uint32_t& next) {
   return true;
 }
 
-// Blocks that nobody can read are kept as written; they follow, and each says so.
+// Blocks that cannot be read are kept as written; they follow, and each says so.
 bool Machine::enter_foreign_part(const Instruction& i, std::uint32_t& next) {
   CompiledProgram* part = programs_.foreign_part(stack_.program(), i.a);
   if (part == nullptr) return true;
@@ -197,7 +197,7 @@ void Machine::look_at_allowance(const Instruction& cycle) {
                 {"U" + text::format_shortest(allowance) + " mm", is_bore ? "a bore" : "an outside contour"});
 }
 
-// A program that nobody has here may be in the control's memory: what it does is not known, and the run goes on.
+// A program that no one has here may be in the control's memory: what it does is not known, and the run goes on.
 bool Machine::passes_over_missing(const Instruction& i) {
   if (!control_.semantics.unset_is_unknown || !control_.semantics.has_vacant) return false;
   const std::optional<std::string> name = stack_.missing_target(i);
@@ -236,7 +236,7 @@ bool Machine::begin_shape(const Instruction& i, std::uint32_t& next) {
   if (first == kNoTarget || last == kNoTarget || shape_.active())
     return report_.fail(i, DiagnosticId::cycle_shape_missing,
                         {std::to_string(cycle.first_block), std::to_string(cycle.last_block)});
-  // Behind roughing the program goes on behind the shape: here with the cycle again.
+  // After roughing the program goes on after the shape: here with the cycle again.
   if (state_.repetitive.cycle != 0 && last < next - 1)
     return report_.fail(i, DiagnosticId::cycle_shape_invalid,
                         {"it stands before the cycle, which begins again after it without end"});
@@ -270,7 +270,7 @@ bool Machine::end_shape(std::uint32_t& next) {
     next = shape_.resume();
     shape_.finish(state_, out_);
   } else {
-    next -= 1;  // the block behind the shape
+    next -= 1;  // the block after the shape
     const ir::Place place = std::exchange(out_.place, shape_.place());
     state_ = shape_.before();
     look_at_allowance(cycle);

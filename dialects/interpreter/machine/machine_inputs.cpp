@@ -78,7 +78,7 @@ void Machine::set_inputs(const CompiledProgram& main) {
   access_.forget_modes();
 }
 
-// Parameters that the main program names and nobody has set by the end; those that it sets itself from what is not
+// Parameters that the main program names and no one has set by the end; those that it sets itself from what is not
 // known are not inputs of their own on a control where every variable is one by number.
 void Machine::name_unset_inputs(const CompiledProgram& main) {
   if (main.source == nullptr) return;

@@ -1,4 +1,4 @@
-// What a program says to people and devices: messages, lines of output, alarms; and what an observer is told.
+// What a program says to people and devices: messages, lines of output, alarms; and what an observer receives.
 #include <algorithm>
 
 #include "dialects/interpreter/arithmetic/output_field.h"
@@ -22,7 +22,7 @@ bool Machine::message(const Instruction& i) {
   return true;
 }
 
-// What goes to a device is told as a message.
+// What goes to a device is reported as a message.
 bool Machine::output(const Instruction& i) {
   const ir::Program& program = *stack_.program().source;
   const ir::Output& output = program.outputs[i.a];

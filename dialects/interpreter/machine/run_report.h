@@ -38,10 +38,11 @@ class RunReport {
   // A cut without a feed: said at the end of the run, unless the program turns out to be a subprogram by then.
   void keep_no_feed(const Instruction& at, ir::AlarmDetail detail);
   void report_no_feed();
-  // From here on the program goes a way that a value decides which is not known: its alarms are possible, not certain.
+  // From here on the program takes a branch that a value decides which is not known: its alarms are possible, not
+  // certain.
   void take_uncertain_path() { uncertain_ = true; }
   [[nodiscard]] bool took_uncertain_way() const { return uncertain_; }
-  // The passes that are left are none, because too many ways were guessed: the limit says so.
+  // The passes that are left are none, because too many branches were guessed: the limit says so.
   void end_guesses() { guesses_end_ = true; }
   void count(const Report& report);
   void note_computed(const std::string& name, ir::Function function);

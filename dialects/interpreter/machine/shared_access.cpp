@@ -1,4 +1,4 @@
-// A system variable that somebody wrote (the program, or a start value) reads what was written; otherwise the modal
+// A system variable that a person wrote (the program, or a start value) reads what was written; otherwise the modal
 // state answers what it can.
 #include "dialects/interpreter/machine/shared_access.h"
 

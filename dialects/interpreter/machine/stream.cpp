@@ -1,4 +1,4 @@
-// Running what is scanned. The machine's state is the same whichever way a block comes, so a run that began on a stream
+// Running what is scanned. The machine's state is the same wherever a block comes from, so a run that began on a stream
 // goes on in the whole program from any block. Only what the whole program would have had by then must not be missing:
 // plain blocks compute nothing and call nothing, so that is the modal state and the counts.
 #include <algorithm>
@@ -22,7 +22,7 @@ std::uint32_t instruction_at(const CompiledProgram& program, std::uint32_t offse
 }  // namespace
 
 RunResult Machine::run(PlainStream& stream) {
-  // One instruction, for the report to tell places by.
+  // One instruction, from which the report takes its places.
   CompiledProgram plain;
   plain.code.emplace_back();
   plain.spans.emplace_back();

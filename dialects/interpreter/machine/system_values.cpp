@@ -22,7 +22,7 @@ std::uint32_t number_of(std::uint64_t key) { return static_cast<std::uint32_t>(k
 constexpr double kMsPerHour = 3.6e6;
 constexpr bool is_rotary(std::size_t axis) { return axis >= 3 && axis <= 5; }
 
-// #5201 external, #5221 G54 …; #7001 G54.1 P1 …, each 20 numbers behind the one before.
+// #5201 external, #5221 G54 …; #7001 G54.1 P1 …, each 20 numbers after the one before.
 constexpr std::uint32_t kFirstOffset = 5201;
 constexpr std::uint32_t kFirstExtended = 7001;
 constexpr std::uint32_t kOffsetStep = 20;
@@ -298,7 +298,7 @@ void SystemValues::forget_tool_offsets() {
   });
 }
 
-// Nobody wrote it: what the machine's profile says counts on.
+// No one wrote it: what the machine's profile says counts on.
 void SystemValues::start_with(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
   const std::uint8_t gaps = state.gaps;
   if (!write(row, number, value, state)) state.gaps = gaps;
@@ -377,7 +377,7 @@ void SystemValues::move_offset(std::uint32_t number, double value, ModalState& s
 std::optional<double> SystemValues::active_code(std::uint32_t group, const ModalState& state) const {
   constexpr std::uint32_t kLength = 8;
   if (group >= std::size(kGroups)) return std::nullopt;
-  // Lathes number these otherwise, each control in its own way.
+  // Lathes number these otherwise, each control by its own rules.
   const bool otherwise = group == 2 || group == 13 || group == 15;
   if (control_.kind == ir::MachineKind::lathe && otherwise) return std::nullopt;
   const Function function =

@@ -128,7 +128,7 @@ void TraceWriter::write_event(const ir::Motion& motion) {
     else
       append_integer(text_, motion.number);
     // Which number the usual offset has is the control's own matter: the tool's own (T0606), its first edge (D1), or
-    // none in this word (H and D apart). T0600 takes the offset away, and that is said.
+    // none in this word (H and D apart). T0600 takes the offset away, and that is written.
     const std::int32_t usual = pairs_ ? motion.number : edges_ ? 1 : 0;
     if (motion.tool_offset != usual && (pairs_ || motion.tool_offset != 0)) {
       text_ += " offset ";

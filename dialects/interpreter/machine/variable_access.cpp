@@ -121,7 +121,7 @@ std::string VariableAccess::name_of_element(const CompiledProgram& program, std:
   return name + ']';
 }
 
-// One element was written, nobody knows which: nothing of them is known any more. Among numbered variables are work
+// One element was written, it is not known which: nothing of them is known any more. Among numbered variables are work
 // offsets and lengths of tools.
 bool VariableAccess::forget_bank(const Instruction& i) {
   const ir::Bank bank = bank_of(i);

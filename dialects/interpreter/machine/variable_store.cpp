@@ -1,4 +1,4 @@
-// Assigning: each bank has its own way.
+// Assigning: each bank has its own rules.
 #include "dialects/interpreter/arithmetic/unknown.h"
 #include "dialects/interpreter/bytecode/expression_compiler.h"
 #include "dialects/interpreter/bytecode/variable_compiler.h"
@@ -34,7 +34,7 @@ void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value
   store(target, expressions_.compile(value, at), span);
 }
 
-// Data of the control without a definition, and functions that are not interpreted, may give a text: nobody knows.
+// Data of the control without a definition, and functions that are not interpreted, may give a text: it is not known.
 std::optional<Value> VariableCompiler::text_of_unknown_type(ir::ExpressionId value) {
   const ir::Expression* e = builder_.find(value);
   if (e == nullptr || e->op != ir::Operator::variable) return std::nullopt;

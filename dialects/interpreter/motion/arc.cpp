@@ -1,5 +1,5 @@
 // The centre of an arc by radius: of the two on the chord's perpendicular bisector, a short counterclockwise arc takes
-// the one to the left of the way, a short clockwise arc the one to the right, long arcs the other one.
+// the one to the left of the path, a short clockwise arc the one to the right, long arcs the other one.
 //
 //            centre (left)
 //              |

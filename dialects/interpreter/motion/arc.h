@@ -16,7 +16,7 @@ inline double length_of(PlanePoint v) { return std::hypot(v.p, v.q); }
 enum class Turn : unsigned char { clockwise, counterclockwise };
 
 // Centre minus start of the arc over `chord` (end minus start) with that radius; a negative radius takes the longer
-// way. Nothing when the chord is longer than the diameter by more than twice the tolerance, or has no length.
+// path. Nothing when the chord is longer than the diameter by more than twice the tolerance, or has no length.
 std::optional<PlanePoint> center_by_radius(PlanePoint chord, double radius, Turn turn, double tolerance);
 
 // Radius (with sign, as above) of an arc over that chord that opens by an angle of 0 to 360 degrees, both excluded.

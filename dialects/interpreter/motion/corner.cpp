@@ -1,6 +1,6 @@
-// Between two lines the corner is a triangle: with the angle phi by which the way turns, a rounding of radius r takes
+// Between two lines the corner is a triangle: with the angle phi by which the path turns, a rounding of radius r takes
 // r · tan(phi / 2) off each, a chamfer with the edge f takes f / (2 cos(phi / 2)). With an arc, the centre of the
-// rounding is where the two pieces, set off by r to the side to which the way turns, meet next to the corner.
+// rounding is where the two pieces, set off by r to the side to which the path turns, meet next to the corner.
 #include "dialects/interpreter/motion/corner.h"
 
 #include <array>
@@ -24,7 +24,7 @@ PlanePoint unit(PlanePoint a) {
   return length < kNothing ? PlanePoint{} : (1.0 / length) * a;
 }
 
-// The direction of the way at a point of the piece.
+// The direction of the path at a point of the piece.
 PlanePoint direction_at(const PathPiece& piece, PlanePoint at) {
   if (!piece.is_arc) return unit(piece.end - piece.start);
   const PlanePoint outward = unit(at - piece.center);

@@ -47,7 +47,7 @@ void leave_place(const PlainBlock& block, const BlockRules& rules, ModalState& s
   state.tangent_known = false;
 }
 
-// G53 beside G91, or with the letters of increments.
+// G53 with G91, or with the letters of increments.
 void move_by_machine_increment(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options,
                                ModalState& state, MotionBuffer& out, BlockResult& result) {
   const Target target = find_any_target(block, rules, state, false);

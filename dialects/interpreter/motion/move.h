@@ -24,7 +24,7 @@ ir::Motion& emit_move(ir::MotionKind kind, const Target& target, double feed, co
 // Carries out the block's axis words (and I J K of an arc) by the active motion code.
 void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options, ModalState& state,
           MotionBuffer& out, BlockResult& result);
-// The touch of any commanded axis ends the way of all.
+// The touch of any commanded axis ends the path of all.
 void end_at_touch(Target& target, const ModalState& state);
 // G31: a straight move that ends where the probe is known to touch.
 void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,

@@ -127,7 +127,7 @@ double Mover::lead_change(ir::Address address) const {
   if (!block_.has(address) || counted || inch != state_.modes.inch) result_.notes |= kNoteLeadChange;
   if (!block_.has(address)) return 0.0;
   const double change = rules_.length_mm(block_, address, inch);
-  // The code itself says which way.
+  // The code itself states the direction.
   if (address == Address::f && change < 0.0) result_.notes |= kNoteLeadChange;
   return state_.modes.lead_shrinks ? -change : change;
 }
@@ -146,7 +146,7 @@ bool Mover::starts_unknown(PlaneAxes axes) const {
   return ((state_.unknown >> axes.p | state_.unknown >> axes.q) & 1U) != 0;
 }
 
-// No arc can be said, but where it ends may be known.
+// No arc can be written, but where it ends may be known.
 void Mover::lose(const Target& target, std::uint32_t note) {
   result_ = {};
   result_.notes |= note;

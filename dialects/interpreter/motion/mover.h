@@ -1,4 +1,4 @@
-// The moves that one block makes: straight ones, arcs, threads, and the corners between them. Its words name the way,
+// The moves that one block makes: straight ones, arcs, threads, and the corners between them. Its words name the path,
 // the state the start and the modes.
 #pragma once
 
@@ -21,7 +21,7 @@ class Mover {
       : block_(block), rules_(rules), options_(options), state_(state), out_(out), result_(result) {}
 
   void straight(ir::MotionKind kind, const Target& target);
-  // G34, G35: a thread whose lead grows or shrinks. Fault thread_invalid: it falls to nothing on the way.
+  // G34, G35: a thread whose lead grows or shrinks. Fault thread_invalid: it falls to nothing on the path.
   void changing_thread(const Target& target);
   // CIP: through the point that I1 J1 K1 name.
   void arc_via(const Target& target);
@@ -41,7 +41,7 @@ class Mover {
  private:
   // mover.cpp
   [[nodiscard]] bool starts_unknown(PlaneAxes axes) const;
-  // No arc can be said, but where it ends may be known.
+  // No arc can be written, but where it ends may be known.
   void lose(const Target& target, std::uint32_t note = kNoteArcNotComputed);
   [[nodiscard]] PlanePoint point_of(const AxisValues& at, PlaneAxes axes) const;
   // End minus start in the plane, radius values.
@@ -96,7 +96,7 @@ class Mover {
   // Moves that lie in the plane alone and whose places are known.
   [[nodiscard]] static bool is_flat(const ir::Motion& motion, PlaneAxes axes);
   void drop_corner();
-  // The last motion of the buffer is the move behind the corner that waits, and may have a corner at its own end.
+  // The last motion of the buffer is the move after the corner that waits, and may have a corner at its own end.
   void finish_corner();
   [[nodiscard]] bool has_corner_word() const;
   void insert_corner();

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array kCenterAddresses = {Address::i, Address::j, Address::k};
 constexpr double kFlat_mm = 1e-9;
 
-// Of points of one line: whether the first lies on the way to the second.
+// Of points of one line: whether the first lies on the path to the second.
 bool is_between(const Vector& via, const Vector& end) {
   double along = 0.0;
   double length2 = 0.0;

@@ -35,7 +35,7 @@ void Mover::drop_corner() {
   out_.hold(false);
 }
 
-// The last motion of the buffer is the move behind the corner that waits, and may have a corner at its own end.
+// The last motion of the buffer is the move after the corner that waits, and may have a corner at its own end.
 void Mover::finish_corner() {
   if (state_.corner.kind != 0) insert_corner();
   const auto [kind, size] = wanted_corner();
@@ -124,7 +124,7 @@ void Mover::insert_corner() {
       return;
     }
   }
-  // A modal rounding has nothing to do where the way goes on without a corner.
+  // A modal rounding has nothing to do where the path goes on without a corner.
   if (state_.modal_rounding_mm == 0.0) result_.notes |= kNoteCornerNotComputed;
 }
 

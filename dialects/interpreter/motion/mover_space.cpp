@@ -100,7 +100,7 @@ void Mover::arc_in_tilted_plane(Function function, const Target& target) {
   out_.capture(&made);
   Mover mover(block, rules_, options_, own, out_, result);
   const Target programmed = find_target(block, rules_, own, false);
-  // A full circle ends where it starts: what turning back and forth has rounded is no way.
+  // A full circle ends where it starts: what turning back and forth has rounded is no path.
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (std::abs(programmed.end[axis] - own.position[axis]) < kSame_mm) own.position[axis] = programmed.end[axis];
   if (function == Function::arc_tangent)

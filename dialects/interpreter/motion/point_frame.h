@@ -1,5 +1,5 @@
 // Mirror, scale and rotation about points that they name themselves (G51.1, G51, G68): each is switched on and off for
-// itself, beside the local shift (G52), and the three lie inside each other in this order:
+// itself, besides the local shift (G52), and the three lie inside each other in this order:
 //
 //   position = shift + mirror(scale(rotation(programmed))),   each of them: p -> center + matrix · (p - center)
 //
@@ -22,7 +22,7 @@ PointFrameGap set_point_frame(const PlainBlock& block, const BlockRules& rules, 
                               ModalState& state);
 // G69, G50; G50.1 ends the axes that it names, or all. False, and nothing changed, where there is none to be ended.
 bool end_point_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
-// Shift and matrix of the modes anew, from the local shift and the three.
+// Shift and matrix of the modes again, from the local shift and the three.
 void compose_frames(const BlockRules& rules, Modes& modes);
 
 }  // namespace dripfeed::interpreter

@@ -77,7 +77,7 @@ class Polynomial {
     return way;
   }
 
-  // The axes that are somewhere else in between than on the straight way.
+  // The axes that are somewhere else in between than on the straight line.
   [[nodiscard]] std::uint16_t bent() const {
     std::uint16_t bits = 0;
     for (const Vector& bend : bends_)

@@ -20,11 +20,11 @@ inline constexpr std::uint64_t kPolynomialWords = [] {
   return bits;
 }();
 
-// Whether the block has words of a polynomial (PO) beside its end.
+// Whether the block has words of a polynomial (PO) besides its end.
 inline bool has_polynomial_words(const PlainBlock& block) {
   return ((block.present | block.unknown) & kPolynomialWords) != 0;
 }
-// A block under POLY, with such words or without: without them it is a straight cut. Fault curve_invalid: a way of
+// A block under POLY, with such words or without: without them it is a straight cut. Fault curve_invalid: a path of
 // the parameter (PL) that no control has, coefficients beyond all numbers.
 void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options,
                            const Target& target, ModalState& state, MotionBuffer& out, BlockResult& result);

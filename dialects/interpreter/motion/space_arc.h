@@ -11,10 +11,10 @@ namespace dripfeed::interpreter {
 struct SpaceArc {
   Vector center{};
   Vector across{};  // where the radius to the start points after a quarter turn
-  Vector rise{};    // of a helix, on its whole way
+  Vector rise{};    // of a helix, on its whole path
   double sweep_rad = 0.0;
 
-  // Where it is after the share t of its way, 0 to 1.
+  // Where it is after the share t of its path, 0 to 1.
   [[nodiscard]] Vector at(double t) const;
   // Its direction at its end.
   [[nodiscard]] Vector end_tangent() const;

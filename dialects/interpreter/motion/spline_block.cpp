@@ -21,7 +21,7 @@ using ir::Address;
 
 constexpr std::size_t kKeptAtMost = 1024;  // points
 constexpr std::size_t kFar = 64;
-constexpr std::size_t kWaitsAtMost = 4 * ir::kMotionBatch;  // motions behind a spline that no move follows
+constexpr std::size_t kWaitsAtMost = 4 * ir::kMotionBatch;  // motions after a spline that no move follows
 constexpr std::uint16_t kSplineAxes = 7;                    // X Y Z
 constexpr double kSamePlace_mm = 1e-9;
 constexpr double kMostWeight = 3.0;
@@ -31,7 +31,7 @@ void fail(BlockResult& result, std::string_view reason) {
   result.reason = reason;
 }
 
-// The way of the tool where a move ends or begins, in radius values; none when it is not known.
+// The path of the tool where a move ends or begins, in radius values; none when it is not known.
 std::optional<Vector> direction_of(const ir::Motion& m, bool at_end, bool x_is_diameter) {
   if (m.machine_coordinates || (m.axes_unknown & m.axes_commanded & kSplineAxes) != 0 ||
       (m.gaps & ir::kEndUnknown) != 0)
@@ -230,7 +230,7 @@ void move_along_spline(const PlainBlock& block, const BlockRules& rules, const M
   point.at = state.position;
   point.motion = out.used() - 1;
   run.points.push_back(point);
-  // A tangential arc behind it goes by the line through the last two points (PG, "CT").
+  // A tangential arc after it goes by the line through the last two points (PG, "CT").
   const auto way = direction_of(out.at(point.motion), true, rules.x_is_diameter);
   state.tangent_known = way.has_value();
   state.tangent = way.value_or(Vector{});

@@ -1,4 +1,4 @@
-// ASPLINE, BSPLINE, CSPLINE: a spline goes over several blocks, and its way in one of them depends on blocks that come
+// ASPLINE, BSPLINE, CSPLINE: a spline goes over several blocks, and its path in one of them depends on blocks that come
 // later. Each block's straight move stands in the buffer until the curve is known, and then gives way to the chords of
 // its piece.
 #pragma once
@@ -15,9 +15,9 @@ namespace dripfeed::interpreter {
 // A block under a spline code. Fault curve_invalid: a weight or degree that no control has.
 void move_along_spline(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options,
                        const Target& target, ModalState& state, MotionBuffer& out, BlockResult& result);
-// Behind each block while a spline is active: whether it has ended.
+// After each block while a spline is active: whether it has ended.
 void follow_spline(const BlockRules& rules, ModalState& state, MotionBuffer& out);
-// Nothing comes behind it.
+// Nothing comes after it.
 void end_spline(const BlockRules& rules, ModalState& state, MotionBuffer& out);
 
 }  // namespace dripfeed::interpreter

@@ -3,7 +3,7 @@
 // Akima and cubic splines pass through their points; each of X Y Z is a polynomial of third degree over the length of
 // the chord (the X of a diameter axis as diameter, the chord in radius values). That the parameter is the chord's
 // length, Akima's weights for each axis by itself, and for BAUTO and EAUTO a cubic spline whose first and last two
-// pieces are one, are not in the manual. Axes beside X Y Z move in proportion, as they do under the control's own
+// pieces are one, are not in the manual. Axes other than X Y Z move in proportion, as they do under the control's own
 // choice of the spline's axes.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace dripfeed::interpreter {
 // How one end of it is to be: ir/spline_use.h. A tangent without a direction is as if there was nothing said.
 struct SplineEnd {
   std::int16_t kind = 0;
-  std::optional<Vector> direction;  // radius values, of any length but 0; the way that the tool goes
+  std::optional<Vector> direction;  // radius values, of any length but 0; the path that the tool goes
 };
 
 class SplineCurve {
@@ -26,7 +26,7 @@ class SplineCurve {
   SplineCurve(std::int16_t kind, std::size_t degree, std::vector<SplinePoint> points, const SplineEnd& begin,
               const SplineEnd& end, bool x_is_diameter);
 
-  // Whether a piece belongs to the way from point i to point i + 1; of a B spline there is one less a degree.
+  // Whether a piece belongs to the path from point i to point i + 1; of a B spline there is one less a degree.
   [[nodiscard]] bool has_piece(std::size_t i) const { return !is_b_ || i + 1 >= order_ - 1; }
   // Of no length: a knot of a B spline that stands more than once.
   [[nodiscard]] bool is_empty(std::size_t i) const { return is_b_ && b_.knots[i + 2] <= b_.knots[i + 1]; }

@@ -95,7 +95,7 @@ TransformedBlock::TransformedBlock(const PlainBlock& block, const BlockRules& ru
   if (rules_.corner_letters && state.modes.motion == ir::Function::linear) block_.present &= ~kCornerLetters;
   block_.present &= ~kCorners;
   modal_rounding_mm_ = std::exchange(state_.modal_rounding_mm, 0.0);
-  // A corner from before the mode has no move behind it that it could be cut with.
+  // A corner from before the mode has no move after it that it could be cut with.
   if (std::exchange(state_.corner, {}).kind != 0) {
     result_.notes |= kNoteCornerNotComputed;
     out_.hold(false);
@@ -103,7 +103,7 @@ TransformedBlock::TransformedBlock(const PlainBlock& block, const BlockRules& ru
   out_.capture(&kept_);
 }
 
-// A cylinder's circumference stands for the axis that the plane has beside the one along the cylinder.
+// A cylinder's circumference stands for the axis that the plane has besides the one along the cylinder.
 void TransformedBlock::choose_slot() {
   const Transformation& t = state_.transformation;
   slot_ = kY;
@@ -264,7 +264,7 @@ void TransformedBlock::bring_kept() {
   state_.tangent_known = false;
 }
 
-// Its pieces are those of the block that it stands in; events that came since stay behind them.
+// Its pieces are those of the block that it stands in; events that came since stay after them.
 void TransformedBlock::bring_trimmed(TransformedPieces& pieces, const std::vector<ir::Motion>& taken) {
   const ir::Place place = std::exchange(out_.place, trimmed_->place);
   const Work work = std::exchange(out_.work, {});

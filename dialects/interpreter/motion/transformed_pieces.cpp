@@ -48,7 +48,7 @@ AxisValues TransformedPieces::axes_at(const AxisValues& plane) const {
   return at;
 }
 
-// How far the axes are from where they should be when they have gone that share of the way from a to b.
+// How far the axes are from where they should be when they have gone that share of the path from a to b.
 double TransformedPieces::error_of(const AxisValues& a, const AxisValues& b, double share,
                                    const AxisValues& wanted) const {
   const AxisValues at = between(a, b, share);
@@ -134,7 +134,8 @@ void TransformedPieces::pieces(const ir::Motion& motion, const Path& path, doubl
   pieces(motion, path, middle, t1, depth + 1);
 }
 
-// Through the centre the rotary axis turns at a stand: the way in ends there, and the way out begins at its own angle.
+// Through the centre the rotary axis turns at a stand: the approach ends there, and the retract begins at its own
+// angle.
 void TransformedPieces::straight(const ir::Motion& motion) {
   const auto path = [&](double t) { return between(motion.start, motion.end, t); };
   if (t_.shape == Shape::cylinder) return pieces(motion, path, 0.0, 1.0, 0);

@@ -1,4 +1,4 @@
-// What a block came to, beside its motions: what it asks of the program's flow, an alarm, and what deserves a word.
+// What a block came to, besides its motions: what it asks of the program's flow, an alarm, and what deserves a word.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +22,15 @@ inline constexpr std::uint32_t kNoteLevelUnknown = 32;            // drilling go
 inline constexpr std::uint32_t kNoteSkip = 128;                   // where it ends, a signal decides
 inline constexpr std::uint32_t kNoteHoleWithoutDepth = 64;        // a drilling cycle without a bottom: nothing was cut
 inline constexpr std::uint32_t kNoteLeadChange = 1U << 8;         // by how much a lead changes, the block does not say
-inline constexpr std::uint32_t kNotePatternWithoutCycle = 1U << 9;  // a figure of holes: positions, and nothing is cut
+inline constexpr std::uint32_t kNotePatternWithoutCycle = 1U << 9;  // a hole pattern: positions, and nothing is cut
 inline constexpr std::uint32_t kNotePatternWords = 1U << 10;        // … of which a word's meaning is not certain
 inline constexpr std::uint32_t kNoteCompInFrame = 1U << 11;         // the radius in a plane that the frame tilts
 inline constexpr std::uint32_t kNoteMeasuringTool = 1U << 12;       // a touch ends it and sets the tool's length
 inline constexpr std::uint32_t kNotePolynomialStraight = 1U << 13;  // straight to the end of a polynomial
 inline constexpr std::uint32_t kNotePolynomialDiameter = 1U << 14;  // … whose coefficients are of a diameter
-inline constexpr std::uint32_t kNoteFramesOfBoth = 1U << 31;        // one language changes a frame beside the other's
+inline constexpr std::uint32_t kNoteFramesOfBoth = 1U << 31;        // one language changes a frame next to the other's
 inline constexpr std::uint32_t kNotePolynomialAlone = 1U << 15;     // words of a polynomial (PO) without POLY
-inline constexpr std::uint32_t kNoteArcNotComputed = 1U << 16;      // it begins or ends where nobody knows
+inline constexpr std::uint32_t kNoteArcNotComputed = 1U << 16;      // it begins or ends where no one knows
 inline constexpr std::uint32_t kNoteArcInFrame = 1U << 17;          // the frame makes an ellipse of it
 inline constexpr std::uint32_t kNoteCornerNotComputed = 1U << 18;
 inline constexpr std::uint32_t kNoteMeasuring = 1U << 19;  // where the move ends, a probe decides
@@ -41,9 +41,9 @@ inline constexpr std::uint32_t kNoteScaleUnit = 1U << 23;         // a parameter
 inline constexpr std::uint32_t kNoteFrameValue = 1U << 24;        // a factor or angle that is left to a parameter
 inline constexpr std::uint32_t kNoteDirectAngle = 1U << 25;       // an angle (,A) of which no line came
 inline constexpr std::uint32_t kNoteTransformed = 1U << 26;       // a plane of X and C that its place is not known in
-inline constexpr std::uint32_t kNoteMachineIncrement = 1U << 30;  // G53 beside G91: no move came out
+inline constexpr std::uint32_t kNoteMachineIncrement = 1U << 30;  // G53 with G91: no move came out
 inline constexpr std::uint32_t kNoteArcUndefined = 1U << 29;      // CIP through points that no circle goes through
-inline constexpr std::uint32_t kNoteContourOffset = 1U << 28;     // OFFN beside the radius that is compensated
+inline constexpr std::uint32_t kNoteContourOffset = 1U << 28;     // OFFN besides the radius that is compensated
 inline constexpr std::uint32_t kNoteSplineStraight = 1U << 27;    // … straight to its point
 
 struct BlockResult {

@@ -32,8 +32,8 @@ class BlockRules {
   bool x_is_diameter = false;      // the control's X is a diameter, whatever mode is programmed
   bool surface_by_x = false;       // a surface speed is that at the diameter in X, where its block names no axis
   bool corner_letters = false;     // R, I and K of a straight block are its corner (lathes)
-  // What the control stops at with an alarm; the others go on in a way that is not known.
-  bool corner_alarm = false;        // a chamfer or rounding that is longer than a move beside it
+  // What the control stops at with an alarm; how the others go on is not known.
+  bool corner_alarm = false;        // a chamfer or rounding that is longer than a move next to it
   bool angle_alarm = false;         // two lines by their angles that do not meet, or no end of the second
   bool end_of_angle_alarm = false;  // an end that the angle does not lead to
   bool taper_alarm = false;         // a turning cycle whose taper is longer than its move

@@ -76,7 +76,7 @@ struct Spindle {
   friend bool operator==(const Spindle&, const Spindle&) = default;
 };
 
-// What the trace was told last: events are given when what is commanded differs from it.
+// What the trace was given last: events are given when what is commanded differs from it.
 struct Announced {
   std::int32_t work_offset = kOffsetUnknown;
   Tool tool;
@@ -149,14 +149,14 @@ struct Polar {
   double radius_mm = 0.0;
 };
 
-// A chamfer or rounding that waits for the move behind the corner.
+// A chamfer or rounding that waits for the move after the corner.
 struct PendingCorner {
   std::uint8_t kind = 0;  // CornerKind
   double size_mm = 0.0;
   std::size_t motion = 0;  // place in the buffer of the move before the corner
 };
 
-// Direct drawing input: a line of which only the angle is known, until the block behind it says where it ends.
+// Direct drawing input: a line of which only the angle is known, until the block after it says where it ends.
 struct PendingLine {
   bool active = false;
   double angle_deg = 0.0;
@@ -180,7 +180,7 @@ struct Transformation {
   double zero_deg = 0.0;      // face: the rotary axis where `along` points away from the centre
 };
 
-// G06.2: what was said of a curve that is not complete.
+// G06.2: what was stated of a curve that is not complete.
 struct CurveInput {
   bool open = false;
   std::size_t order = 4;
@@ -211,7 +211,7 @@ struct SplineRun {
   bool tangent_known = false;
 };
 
-// A corner on a face or cylinder that waits for the move behind it.
+// A corner on a face or cylinder that waits for the move after it.
 struct PlaneCorner {
   std::uint8_t kind = 0;  // CornerKind
   double size_mm = 0.0;

@@ -1,5 +1,5 @@
 // Data of the control that outlives a program: global user data and system variables, by name and up to three indices.
-// A value that nobody has set is not known. Where values lie stays the same for the whole run, so that a parameter can
+// A value that no one has set is not known. Where values lie stays the same for the whole run, so that a parameter can
 // refer to one.
 #pragma once
 
@@ -46,14 +46,14 @@ class SharedData {
   // nullptr when no definition file has the name.
   [[nodiscard]] const SharedDefinition* definition_of(std::uint32_t id) const;
 
-  // nullptr when nobody has set it.
+  // nullptr when no one set it.
   [[nodiscard]] const SharedValue* find(std::uint32_t id, const Indices& indices) const;
   // The place of the value, made when it is not there.
   std::uint32_t place_of(std::uint32_t id, const Indices& indices);
   // How many indices the name is written with: the most that were used.
   void note_indices(std::uint32_t id, std::uint32_t used);
   [[nodiscard]] std::uint32_t index_count_of(std::uint32_t id) const { return index_counts_[id]; }
-  // A place without a name, for a parameter by reference that nobody passed.
+  // A place without a name, for a parameter by reference that no one passed.
   std::uint32_t nameless();
   [[nodiscard]] SharedValue& at(std::uint32_t place) { return values_[place]; }
   // Sets a value by its name as people write it: "INI[53]", "$P_UIFR[1,X,TR]", axes and frame parts by their names.

@@ -1,5 +1,5 @@
 // A place in the tokens of a program, block by block: blanks and comments are stepped over and comments remembered,
-// and the faults of the block are collected beside it.
+// and the faults of the block are collected next to it.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace dripfeed::macro_b {
 
-// Faults go to one list for the whole program; failed() tells of the current block. A text that is no program at all
+// Faults go to one list for the whole program; failed() is of the current block. A text that is no program at all
 // has a fault in every line, so that the list ends at kMostFaults.
 class Faults {
  public:
@@ -21,7 +21,7 @@ class Faults {
   Faults(const ir::Control& control, std::vector<text::Diagnostic>& diagnostics)
       : control_(control), diagnostics_(diagnostics) {}
 
-  // `detail` chooses among the control's alarms where the block tells more than the id does. Returns what was
+  // `detail` chooses among the control's alarms where the block shows more than the id does. Returns what was
   // added, valid until the next report; nullptr when the list is full.
   text::Diagnostic* report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {},
                            ir::AlarmDetail detail = ir::AlarmDetail::none);
@@ -29,7 +29,7 @@ class Faults {
   // first.
   text::Diagnostic* fail(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {},
                          ir::AlarmDetail detail = ir::AlarmDetail::none);
-  // Not understood, and said already or no fault: `name` tells what it is.
+  // Not understood, and said already or no fault: `name` states what it is.
   void make_native(std::string_view name) { native_ = name; }
 
   void begin_block() { failed_ = false, native_ = {}; }

@@ -1,5 +1,6 @@
-// Which machine a text was written for, when nobody says. Rules, the first line that meets one decides:
-//   lathe: T with four digits and no M06; U or W beside X or Z words; G50 S; G32; G70-G76 with P and Q or with U and R;
+// Which machine a text was written for, when no one says. Rules, the first line that meets one decides:
+//   lathe: T with four digits and no M06; U or W together with X or Z words; G50 S; G32; G70-G76 with P and Q or with U
+//   and R;
 //          H with a point, the increment of C, in a block that says no tool length
 //   mill:  a Y word; G43, G44 or G49; G17; M06, unless its tool has its own offset (T0707 M06 may be either's); G81,
 //   G82 or

@@ -1,4 +1,4 @@
-// Which machine a text was written for, when nobody says.
+// Which machine a text was written for, when no one says.
 #pragma once
 
 #include "dialects/ir/control.h"

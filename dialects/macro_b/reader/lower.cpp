@@ -163,7 +163,7 @@ void BlockLowering::add_word(const RawWord& raw) {
   program_.words.push_back(word);
 }
 
-// T001001 is T0101: the number itself does not tell how it was written.
+// T001001 is T0101: the number itself does not show how it was written.
 ExpressionId BlockLowering::with_short_offset(const ir::Word& word) {
   constexpr double kLong = 1000.0;
   constexpr double kShort = 100.0;

@@ -52,7 +52,7 @@ class BlockLowering {
   [[nodiscard]] bool in_data_input() const { return in_data_input_; }
 
   ir::Statement& emit(ir::StatementKind kind, std::uint32_t payload, const BlockPlace& place);
-  // `moves`: the axes may be anywhere behind it.
+  // `moves`: the axes may be anywhere after it.
   void emit_native(std::string_view name, bool effects_known, const BlockPlace& place, bool moves = false);
   // A block of one code without words.
   void emit_code(ir::Function function, ir::ModalGroup group, const BlockPlace& place);

@@ -1,6 +1,6 @@
 // G66.1: the macro is called in place of every block up to G67 and of G66.1's own, and the block's words are its
 // arguments. (Mitsubishi M800 programming manual, "User macro modal call B"; for the other controls taken alike.) What
-// G, L, N and P of the blocks become differs: those stay as they are, and nothing behind them is certain until the
+// G, L, N and P of the blocks become differs: those stay as they are, and nothing after them is certain until the
 // axes are named again. Which blocks are meant is taken from the order of the text.
 #include <algorithm>
 #include <vector>

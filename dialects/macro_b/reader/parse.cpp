@@ -110,7 +110,7 @@ void Parser::skip_leader() {
   while (is_leader && cursor_.kind() == TokenKind::invalid) cursor_.advance();
 }
 
-// What stands behind the closing tape mark is not read by the control.
+// What comes after the closing tape mark is not read by the control.
 void Parser::skip_after_end() {
   if (!cursor_.at_end() && !std::exchange(reported_after_end_, true)) faults_.report(unreachable, cursor_.span());
   while (!cursor_.at_end()) cursor_.advance();
@@ -336,7 +336,7 @@ void Parser::other_word() {
   }
 }
 
-// What stands behind "/" or "/n" inside a block is left out while that switch is on.
+// What comes after "/" or "/n" inside a block is left out while that switch is on.
 void Parser::rest_of_block() {
   cursor_.advance();
   std::uint8_t level = 1;

@@ -93,7 +93,7 @@ class Parser {
   std::vector<OpenLoop> open_loops_;
   bool keeps_structure_ = false;  // a fault in WHILE or END leaves the loop in place
   std::uint32_t tape_marks_ = 0;
-  bool ended_ = false;  // behind the closing tape mark
+  bool ended_ = false;  // after the closing tape mark
   bool reported_after_end_ = false;
   bool leader_ = false;  // the text begins with a tape mark
 };

@@ -103,7 +103,7 @@ ExpressionId ExpressionReader::factor(std::string_view after) {
   const std::uint32_t begin = cursor_.span().begin;
   const bool minus = cursor_.is_symbol('-');
   if (minus || cursor_.is_symbol('+')) {
-    // Behind an operator a minus is the value's sign (#1*-1); a plus is one operator too many.
+    // After an operator a minus is the value's sign (#1*-1); a plus is one operator too many.
     const bool after_operator = after == "+" || after == "-" || after == "*" || after == "/";
     if (after_operator && !minus) {
       faults_.fail(syntax_error, cursor_.span(), {"two signs one after the other"}, ir::AlarmDetail::two_signs);
@@ -294,7 +294,7 @@ ExpressionId ExpressionReader::word_value() {
 }
 
 // X[100] is calculated: its value counts in whole units, like that of a variable, whether it has a point or not. Its
-// span holds the brackets, so that nobody looks for a point in it.
+// span holds the brackets, so that no one looks for a point in it.
 ExpressionId ExpressionReader::calculated(ExpressionId id, std::uint32_t begin) {
   if (faults_.failed() || program_.at(id).op != Operator::constant) return id;
   return program_.add_constant(program_.at(id).value, {begin, cursor_.previous_end()});

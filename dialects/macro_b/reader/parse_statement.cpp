@@ -58,7 +58,7 @@ void Parser::text_statement(const Keyword& keyword) {
 
 namespace {
 
-// #100 and neither [53] nor a further index behind it.
+// #100 and neither [53] nor a further index after it.
 bool has_field_missing(std::string_view text) {
   for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
     const std::size_t end = text.find_first_not_of("0123456789", at + 1);
@@ -98,7 +98,7 @@ void Parser::output_statement(const Keyword& keyword) {
   lowering_.emit(StatementKind::output, static_cast<std::uint32_t>(program_.outputs.size() - 1), place());
 }
 
-// [X#100[53]*Y#101[53]]: an asterisk is a blank, two digits are the places before and behind the point.
+// [X#100[53]*Y#101[53]]: an asterisk is a blank, two digits are the places before and after the point.
 bool Parser::output_parts(std::string_view text, std::uint32_t begin) {
   if (text.size() < 2 || !text.ends_with(']')) return false;
   std::string words;
@@ -209,7 +209,7 @@ void Parser::assignment() {
   }
 }
 
-// #3000 = n(TEXT) stops with an alarm, #3006 = n(TEXT) with a message; the text is a comment behind the number.
+// #3000 = n(TEXT) stops with an alarm, #3006 = n(TEXT) with a message; the text is a comment after the number.
 void Parser::message(const ir::Variable& target, ExpressionId value) {
   ir::Message message;
   message.number = value;
@@ -318,7 +318,7 @@ void Parser::loop_begin(ExpressionId condition, bool conditional) {
   keeps_structure_ = true;
 }
 
-// The closer's kind is its opener's: the innermost open loop of that number. Crossing loops are for validate to tell.
+// The closer's kind is its opener's: the innermost open loop of that number. Crossing loops are for validate to report.
 void Parser::loop_end() {
   const std::uint8_t number = loop_number("END");
   const auto open = std::ranges::find(open_loops_.rbegin(), open_loops_.rend(), number, &OpenLoop::number);

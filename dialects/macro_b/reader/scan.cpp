@@ -99,7 +99,7 @@ class Words {
         batch.words.end());
   }
 
-  // '%' before anything else, and what stands behind it on its line.
+  // '%' before anything else, and what comes after it on its line.
   static const char* leader(const char* at) {
     while (*at != '\n' && *at != '\r') ++at;
     return at;

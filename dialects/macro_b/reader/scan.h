@@ -1,4 +1,4 @@
-// scan: the short way of plain blocks, from bytes to words without tokens. It takes what the reader would take without
+// scan: the short path of plain blocks, from bytes to words without tokens. It takes what the reader would take without
 // a word of complaint and leaves every other block to it.
 #pragma once
 

@@ -5,7 +5,7 @@
 
 namespace dripfeed::macro_b {
 
-// Whether the text begins with %: behind a leader, or behind comments of whoever stored it where a program follows.
+// Whether the text begins with %: after a leader, or after comments of whoever stored it where a program follows.
 bool begins_with_tape_mark(const ir::Program& program);
 
 }  // namespace dripfeed::macro_b

@@ -13,10 +13,10 @@
 namespace dripfeed::macro_b {
 
 std::span<const ir::CodeRow> shared_g_codes();  // mills and lathes
-std::span<const ir::CodeRow> mill_g_codes();    // beside the shared ones
+std::span<const ir::CodeRow> mill_g_codes();    // next to the shared ones
 std::vector<ir::CodeRow> lathe_g_codes(ir::GSystem system);
 std::span<const ir::CodeRow> m_codes();
-// What Mazak's EIA and Mitsubishi's M800/M80 have beside these and Fanuc has not or has otherwise.
+// What Mazak's EIA and Mitsubishi's M800/M80 have besides these and Fanuc has not or has otherwise.
 std::span<const ir::CodeRow> eia_g_codes();
 std::span<const ir::CodeRow> eia_mill_g_codes();
 

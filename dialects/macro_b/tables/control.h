@@ -1,4 +1,4 @@
-// What the '#'-variable controls have in common beside tables: the usual semantics by kind of machine.
+// What the '#'-variable controls have in common besides tables: the usual semantics by kind of machine.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The words of a '#'-variable control's language beside its codes, from its grammar's table, for people.
+// The words of a '#'-variable control's language besides its codes, from its grammar's table, for people.
 #pragma once
 
 #include <vector>

@@ -25,7 +25,7 @@ struct RangeRow {
   bool writable = true;
 };
 
-// The common ones with those of the dialect behind them.
+// The common ones with those of the dialect after them.
 std::vector<ir::VariableRange> join_ranges(std::span<const RangeRow> own);
 std::vector<ir::SystemVariableRow> join_system_variables(std::span<const ir::SystemVariableRow> own);
 

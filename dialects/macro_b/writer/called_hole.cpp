@@ -1,5 +1,5 @@
 // CYCLE81(RTP, RFP, SDIS, DP, DPR, …): which side SDIS lies on follows from RTP and RFP, so that these must be numbers
-// where there is a clearance. Pecks that grow less, dwells in turns and the like are told.
+// where there is a clearance. Pecks that grow less, dwells in turns and the like are reported.
 #include "dialects/macro_b/writer/called_hole.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class HoleReader {
   }
 
  private:
-  // Each gives what cannot be said, empty for nothing.
+  // Each gives what cannot be written, empty for nothing.
   std::string levels(Hole& hole) {
     hole.back = value(CycleValue::return_level);
     const ExpressionId reference = value(CycleValue::surface);
@@ -99,7 +99,7 @@ class HoleReader {
     return {};
   }
 
-  // CYCLE84(…, SDAC, MPIT, PIT, POSS, SST, SST1, …): one way in and out, at one speed.
+  // CYCLE84(…, SDAC, MPIT, PIT, POSS, SST, SST1, …): in and out at one speed.
   std::string tap(Hole& hole) {
     const std::optional<double> after = number_or(CycleValue::spindle_after, 0.0);
     const std::optional<double> nominal = number_or(CycleValue::thread_size, 0.0);

@@ -30,16 +30,16 @@ struct Hole {
   double lift = 0.0;
   bool holds = false;     // … and the program waits
   bool floats = false;    // a tap in a compensating chuck; without a lead at the feed in effect
-  int reversed = 0;       // … 3 or 4: how the spindle turns on the way out, 0: the other way
+  int reversed = 0;       // … 3 or 4: how the spindle turns on the retract, 0: the other direction
   double lead = 0.0;      // of a tap, per turn
   double speed = 0.0;     // … in turns a minute
-  int after = 0;          // … 3, 4 or 5: what the spindle does behind it
+  int after = 0;          // … 3, 4 or 5: what the spindle does after it
   bool constant = false;  // all levels are numbers
 };
 
 // Also of those that have no counterpart.
 bool is_drilling_cycle(const ir::Call& call);
-// Adds constants to `program`. The error names what of the call cannot be said.
+// Adds constants to `program`. The error names what of the call cannot be written.
 std::expected<Hole, std::string> called_hole(ir::Program& program, const ir::Call& call);
 // A number with or without sign; nothing for what is computed or left out.
 std::optional<double> constant_value(const ir::Program& program, ir::ExpressionId id);

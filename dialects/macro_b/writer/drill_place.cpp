@@ -1,4 +1,4 @@
-// What is not plainly known is asked of all ways to the place, and told where they differ.
+// What is not plainly known is asked of all paths to the place, and reported where they differ.
 #include "dialects/macro_b/writer/drill_place.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ void DrillPlace::move_to(std::uint32_t index) {
   if (is_target_[index] || joins_paths(statement().kind)) forget();
 }
 
-// --- over all ways
+// --- over all paths
 
 void DrillPlace::state_plane() {
   const facts::Facts* facts = modes_.before(index_);
@@ -161,7 +161,7 @@ void DrillPlace::take_turning(const ir::Block& block) {
   }
 }
 
-// --- what is told
+// --- what is reported
 
 void DrillPlace::warn(passes::Refusal what) {
   cannot(std::move(what));

@@ -1,5 +1,5 @@
-// Where a walk over a program with drilling cycles stands: what is known of the machine there, and what is told about
-// it. It follows the order of the text; what the ways to a place say otherwise is settled where a hole needs it.
+// Where a walk over a program with drilling cycles stands: what is known of the machine there, and what is reported
+// about it. It follows the order of the text; what the paths to a place say otherwise is settled where a hole needs it.
 #pragma once
 
 #include <array>
@@ -27,14 +27,14 @@ struct Turning {
   std::optional<double> speed;
   std::optional<ir::Function> spindle;
 
-  // A tap may be said by its feed, and feed and speed again behind it.
+  // A tap may be written by its feed, and feed and speed again after it.
   [[nodiscard]] bool is_known() const {
     const bool by_path = feed_mode == ir::Function::feed_per_min || feed_mode == ir::Function::feed_per_rev;
     return by_path && feed.has_value() && speed.has_value();
   }
 };
 
-// What is not known where ways meet or something runs that is not followed.
+// What is not known where paths meet or something runs that is not followed.
 struct DrillState {
   std::optional<double> height;                   // along Z
   std::array<std::optional<double>, 2> in_plane;  // X and Y
@@ -56,23 +56,23 @@ class DrillPlace {
   [[nodiscard]] const ir::Statement& statement() const { return program_.statements[index_]; }
   [[nodiscard]] ir::Function plane() const { return plane_; }
   [[nodiscard]] std::optional<ir::Function> motion() const { return motion_; }
-  // As all ways here have it; where they differ that is told and the text's order holds.
+  // As all paths here have it; where they differ that is reported and the text's order holds.
   void state_plane();
-  // G90 or G91 where all ways here have the one that the text's order does not, and the block does not say it.
+  // G90 or G91 where all paths here have the one that the text's order does not, and the block does not say it.
   std::optional<ir::Function> state_distance();
 
   // The other control has no counterpart for it.
   void cannot(passes::Refusal what);
-  // … and it is said without all the same.
+  // … and it is written without all the same.
   void warn(passes::Refusal what);
   std::vector<text::Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
 
   DrillState state;  // who writes a hole says here what it leaves
 
  private:
-  // What a caller or a called program may have set is taken as it is here, and told.
+  // What a caller or a called program may have set is taken as it is here, and reported.
   bool is_known(std::string_view what, const facts::Known<facts::Setting>& fact);
-  // Nothing where the ways differ.
+  // Nothing where the paths differ.
   [[nodiscard]] std::optional<bool> is_incremental(std::span<const ir::Code> codes) const;
   void take_code(const ir::Code& code);
   void take_position(const ir::Block& block);

@@ -1,4 +1,4 @@
-// The region of a modal drilling call: from behind it to the next MCALL of the text.
+// The region of a modal drilling call: from after it to the next MCALL of the text.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace dripfeed::macro_b {
 bool region_positions(const ir::Program& program, std::uint32_t call, bool taps);
 // A program that is called there: its moves would be followed by holes, too.
 bool calls_in_region(const ir::Program& program, std::uint32_t call);
-// One of the program's `jumps` leads into it or out of it, or from there to where nobody knows.
+// One of the program's `jumps` leads into it or out of it, or from there to where it is not known.
 bool jumps_across_region(const ir::Program& program, std::uint32_t call, std::span<const std::uint32_t> jumps);
 
 }  // namespace dripfeed::macro_b

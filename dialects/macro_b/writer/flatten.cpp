@@ -93,7 +93,7 @@ class Flattener {
     if (e.op == Operator::constant) return e.value == 0.0 || e.value == 1.0;
     return e.op == Operator::variable && is_of(program_.at(e.variable), ir::ValueType::boolean);
   }
-  // What an INT takes is rounded on its way in; variables here have no types.
+  // What an INT takes is rounded when it comes in; variables here have no types.
   ExpressionId whole_for(const ir::Variable& target, ExpressionId value) {
     if (!is_of(target, ir::ValueType::integer) || passes::is_whole(program_, value)) return value;
     return program_.add_operator(Operator::round, value);
@@ -129,7 +129,7 @@ class Flattener {
            op == Operator::logic_not || op == Operator::logic_xor;
   }
 
-  // The variables that a condition needs must be computed anew before each pass.
+  // The variables that a condition needs must be computed again before each pass.
   void begin_while(std::uint32_t i) {
     const ir::Structure head = passes::structure_at(program_, i);
     if (head.condition == ExpressionId::none) return out_.keep();
@@ -187,7 +187,7 @@ class Flattener {
   ExpressionId legal(ExpressionId id, std::uint32_t budget, bool in_word) {
     return id == ExpressionId::none ? id : parts_within(rewritten(id, in_word), budget);
   }
-  // Of a message or the name of a tool; what calculates with one is told.
+  // Of a message or the name of a tool; what calculates with one is reported.
   [[nodiscard]] bool is_text(ExpressionId id) const {
     return id != ExpressionId::none && program_.at(id).op == Operator::string;
   }
@@ -358,7 +358,7 @@ class Flattener {
     return again();
   }
 
-  // -180…180 out of 0…360, or the other way.
+  // -180…180 out of 0…360, or the reverse.
   ExpressionId turned(ExpressionId angle) {
     const ir::Variable result = new_variable();
     out_.emit_assign(program_.add(result), within(angle, deepest()));
@@ -418,7 +418,7 @@ class Flattener {
   passes::FreeNumbers& numbers_;
   passes::Rewrite out_;
   std::vector<text::Diagnostic> diagnostics_;
-  std::unordered_map<std::uint32_t, std::uint32_t> behind_;  // lowered WHILE -> label behind its end
+  std::unordered_map<std::uint32_t, std::uint32_t> behind_;  // lowered WHILE -> label after its end
   std::uint32_t index_ = 0;
   std::uint32_t made_ = 0;
 };

@@ -1,4 +1,4 @@
-// A name is told once, where it is used first.
+// A name is reported once, where it is used first.
 #include "dialects/macro_b/writer/global_data.h"
 
 #include <optional>

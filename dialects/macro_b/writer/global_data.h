@@ -1,4 +1,4 @@
-// Data of the control that outlives a program and is shared by all of them (GUD), as far as nobody knows its
+// Data of the control that outlives a program and is shared by all of them (GUD), as long as no one knows its
 // definition: here each program would get a number of its own for it.
 #pragma once
 

@@ -15,13 +15,13 @@ namespace dripfeed::macro_b {
 
 class HoleWriter {
  public:
-  // All must outlive it. What a hole leaves behind is said to `place`.
+  // All must outlive it. What a hole leaves in effect is given to `place`.
   HoleWriter(ir::Program& program, const ir::Control& to, DrillPlace& place, passes::Rewrite& out)
       : program_(program), to_(to), place_(place), out_(out) {}
 
   // Whether a modal cycle does the same here.
   [[nodiscard]] bool fits_modal_cycle(const Hole& hole) const;
-  // Whether it is what write_moves() writes; what hinders it is told.
+  // Whether it is what write_moves() writes; what hinders it is reported.
   bool has_moves(const Hole& hole);
 
   // Holes at each position that follows, up to end_modal().
@@ -31,9 +31,9 @@ class HoleWriter {
   void write_hole(const Hole& hole);
   void write_moves(const Hole& hole);
 
-  // G90 or G91 as the ways here have it.
+  // G90 or G91 as the paths here have it.
   void state_distance();
-  // The motion code that was in effect; `always`: behind G80, where another than G00 is not certain either.
+  // The motion code that was in effect; `always`: after G80, where another than G00 is not certain either.
   void motion_again(bool always);
   void emit_code(ir::Function function);
   ir::Word absolute(ir::Address address, double value) { return absolute(address, constant(value)); }
@@ -53,7 +53,7 @@ class HoleWriter {
   void draw_out(const Hole& hole, const PlaneAxes& axes);
   void shift(const Hole& hole, const PlaneAxes& axes, double way, double lift);
   void turn_again(const Hole& hole);
-  // How the spindle turns on the way in; nothing where that is not known.
+  // How the spindle turns on the approach; nothing where that is not known.
   [[nodiscard]] std::optional<ir::Function> cutting_direction(const Hole& hole) const;
   [[nodiscard]] std::optional<double> number(ir::ExpressionId id) const { return constant_value(program_, id); }
 

@@ -1,4 +1,4 @@
-// First the definitions get their numbers, then the uses are looked through, then the program is written anew with its
+// First the definitions get their numbers, then the uses are looked through, then the program is rewritten with its
 // initial values in front.
 #include "dialects/macro_b/writer/place_globals.h"
 
@@ -69,7 +69,7 @@ class Placing {
     return v.bank == ir::Bank::named && v.symbol != SymbolId::none && program_.at(v.symbol).is_global;
   }
 
-  // The value of an element in a definition, as the reader gives it: beside the definition.
+  // The value of an element in a definition, as the reader gives it: next to the definition.
   [[nodiscard]] bool is_initial(const ir::Statement& s) const {
     if (s.kind != StatementKind::assign || (s.line != 0 && !defined_at_.contains(s.line))) return false;
     const ir::Assign& assign = program_.assigns[s.payload];
@@ -241,7 +241,7 @@ class Placing {
     return true;
   }
 
-  // Of an element when nobody has set it, as its type takes it.
+  // Of an element when no one has set it, as its type takes it.
   [[nodiscard]] double value_of(SymbolId id, const Global& global, std::uint32_t element) const {
     const ir::Symbol& symbol = program_.at(id);
     const auto own = global.given.find(element);

@@ -6,7 +6,7 @@
 //   G0 X=WHEEL[1]                             IF[#501EQ#0]THEN #501=1.5
 //                                             G00 X#501
 //
-// What nobody has set yet is vacant here, and its initial value there: a program begins with the values of what it
+// What no one has set yet is vacant here, and its initial value there: a program begins with the values of what it
 // reads before it sets it. A program of definitions alone becomes one that does so for all of them.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Every statement has its own line, except IF … THEN with its one statement. G codes come before the words and M codes
-// behind them.
+// after them.
 #include "dialects/macro_b/writer/print.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::string_view string_of(const ir::Program& program, ExpressionId id) {
 }  // namespace
 
 const ir::CodeRow* find_function(const ir::Control& control, Function function, std::int16_t argument) {
-  // Other arguments are shades of meaning that the tables do not tell apart.
+  // Other arguments are shades of meaning that the tables do not distinguish.
   const bool numbered = function == Function::work_offset || function == Function::reference_return ||
                         function == Function::drill || function == Function::turning_cycle ||
                         function == Function::repetitive_cycle || function == Function::rotate ||

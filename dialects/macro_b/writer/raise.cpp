@@ -229,7 +229,7 @@ void check_system_variables(const ir::Program& program, const ir::Control& to,
   }
 }
 
-// What the program leaves to its control's power-on state is said in front of it. Diameters are no mode here, and
+// What the program leaves to its control's power-on state is stated in front of it. Diameters are no mode here, and
 // lathes whose letters say absolute or incremental have no code for it.
 void state_power_on_modes(ir::Program& program, const ir::Control& from, const ir::Control& to,
                           std::vector<text::Diagnostic>& diagnostics) {
@@ -267,7 +267,7 @@ void refuse_unsayable(const ir::Program& program, const ir::Control& to, const G
   }
 }
 
-// R parameters keep what was set last; the variables that they become are empty until somebody sets them.
+// R parameters keep what was set last; the variables that they become are empty until a person sets them.
 void warn_of_outside_values(std::span<const passes::OutsideValue> outside,
                             std::span<const passes::AllocatedVariable> placed, const ir::Control& to,
                             std::vector<text::Diagnostic>& diagnostics) {
@@ -303,7 +303,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   const bool by_number = ir::has_numbered_variables(from);
   passes::AllocationRules rules;
   rules.reserved = std::move(globals.reserved);
-  rules.kept = std::move(globals.unplaced);  // told; nobody else is to go without for them
+  rules.kept = std::move(globals.unplaced);  // reported; no one else is to go without for them
   rules.fixed = std::move(globals.numbers);
   if (from.dialect != to.dialect && !by_number) {
     if (is_l_number(p.name)) p.name = fmt::format("O{:0>4}", p.name.substr(1));

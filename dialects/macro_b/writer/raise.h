@@ -1,6 +1,6 @@
 // raise: any program to one that a '#'-variable control takes. The steps, in order: labels get numbers, counted loops
-// become WHILE, expressions are made legal, blocks are said in the control's codes, conditions and nesting are brought
-// to what it has, and variables get numbers.
+// become WHILE, expressions are made legal, blocks are stated in the control's codes, conditions and nesting are
+// brought to what it has, and variables get numbers.
 #pragma once
 
 #include "dialects/ir/control.h"

@@ -59,7 +59,7 @@ bool goes_without_saying(Function function) {
 }
 
 // Functions that are more than their name in a table: others stand for several codes. Which offset a measured length
-// goes to, and what the words beside it say, each control has its own way.
+// goes to, and what the words in its block say, each control has its own rules.
 bool is_said_by_table(Function function) {
   return function != Function::no_effect && function != Function::not_modelled && function != Function::approach &&
          function != Function::measure_tool;
@@ -219,8 +219,8 @@ void BlockRaiser::code(const ir::Code& code) {
   cannot(*statement_, name.empty() ? std::string(ir::name_of(f)) : std::string(name));
 }
 
-// Look-ahead, smoothing, high precision: by the same name, with its words, or not at all, which is told. G61.1 is G64
-// where it has no name. What only ends something has nothing to end here.
+// Look-ahead, smoothing, high precision: by the same name, with its words, or not at all, which is reported. G61.1 is
+// G64 where it has no name. What only ends something has nothing to end here.
 void BlockRaiser::code_by_name(const ir::Code& code) {
   const std::string_view name = program_.strings.at(code.name);
   const auto row = std::ranges::find(to_.g_codes, name, &ir::CodeRow::name);
@@ -233,7 +233,7 @@ void BlockRaiser::code_by_name(const ir::Code& code) {
   diagnostics_.back().severity = text::Severity::warning;
 }
 
-// What moves, as the blocks behind it count on it.
+// What moves, as the blocks after it count on it.
 void BlockRaiser::follow_direction(const ir::Code& code) {
   const Function f = code.function;
   if (f >= Function::plane_xy && f <= Function::plane_yz) plane_is_xy_ = f == Function::plane_xy;
@@ -348,7 +348,7 @@ void BlockRaiser::distance_frame(const Traits& traits) {
     return cannot(*statement_, passes::together("absolute and incremental words in one block"));
   const bool incremental = traits.any_incremental;
   if ((!traits.any_incremental && !traits.any_absolute) || incremental == incremental_) return;
-  // G90 X=IC(5): the block's own code is the one behind it.
+  // G90 X=IC(5): the block's own code is the one after it.
   std::erase_if(draft_.codes, [](const ir::Code& c) {
     return c.function == Function::absolute || c.function == Function::incremental;
   });

@@ -72,7 +72,7 @@ class BlockRaiser {
   void compensation_number();
   [[nodiscard]] facts::Facts facts_here() const;
   [[nodiscard]] ir::ExpressionId edge_of(const Traits& traits) const;
-  // The tool that D means, or that is in: nothing, and told, where it is not known; none where no tool was named.
+  // The tool that D means, or that is in: nothing, and reported, where it is not known; none where no tool was named.
   std::optional<ir::ExpressionId> tool_of(const Traits& traits);
   std::optional<ir::ExpressionId> tool_in(const facts::Facts& facts);
   [[nodiscard]] bool lacks_edge();

@@ -10,7 +10,7 @@
 
 namespace dripfeed::macro_b {
 
-// Changes `program`, which is still in the terms of `from`; what cannot be said is told at its place.
+// Changes `program`, which is still in the terms of `from`; what cannot be written is reported at its place.
 std::vector<text::Diagnostic> raise_drilling(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
 }  // namespace dripfeed::macro_b

@@ -6,8 +6,8 @@
 //   ROT RPL=20           G69 / G52 X0. Y0. Z0. / G68 X0. Y0. R20.
 //   ATRANS X2            G52 X32. Y5. Z0., where the shift so far is of numbers
 //
-// What is in effect is followed in the order of the text; where ways meet it is not known until TRANS or ROT begins
-// anew, and only what adds to it is an error there.
+// What is in effect is followed in the order of the text; where paths meet it is not known until TRANS or ROT begins
+// again, and only what adds to it is an error there.
 #include "dialects/macro_b/writer/raise_frames.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ using ir::StatementKind;
 constexpr std::int16_t kWholeShift = 1;  // argument of local_shift: axes that are not named are not shifted
 constexpr std::array kLengths = {Address::x, Address::y, Address::z};
 
-// How far a chain was built: what comes before in the chain cannot be added behind it.
+// How far a chain was built: what comes before in the chain cannot be added after it.
 enum class Stage : std::uint8_t { nothing, shift, mirror, scale, rotation, unknown };
 
 class Frames {

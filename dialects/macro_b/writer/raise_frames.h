@@ -9,7 +9,7 @@
 
 namespace dripfeed::macro_b {
 
-// Changes `program`, which is still in the terms of its own control; what cannot be said is told at its place.
+// Changes `program`, which is still in the terms of its own control; what cannot be written is reported at its place.
 std::vector<text::Diagnostic> raise_frames(ir::Program& program, const ir::Control& to);
 
 }  // namespace dripfeed::macro_b

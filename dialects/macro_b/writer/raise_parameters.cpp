@@ -1,4 +1,4 @@
-// The tests for what was left out come first in the program, so that everything behind them reads numbers.
+// The tests for what was left out come first in the program, so that everything after them reads numbers.
 #include "dialects/macro_b/writer/raise_parameters.h"
 
 #include <algorithm>

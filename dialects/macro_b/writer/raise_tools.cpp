@@ -48,7 +48,7 @@ void BlockRaiser::tool_words(const Traits& traits) {
   if (const std::optional<ExpressionId> tool = tool_of(traits)) lathe_tool(*tool, edge);
 }
 
-// T that only prepares. D beside it comes with M6, and acts on the tool that is in the spindle until then.
+// T that only prepares. D in its block comes with M6, and acts on the tool that is in the spindle until then.
 void BlockRaiser::prepare(const Traits& traits) {
   const facts::Facts* before = tools_->before(index_);
   if (traits.edge == nullptr || before == nullptr) return;
@@ -67,7 +67,7 @@ void BlockRaiser::prepare(const Traits& traits) {
 // After the block's own T, M6 and D.
 facts::Facts BlockRaiser::facts_here() const { return tools_->at(index_).value_or(facts::Facts()); }
 
-// The block's own D, or the one that stood beside the T which M6 brings in.
+// The block's own D, or the one that stood in the block of the T which M6 brings in.
 ExpressionId BlockRaiser::edge_of(const Traits& traits) const {
   if (traits.edge != nullptr) return traits.edge->value;
   if (!traits.tool_change || traits.tool != nullptr) return ExpressionId::none;
@@ -180,7 +180,7 @@ void BlockRaiser::change_first(const Traits& traits, Draft length) {
   before_.insert(before_.begin(), first.begin(), first.end());
 }
 
-// Whether the tool that the block brings in may move along its axis before D is said: on the way straight on; where
+// Whether the tool that the block brings in may move along its axis before D is stated: on the path straight on; where
 // that leads elsewhere, it may. Looked at from the end of the text, once for all changes.
 bool BlockRaiser::lacks_edge() {
   const std::size_t count = program_.statements.size();

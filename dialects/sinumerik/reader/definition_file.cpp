@@ -26,7 +26,7 @@ void add_macro(const ir::Program& program, const ir::Statement& s, ir::SharedDef
     } else if (same_name(word, "AS")) {
       named = true;
     } else if (same_name(word, "DEFINE")) {
-      name.clear();  // behind a block number
+      name.clear();  // after a block number
     } else {
       name += UpperName(word).view();
     }

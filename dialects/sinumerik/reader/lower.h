@@ -39,10 +39,10 @@ class Lowering {
   void add_m_code(std::uint32_t number, std::uint32_t extension, text::Span span);
   void add_computed_m_code(ir::ExpressionId number, text::Span span);
   void add_word(const ir::Word& word);
-  // A move of an axis by itself, whatever the block's motion code: a block of its own behind the line's. The word that
+  // A move of an axis by itself, whatever the block's motion code: a block of its own after the line's. The word that
   // was written stays in the line's block, with extension 1: what it does is carried out elsewhere.
   void add_aside(const ir::Code& code, const std::optional<ir::Word>& word);
-  // The last word of the line is carried out by a block that is added behind it.
+  // The last word of the line is carried out by a block that is added after it.
   void last_word_is_carried_out();
 
   // Statements. The span is the statement's own.

@@ -1,4 +1,4 @@
-// One finding for each name that something beside the program has to decide, and not one for each place.
+// One finding for each name that something next to the program has to decide, and not one for each place.
 #pragma once
 
 #include <cstddef>

@@ -210,7 +210,7 @@ void Parser::statement() {
 
 void Parser::stray_symbol() {
   if (cursor_.is_symbol('=')) return missing_target();
-  // $MN_… = 1 '2a3f: the check sum that the control writes behind machine data.
+  // $MN_… = 1 '2a3f: the check sum that the control writes after machine data.
   if (cursor_.is_symbol('\'') && is_data_file(program_)) return skip_block();
   if (cursor_.is_symbol(')') || cursor_.is_symbol(']') || cursor_.is_symbol('(') || cursor_.is_symbol('[')) {
     return give_up(DiagnosticId::unbalanced_bracket, cursor_.span(), {here()});

@@ -68,11 +68,11 @@ class Parser {
   ir::ExpressionId moded_value(ir::Word& word);
   void repeats_word(text::Span head);
 
-  // parse_polynomial.cpp: PO[X]=(…) behind PO, and (…) of either way to write it.
+  // parse_polynomial.cpp: PO[X]=(…) after PO, and (…) of either spelling.
   void polynomial_of_axis(text::Span head);
   void polynomial(ir::Address axis, text::Span head);
 
-  // parse_fixed_point.cpp: behind G75; false, and nothing read, where it is not the way to the reference point.
+  // parse_fixed_point.cpp: after G75; false, and nothing read, where it is not the approach of the reference point.
   bool reference_approach(text::Span head);
 
   // ISO mode: parse_iso.cpp. True when the line was kept as written.
@@ -238,7 +238,7 @@ class Parser {
   std::set<ir::StringId> externs_;  // names that EXTERN declares: programs, whatever else they may be
   std::uint64_t elements_ = 0;      // of lists of values, so far
   bool resumes_iso_ = false;        // the line calls as Siemens mode does, in ISO mode
-  bool in_iso_ = false;             // behind G291: the last of the foreign parts is open
+  bool in_iso_ = false;             // after G291: the last of the foreign parts is open
 };
 
 }  // namespace dripfeed::sinumerik

@@ -106,7 +106,7 @@ void Parser::computed_call(ir::ExpressionId name, ir::Call call, text::Span head
   lower_.add_call(StatementKind::call, call, to_here(head));
 }
 
-// MCALL NAME(…): the call is made behind every block that moves; MCALL alone ends that. A cycle that is not read ends
+// MCALL NAME(…): the call is made after every block that moves; MCALL alone ends that. A cycle that is not read ends
 // the one before it as well.
 void Parser::modal_call(text::Span head) {
   if (cursor_.at_block_end()) return lower_.add_plain(StatementKind::modal_call_end, head);
@@ -165,7 +165,7 @@ void Parser::numbered_call(text::Span head, StatementKind kind) {
 }
 
 // RET alone, RET("LABEL") to a block of the caller, RET(,,2) to the caller's caller (PGA, "Parameterizable subprogram
-// return"). What goes to a block behind the target or to the start of the program is kept as written.
+// return"). What goes to a block after the target or to the start of the program is kept as written.
 bool Parser::returns_usually(std::uint8_t& levels, bool& has_target) const {
   constexpr int kLevels = 1;
   constexpr std::uint8_t kMostLevels = 16;

@@ -25,7 +25,7 @@ bool is_axis(std::string_view name) {
          (name.size() == 1 || (name.size() == 2 && name[1] == '1'));
 }
 
-// What stands behind G75, as far as it is a number of the fixed point and axes with numbers.
+// What comes after G75, as far as it is a number of the fixed point and axes with numbers.
 class FixedPoint {
  public:
   explicit FixedPoint(TokenCursor cursor) : cursor_(cursor) {}
@@ -50,7 +50,7 @@ class FixedPoint {
     return true;
   }
 
-  // The way to the intermediate point is none: an increment of nothing.
+  // The approach to the intermediate point is none: an increment of nothing.
   bool axis() {
     const text::Span head = cursor_.span();
     if (cursor_.kind() != TokenKind::address || !is_axis(cursor_.text())) return false;

@@ -111,7 +111,7 @@ ir::ExpressionId Parser::frame_in_plane(const Keyword& keyword, text::Span name)
 }
 
 // System frames, and base frames but the first of the channel, move the zero that positions count from, and are not
-// chained here: where the axes are is not known behind them. (PGA, "Base frames".)
+// chained here: where the axes are is not known after them. (PGA, "Base frames".)
 void Parser::frame_elsewhere(ir::VariableId target, text::Span span) {
   static constexpr std::string_view kFrames[] = {"$P_CHBFRAME", "$P_NCBFRAME",  "$P_CHBFR",     "$P_NCBFR",
                                                  "$P_SETFRAME", "$P_PARTFRAME", "$P_TOOLFRAME", "$P_WPFRAME",

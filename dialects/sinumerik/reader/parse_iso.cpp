@@ -26,8 +26,8 @@ bool is_of_macro_language(std::string_view name) {
 
 }  // namespace
 
-// Behind G291 the blocks are those of another language, and are kept as written until G290, which stands alone in its
-// block; only their end is seen. Comments stand in brackets there, or behind a semicolon as here.
+// After G291 the blocks are those of another language, and are kept as written until G290, which stands alone in its
+// block; only their end is seen. Comments stand in brackets there, or after a semicolon as here.
 bool Parser::iso_line(text::Span start) {
   cursor_.skip_blanks();
   const bool is_head = cursor_.kind() == TokenKind::tape_mark && cursor_.text().starts_with("%_N_");
@@ -124,7 +124,7 @@ std::uint32_t Parser::named_switch() const {
   return 0;
 }
 
-// The part begins with the statement that switches, and with the text behind its block.
+// The part begins with the statement that switches, and with the text after its block.
 void Parser::begin_iso_mode(std::uint32_t statement, std::uint32_t text_begin) {
   if (std::exchange(in_iso_, true)) return;
   program_.foreign_parts.push_back({.first = statement, .last = statement, .text = {text_begin, text_begin}});

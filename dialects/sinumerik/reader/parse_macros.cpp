@@ -1,4 +1,4 @@
-// Macros: DEFINE NAME AS text, of the program itself and of the definition files beside it. The text of the first kind
+// Macros: DEFINE NAME AS text, of the program itself and of the definition files next to it. The text of the first kind
 // has tokens, and is read in the place of the name; of the second, what codes and numbers it holds is taken, and
 // everything else is reported as not known.
 #include <algorithm>

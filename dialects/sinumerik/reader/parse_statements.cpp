@@ -116,7 +116,7 @@ bool Parser::is_axis_address() const {
   return has_value && ir::kAxisLetters.contains(to_upper(cursor_.first()));
 }
 
-// CYCLE802(111111111,111111111,…): a digit a position, 1 absolute. Of mixed ones the cycle is said (PGZ, CYCLE802).
+// CYCLE802(111111111,111111111,…): a digit a position, 1 absolute. Of mixed ones the cycle is stated (PGZ, CYCLE802).
 bool Parser::positions_are_absolute() const {
   TokenCursor probe = cursor_.after();
   const auto all_ones = [&] {

@@ -30,7 +30,7 @@ bool Parser::is_character(ir::ExpressionId id) const {
          program_.at(v.symbol).type == ir::ValueType::character;
 }
 
-// IF LETTER=="C": beside a CHAR a text of one character is its code.
+// IF LETTER=="C": next to a CHAR a text of one character is its code.
 ir::ExpressionId Parser::character_code(ir::ExpressionId id) {
   const ir::Expression& e = program_.at(id);
   const std::string_view text = e.op == Operator::string ? program_.strings.at(e.string) : std::string_view();

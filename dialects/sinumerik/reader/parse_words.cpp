@@ -58,7 +58,7 @@ void Parser::extended_address() {
   word(letter_address(letter), static_cast<std::uint8_t>(extension), ir::StringId::none, head);
 }
 
-// X1=5 is the machine's own name of X, or another axis beside it: X may be elsewhere afterwards.
+// X1=5 is the machine's own name of X, or another axis next to it: X may be elsewhere afterwards.
 void Parser::axis_of_another_name(char letter, std::string_view name, text::Span head) {
   word(ir::Address::other, 0, lower_.name(name), head);
   if (letter < 'X' || letter > 'Z' || faulty_ || lower_.is_native()) return;
@@ -199,8 +199,8 @@ bool Parser::is_list_here() const {
   return false;
 }
 
-// POS[X]=10: the axis goes there by itself, at its own feed (FA), which is said; the block ends when it has arrived.
-// After POSA the next blocks do not wait for it, and that is said as well. (PG, "Positioning axes".)
+// POS[X]=10: the axis goes there by itself, at its own feed (FA), which is stated; the block ends when it has arrived.
+// After POSA the next blocks do not wait for it, and that is stated as well. (PG, "Positioning axes".)
 void Parser::positioning(const Keyword& keyword, ir::StringId name, ir::ExpressionId axis, text::Span head) {
   const ir::Expression* named = axis == ir::ExpressionId::none ? nullptr : &program_.at(axis);
   if (named == nullptr || !cursor_.is_symbol('=')) return word(Address::other, 0, name, head);
@@ -230,7 +230,7 @@ void Parser::positioning(const Keyword& keyword, ir::StringId name, ir::Expressi
   lower_.add_aside(code, w);
 }
 
-// SPOS=90 stops the main spindle, as M19 does. The angle is said.
+// SPOS=90 stops the main spindle, as M19 does. The angle is stated.
 void Parser::orientation(ir::StringId name, text::Span head) {
   word(Address::other, 0, name, head);
   if (faulty_ || lower_.is_native()) return;
@@ -274,7 +274,7 @@ void Parser::g_code(text::Span head) {
   lower_.add_code(*code, span);
 }
 
-// G[6]=1 is G17: the codes of the usual groups in the order of the list of G functions (PG). Others are said.
+// G[6]=1 is G17: the codes of the usual groups in the order of the list of G functions (PG). Others are stated.
 bool Parser::group_by_number(text::Span head) {
   struct Group {
     std::uint32_t number;

@@ -1,4 +1,4 @@
-// The short way of plain blocks: addresses of one letter with a constant, G and M codes by number, comments. Names,
+// The short path of plain blocks: addresses of one letter with a constant, G and M codes by number, comments. Names,
 // '=' and all that is computed are the reader's.
 #include <algorithm>
 #include <array>
@@ -87,7 +87,7 @@ class Words {
       const bool heads = block.first == nullptr && (std::exchange(seen_, seen_ | bit) & bit) == 0;
       return heads && number.digits <= 8 ? number.end : nullptr;
     }
-    if (block.ends_program) return nullptr;  // words behind M30 belong to the block before it
+    if (block.ends_program) return nullptr;  // words after M30 belong to the block before it
     if (letter == 'M') return m_code(begin, number, block);
     block.take(begin, number.end);
     if (letter == 'G') return g_code(number, block);

@@ -33,7 +33,7 @@ class TokenCursor {
   [[nodiscard]] std::uint32_t previous_end() const { return previous_end_; }
   [[nodiscard]] std::string_view whole() const { return text_; }
 
-  // Where the line ends, behind its EOB.
+  // Where the line ends, after its EOB.
   [[nodiscard]] std::uint32_t line_end() const {
     TokenCursor probe = *this;
     while (!probe.at_text_end() && probe.kind() != ir::TokenKind::eob) probe.step();

@@ -10,8 +10,8 @@
 
 namespace dripfeed::sinumerik {
 
-// What the words beside a code mean. `own`: to this code alone (G25 S100 is a limit, not a speed): a block with it is
-// kept as it is. `declared`: the same, but it neither moves nor changes what is modelled.
+// What the words in the block of a code mean. `own`: to this code alone (G25 S100 is a limit, not a speed): a block
+// with it is kept as it is. `declared`: the same, but it neither moves nor changes what is modelled.
 enum class WordUse : std::uint8_t { usual, own, declared };
 
 struct GCode {

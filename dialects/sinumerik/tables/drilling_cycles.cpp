@@ -1,5 +1,5 @@
 // CYCLE81 to CYCLE89 and the rows and circles of holes (PGZ, "Drilling cycles and drilling patterns"). The lead of a
-// tap is K whatever its axis: the interpreter takes I, J and K alike. Behind CYCLE84 the spindle has the speed again
+// tap is K whatever its axis: the interpreter takes I, J and K alike. After CYCLE84 the spindle has the speed again
 // that it had before the call. It was turned by its position: after the cycle it turns only where SDAC is 3 or 4.
 // Steps of DAM that is not 0 break chips (VARI 1, back by VRT) or remove them (VARI 2).
 //

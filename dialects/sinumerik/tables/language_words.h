@@ -1,4 +1,4 @@
-// The words of the SINUMERIK language beside its G functions, for people.
+// The words of the SINUMERIK language besides its G functions, for people.
 #pragma once
 
 #include <vector>

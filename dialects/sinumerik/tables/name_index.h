@@ -1,4 +1,4 @@
-// Finds a name in a table by its spelling, whatever its case: the look-up behind keywords, named codes and system
+// Finds a name in a table by its spelling, whatever its case: the look-up of keywords, named codes and system
 // variables. What a row means is its table's.
 #pragma once
 

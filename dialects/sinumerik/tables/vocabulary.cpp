@@ -103,7 +103,7 @@ constexpr std::string_view kCycle[] = {
 // Settings of the path: a machine tool builder's part of it may switch more.
 constexpr std::string_view kSettingCycle[] = {"CYCLE832"};
 
-// A contour is only named: the cycle behind it moves.
+// A contour is only named: the cycle after it moves.
 constexpr std::string_view kNamingCycle[] = {"CYCLE62"};
 
 // Words inside other statements and definitions.

@@ -1,4 +1,4 @@
-// The words of the control beside those that the parser itself reads (keywords.h): what each is to the parser and what
+// The words of the control besides those that the parser itself reads (keywords.h): what each is to the parser and what
 // it may do when it runs. Every question whether an identifier is a word of the control goes through find_keyword and
 // is_word_of_control.
 #pragma once

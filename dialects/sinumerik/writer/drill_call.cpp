@@ -115,7 +115,7 @@ bool DrillCall::pecks(DrillCycle cycle) {
   return true;
 }
 
-// CYCLE84: the lead is the feed of a turn; the spindle turns again behind it as it did before.
+// CYCLE84: the lead is the feed of a turn; the spindle turns again after it as it did before.
 bool DrillCall::tap(DrillCycle cycle) {
   if (!after_.feed.known || !after_.feed_mode.known || !after_.spindle.known || after_.feed.value == ExpressionId::none)
     return refuse(passes::not_known("a tap whose feed is not known here")), false;
@@ -287,7 +287,7 @@ std::nullopt_t DrillCall::refuse(passes::Refusal what) {
   return std::nullopt;
 }
 
-// What is said so all the same.
+// What is written so all the same.
 void DrillCall::warn(passes::Refusal what) {
   raising_.cannot(std::move(what), span_);
   raising_.diagnostics.back().severity = text::Severity::warning;

@@ -26,7 +26,7 @@ class DrillCall {
   DrillCall(const Raising& raising, text::Span span, const ir::Block& block, const DrillState& before,
             const DrillState& after);
 
-  // A new call of the program, by its index. Nothing where there is none, which is told; so below.
+  // A new call of the program, by its index. Nothing where there is none, which is reported; so below.
   std::optional<std::uint32_t> make();
   std::optional<BackBoring> back_boring();
 

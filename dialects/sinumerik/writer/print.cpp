@@ -161,13 +161,13 @@ class Printer {
       case StatementKind::repeat_section:
       case StatementKind::execute_text:
       case StatementKind::native:
-        // A fault behind IF or WHILE is a second statement of its line, which is printed already.
+        // A fault after IF or WHILE is a second statement of its line, which is printed already.
         if (s.tokens.first < s.tokens.last) out += written_line(i);
         return;
     }
   }
 
-  // CALL, PCALL and EXTCALL look for their program in ways of their own: they stay as they are written.
+  // CALL, PCALL and EXTCALL look for their program by methods of their own: they stay as they are written.
   [[nodiscard]] bool is_written_call(const ir::Statement& s) const {
     const std::string_view text = written(s.span);
     return std::ranges::any_of(std::array{"CALL", "PCALL", "EXTCALL"}, [text](std::string_view word) {
@@ -220,7 +220,7 @@ class Printer {
     expressions_.append_variable(out, target);
     out += '=';
     value(out, a.value);
-    // A name that became a number is told where the number is set first.
+    // A name that became a number is reported where the number is set first.
     if (target.bank == ir::Bank::r && target.symbol != ir::SymbolId::none && named_.insert(target.number).second)
       comment_ = program_.strings.at(program_.at(target.symbol).name);
   }

@@ -1,5 +1,5 @@
 // A node is put in parentheses where the reader would otherwise take it apart: a weaker operator inside a stronger one,
-// an equal one on the right side, a sign behind an operator.
+// an equal one on the right side, a sign after an operator.
 #include "dialects/sinumerik/writer/print_expression.h"
 
 #include <algorithm>

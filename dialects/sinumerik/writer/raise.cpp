@@ -1,6 +1,6 @@
 // The order of the steps, and the variables: a main program that sits in the control's memory takes R parameters, not
 // DEF names. They cost half the time to read (paper figures in control.cpp), the operator sees and edits them on their
-// own screen, and they survive a reset; their names stay beside their first assignment as comments.
+// own screen, and they survive a reset; their names stay next to their first assignment as comments.
 #include "dialects/sinumerik/writer/raise.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void warn_of_shared_value(const Raising& raising, const passes::AllocatedVariabl
   raising.diagnostics.back().severity = text::Severity::warning;
 }
 
-// #101 is empty when the control wakes up; an R parameter holds what was left in it.
+// #101 is empty at power-on; an R parameter holds what was left in it.
 void warn_of_outside_values(const Raising& raising, const passes::OutsideValue& value) {
   raising.cannot(passes::not_known(fmt::format(
                      "the value of #{}, which nothing here sets before it is read (an R parameter keeps what "
@@ -83,7 +83,7 @@ void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept) {
 
 namespace {
 
-// A native that is not the first of its line stands behind something that was read (DEF A[30000]=REP(1)): what it adds
+// A native that is not the first of its line comes after something that was read (DEF A[30000]=REP(1)): what it adds
 // cannot be printed by itself.
 void check_natives(const Raising& raising) {
   for (const ir::Statement& s : raising.program.statements) {

@@ -1,5 +1,5 @@
 // raise: a program of any control becomes one that the SINUMERIK reader could have read. One file a subject; each step
-// changes the program in place and says what cannot be kept. Programs of SINUMERIK itself are only named anew.
+// changes the program in place and says what cannot be kept. Programs of SINUMERIK itself are only renamed.
 #pragma once
 
 #include <set>
@@ -39,7 +39,7 @@ void raise_flow(const Raising& raising);         // raise_flow.cpp: jumps, calls
 void raise_cycles(const Raising& raising);       // raise_cycles.cpp: modal drilling becomes MCALL
 void raise_frames(const Raising& raising);       // raise_frames.cpp: G68, G51, G51.1 become chains of frames
 void raise_reference(const Raising& raising);    // raise_reference.cpp: G28 becomes G75
-// raise_machine_moves.cpp: places of the machine are those of the spindle, not of the tool
+// raise_machine_moves.cpp: machine positions are those of the spindle, not of the tool
 void raise_machine_moves(const Raising& raising);
 void raise_blocks(const Raising& raising);  // raise_blocks.cpp: codes and words
 // raise_blocks.cpp: U V W H of a lathe are increments of X Y Z C.

@@ -9,7 +9,7 @@
 //   G65 P9011 X#1                   L9011(,,,,,,,,,,,,,,,,,,ARG_A)
 //
 // A word with an empty variable is no word: its block is written with and without it. Called by M98 the variables would
-// be the caller's; a program beside which that may be is refused.
+// be the caller's; a program in which that may be is refused.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -310,7 +310,7 @@ class Macro {
     return program_.add_operator(Operator::logic_and, program_.add_operator(Operator::logic_not, empty), id);
   }
 
-  // Once for each way in which its variables may be empty.
+  // Once for each case in which its variables may be empty.
   void block(const ir::Statement& s) {
     const ir::Block block = program_.blocks[s.payload];
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());

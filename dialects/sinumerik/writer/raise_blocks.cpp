@@ -1,4 +1,4 @@
-// Codes by what they do, words by what they mean. Each block's codes and words are written anew; a code gets the name
+// Codes by what they do, words by what they mean. Each block's codes and words are rewritten; a code gets the name
 // by which SINUMERIK calls it, so that the printer needs no table.
 #include <algorithm>
 #include <array>
@@ -175,7 +175,7 @@ class BlockRaiser {
     raising_.diagnostics.back().severity = text::Severity::warning;
   }
 
-  // G34 or G35 by the sign of the change, G33 where it is 0. The lead and its change are said in each block.
+  // G34 or G35 by the sign of the change, G33 where it is 0. The lead and its change are stated in each block.
   void changing_thread(text::Span span) {
     const ir::Word* k = find(Address::k);
     const std::optional<double> change = k == nullptr ? std::nullopt : literal(*k);

@@ -1,4 +1,4 @@
-// Operators that SINUMERIK lacks or that give other values here are said with those that it has:
+// Operators that SINUMERIK lacks or that give other values here are written with those that it has:
 //   x^n             POT(x), x*x*x …, or EXP(n*LN(x))
 //   ATAN[x]         ATAN2(x,1)
 //   angle 0…360     a + 360*ROUNDUP(MAXVAL(-a,0)/180), because the last factor is 1 for negative a and 0 otherwise

@@ -4,8 +4,8 @@
 //   G69                   TRANS
 //
 // TRANS takes the whole programmable frame away, so this is the same only where a program uses one of them alone: two
-// kinds at once are told as errors, as is one beside a G52 whose numbers are not known there. Where they are, TRANS
-// says them. About the zero point ROT alone says it.
+// kinds at once are reported as errors, as is one together with a G52 whose numbers are not known there. Where they
+// are, TRANS says them. About the zero point ROT alone says it.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The other controls leave the length of the tool out where they go to a machine position. Whether SINUMERIK does,
+// The other controls leave the tool length out where they go to a machine position. Whether SINUMERIK does,
 // MD10760 G53_TOOLCORR decides (ISO Milling, "Machine coordinate system"); D0 says so on all machines.
 //
 //   G43 H1 …                 D1 …

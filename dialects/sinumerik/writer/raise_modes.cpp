@@ -1,4 +1,4 @@
-// G94 to G97 are one group here and two elsewhere: a feed mode ends constant surface speed and the other way round.
+// G94 to G97 are one group here and two elsewhere: a feed mode ends constant surface speed and the reverse.
 // Both are followed through the text, and each block says the one code that means the pair. At the head of a main
 // program stands what it relies on without saying it, because no two controls start in the same state.
 #include <algorithm>
@@ -61,7 +61,7 @@ class FeedAndSpeed {
     }
   }
 
-  // Two ways that differ may meet here.
+  // Two paths that differ may join here.
   static bool joins_paths(const ir::Statement& s) {
     return s.is_label || (s.kind >= StatementKind::if_begin && s.kind <= StatementKind::loop_end);
   }
@@ -147,7 +147,7 @@ constexpr std::array kModeNames = {
     ModeName{Function::diameter_on, "DIAMON"}, ModeName{Function::diameter_absolute_only, "DIAM90"},
 };
 
-// What the program leaves to its control's power-on state is said in front of it.
+// What the program leaves to its control's power-on state is stated in front of it.
 void state_power_on_modes(const Raising& raising) {
   passes::UnstatedModes unstated =
       passes::unstated_modes(raising.program, raising.from, raising.to.kind != ir::MachineKind::mill);

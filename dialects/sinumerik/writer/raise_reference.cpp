@@ -1,5 +1,5 @@
-// The way to the reference point (G28) as that to a fixed point of the machine, where the profile says which fixed
-// point lies there; G74 is homing and not that way. G28's intermediate point becomes a rapid in front:
+// The approach of the reference point (G28) as that of a fixed point of the machine, where the profile says which fixed
+// point lies there; G74 is homing and not that move. G28's intermediate point becomes a rapid in front:
 //
 //   G91 G28 Z0 M9         G91 / G75 Z1=0 FP=1 / M9
 //   G90 G28 X5. Y6.       G90 / G0 X5 Y6 / G75 X1=0 Y1=0 FP=1 / G1
@@ -86,7 +86,7 @@ class ReferenceRaiser {
       return name + ", while control.reference_fixed_point of the machine is not stated,";
     if (block.rest_level != 0) return "block skip inside a block";
     if (statement_.kind == StatementKind::program_end) return name + " in the block that ends the program";
-    // Whether it acts before the way or behind it is the machine builder's matter.
+    // Whether it acts before the approach or after it is the machine builder's matter.
     const bool changes = std::ranges::any_of(codes, [](const ir::Code& c) {
       return c.function == Function::tool_change || c.function == Function::machine_function ||
              c.number != ir::ExpressionId::none;

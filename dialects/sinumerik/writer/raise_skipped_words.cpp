@@ -32,7 +32,7 @@ std::vector<Item> first_of(std::span<const Item> all, const ir::Block& block) {
   return first;
 }
 
-// Modes and tools are followed in the order of the text, and here are two ways.
+// Modes and tools are followed in the order of the text, and here are two paths.
 bool changes_state(const ir::Program& program, const ir::Block& block) {
   const bool codes = std::ranges::any_of(program.codes_of(block),
                                          [&](const ir::Code& c) { return in_rest(block, c.span) && c.letter != 'M'; });

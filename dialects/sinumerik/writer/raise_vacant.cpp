@@ -1,7 +1,7 @@
 // On controls with '#' variables one that was never set is empty: a word with it is ignored, and it equals only itself.
 // SINUMERIK has no such value: an R parameter holds what an earlier program left. A program keeps its meaning only when
-// each local variable is set on every way to its use. Common variables may hold what the operator entered or another
-// program set: a word with one is told, because here it moves in any case.
+// each local variable is set on every path to its use. Common variables may hold what the operator entered or another
+// program set: a word with one is reported, because here it moves in any case.
 #include <algorithm>
 
 #include "dialects/passes/refusal.h"

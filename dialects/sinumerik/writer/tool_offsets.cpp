@@ -1,4 +1,4 @@
-// Every number is compared with the tool in the spindle; what cannot be compared is told.
+// Every number is compared with the tool in the spindle; what cannot be compared is reported.
 #include "dialects/sinumerik/writer/tool_offsets.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ void ToolOffsets::length_on(const ir::Code& code) {
 
 void ToolOffsets::length_off(const ir::Code& code) { add(Address::d, 0.0, code.span); }
 
-// Behind G43: another length, or none.
+// After G43: another length, or none.
 void ToolOffsets::length_number(const ir::Word& w) {
   const ir::Expression number = program_.at(w.value);
   if (length_ != Length::on || number.op != ir::Operator::constant)
@@ -136,7 +136,7 @@ void ToolOffsets::tool(const ir::Word& w) {
   add(Address::d, 1.0, w.span);
 }
 
-// Whether the number is that of the tool in the spindle; otherwise it is told.
+// Whether the number is that of the tool in the spindle; otherwise it is reported.
 bool ToolOffsets::is_tool(double number, std::string_view otherwise, text::Span span) {
   if (tools_.empty()) {
     if (number != last_tool_) raising_.cannot(std::string(otherwise), span);

@@ -16,7 +16,7 @@ namespace dripfeed::sinumerik {
 // Argument of Function::length_offset_plus: the length that was in effect before D0, of the tool that is in.
 inline constexpr std::int16_t kLengthAgain = -1;
 
-// Follows the blocks in the order of the text, and the tool in the spindle on all ways where T is a number alone.
+// Follows the blocks in the order of the text, and the tool in the spindle on all paths where T is a number alone.
 class ToolOffsets {
  public:
   explicit ToolOffsets(const Raising& raising);
@@ -24,7 +24,7 @@ class ToolOffsets {
   // The block that comes next; the words that are written for it begin at `first_word` of the program's.
   void begin_block(std::uint32_t statement, std::uint32_t first_word, std::span<const ir::Code> codes,
                    std::span<const ir::Word> words);
-  // Each writes the words that stand for what it is given, or tells why none do.
+  // Each writes the words that stand for what it is given, or reports why none do.
   void length_on(const ir::Code& code);   // G43
   void length_off(const ir::Code& code);  // G49
   void tool(const ir::Word& word);

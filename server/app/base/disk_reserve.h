@@ -25,10 +25,10 @@ class DiskReserve {
   [[nodiscard]] bool is_whole() const { return is_whole_.load(); }
   // Leaves its room to the store. False when there is none left to give. From one thread, as restore().
   bool give_up();
-  // Makes the file again where the disk has as much room again beside it.
+  // Makes the file again where the disk has as much room again next to it.
   void restore();
 
-  // 0 where the disk does not tell: then there is no room that we know of.
+  // 0 where the disk does not state it: then there is no room that we know of.
   static std::uint64_t room_of_disk(const std::filesystem::path& folder);
 
  private:

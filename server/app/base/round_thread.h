@@ -1,5 +1,5 @@
 // A thread that makes rounds: when it is woken, and at least once a period. Nothing runs a round on another thread, so
-// what a round works on needs no lock; who wants its effect waits for it, and never the other way round.
+// what a round works on needs no lock; who wants its effect waits for it, and never the reverse.
 #pragma once
 
 #include <chrono>

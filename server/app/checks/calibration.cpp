@@ -21,7 +21,7 @@ constexpr std::uint32_t kFirstHash = 500;
 constexpr std::uint32_t kFirstR = 20;
 
 // What stands in the loop of each part, in both spellings: one block, which is written kStatements times, or several
-// as they are. A control without named variables leaves such a part out. Single statements tell the figures apart; the
+// as they are. A control without named variables leaves such a part out. Single statements separate the figures; the
 // rounds and the last one, a piece of a program, show whether they add up.
 struct Part {
   std::string_view what;

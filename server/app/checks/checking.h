@@ -1,4 +1,4 @@
-// Checking a stored program for a stored machine: examine it, store the verdict, tell who watches.
+// Checking a stored program for a stored machine: examine it, store the verdict, inform who watches.
 #pragma once
 
 #include <memory>

@@ -297,7 +297,7 @@ void sort_and_join(std::vector<text::Diagnostic>& diagnostics) {
   std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) {
     return std::pair(d.elsewhere == nullptr ? std::string_view() : std::string_view(d.elsewhere->name()), d.span.begin);
   });
-  // What reading and running both saw is said once.
+  // What reading and running both saw is stated once.
   const auto same = [](const text::Diagnostic& a, const text::Diagnostic& b) {
     return a.id == b.id && a.span.begin == b.span.begin && a.arguments == b.arguments && a.elsewhere == b.elsewhere;
   };

@@ -20,7 +20,7 @@ namespace dripfeed::app {
 
 namespace {
 
-constexpr double kWorthwhile = 0.01;  // of the macro's time; less is within what no forecast tells
+constexpr double kWorthwhile = 0.01;  // of the macro's time; less is within what no forecast resolves
 constexpr std::uint32_t kSeconds = 20;
 constexpr std::uint64_t kMostBlocks = 100'000;  // that are tried here
 

@@ -1,4 +1,4 @@
-// Behind the curves the stretches that something else than motion limited.
+// Under the curves the stretches that something else than motion limited.
 #include "server/app/checks/timing_pictures.h"
 
 #include <utility>

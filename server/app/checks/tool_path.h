@@ -1,4 +1,4 @@
-// The toolpath of a text as points, for a picture of it: what the run does and, beside it, what is not known of it.
+// The toolpath of a text as points, for a picture of it: what the run does and, in addition, what is not known of it.
 // The programmed path, without tool radius compensation, in the active work offset.
 #pragma once
 
@@ -57,7 +57,7 @@ struct ToolPath {
   double rapid_mm = 0.0;
   std::vector<ToolMoves> tools;  // in the order in which they are taken first
   std::array<NotDrawnMoves, kNotDrawnNames.size()> not_drawn{};
-  std::uint16_t other_axes = 0;         // bit per ir::Axis: moves beside x, y and z
+  std::uint16_t other_axes = 0;         // bit per ir::Axis: moves other than x, y and z
   std::set<std::int32_t> work_offsets;  // as ir::Motion::number, of the moves
   bool compensated = false;             // a move has tool radius compensation
   bool is_cut_off = false;              // it has more points than are kept

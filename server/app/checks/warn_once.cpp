@@ -13,7 +13,7 @@ constexpr text::DiagnosticId kOnce[] = {text::DiagnosticId::missing_tape_mark, t
                                         text::DiagnosticId::missing_decimal_point,
                                         text::DiagnosticId::variable_out_of_range, text::DiagnosticId::not_interpreted};
 
-// Beside the note that says what settles it stands another: a likely slip.
+// Next to the note that says what settles it stands another: a likely slip.
 bool is_slip(const text::Diagnostic& one) { return one.id == text::DiagnosticId::unknown_name && one.notes.size() > 1; }
 
 }  // namespace

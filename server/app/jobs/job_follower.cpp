@@ -186,7 +186,7 @@ void JobFollower::report_line(Followed& followed, const Booked& booked) {
   report_machine(followed, booked);
 }
 
-// What was left on, and is not on as far as this round can tell; what is on is raised after it.
+// What was left on, and is not on as far as this round can see; what is on is raised after it.
 void JobFollower::forget_old(const Booked& booked) {
   using enum AlarmKind;
   const LineReport& report = booked.report;
@@ -197,7 +197,7 @@ void JobFollower::forget_old(const Booked& booked) {
   if (!report.machine || report.machine->alarm == 0) alarms_.clear(booked.machine, machine_alarm);
 }
 
-// What a device server did not confirm, a ring that nobody saw come, a peer that floods.
+// What a device server did not confirm, a ring that no one saw come, a peer that floods.
 void JobFollower::report_note(Followed& followed, const Booked& booked) {
   const auto kind_of = [](const std::string& note) {
     return note == kFloodNote ? AlarmKind::line_flooded : AlarmKind::link_note;

@@ -228,7 +228,7 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   const auto named = lift(store_.jobs().get(id));
   if (!named) return std::unexpected(named.error());
   if (named->restart.is_one() && rounds > 1) return fail(ErrorCode::refused, "a restart is sent once");
-  // Until the line has the order nobody gives the machine another line or profile.
+  // Until the line has the order no one gives the machine another line or profile.
   const auto hold = lines_.hold(named->machine);
   const auto arming = prepare_arming(id, rounds);
   if (!arming) return std::unexpected(arming.error());

@@ -110,7 +110,7 @@ void LedgerWriter::let_idle_go(std::vector<Due>& all) {
 }
 
 // An arming that the line has and the books do not know yet. A disarmed job may come again, and may be disarmed again
-// before anybody looked.
+// before anyone looked.
 void LedgerWriter::begin(const Due& due) {
   Tracked& tracked = due.tracked;
   if (due.report.job == 0 || (due.report.job == tracked.job && due.report.session == tracked.session)) return;
@@ -224,7 +224,7 @@ std::optional<store::NewLedgerRow> LedgerWriter::row_of(const Due& due) {
   const bool runs = report.end == JobEnd::none;
   row.counts.reserve = std::max(tracked.committed.reserve, report.handed);
   if (may_leave(report) && begin_record(due, fmt::format("job {}", report.job))) {
-    // Every row opens the window anew, so that a commit may take most of a window's time and no feed meets its end.
+    // Every row opens the window again, so that a commit may take most of a window's time and no feed meets its end.
     row.counts.reserve = std::max(row.counts.reserve, std::min(report.handed + reserve_window(report), report.total));
   }
   // A job that is over hands nothing more: what it had left of its window is given back.

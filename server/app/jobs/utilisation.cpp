@@ -31,7 +31,7 @@ std::string name_of_day(std::int64_t from_ms) {
   return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
-// When the line was free of it, as far as anybody knows.
+// When the line was free of it, as far as is known.
 std::int64_t end_of(const store::JobUse& use, std::int64_t now_ms) {
   if (use.job.ended_at_ms == 0) return now_ms;
   if (use.job.state != store::JobState::interrupted) return use.job.ended_at_ms;

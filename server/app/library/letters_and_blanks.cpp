@@ -100,7 +100,7 @@ class Spacing {
   [[nodiscard]] const Token& word(std::size_t i) const { return program_.tokens[words_[i]]; }
   [[nodiscard]] std::string_view said(std::size_t i) const { return word(i).span.in(text_); }
 
-  // Whether the i-th word may stand at once behind the one before it.
+  // Whether the i-th word may stand at once after the one before it.
   [[nodiscard]] bool may_touch(std::size_t i) const {
     const TokenKind left = word(i - 1).kind;
     const TokenKind right = word(i).kind;

@@ -108,7 +108,7 @@ void LibraryIndexer::round() {
   while (!ends_.stop_requested()) {
     const auto more = step();
     if (!more) {
-      // Nobody waits for it: a place for the work, or room on the disk, comes by itself.
+      // Nothing waits for it: a place for the work, or room on the disk, comes by itself.
       if (more.error().code != ErrorCode::unavailable) spdlog::warn("library: {}", more.error().text);
       return;
     }
@@ -162,7 +162,7 @@ Result<bool> LibraryIndexer::step() {
   return true;
 }
 
-// One text that no worker comes through with is put in as it stands; nobody knows what it calls then.
+// One text that no worker comes through with is put in as it stands; it is not known what it calls then.
 Result<std::vector<ProgramDigest>> LibraryIndexer::digests_of(const std::vector<DigestOrder>& orders) {
   const Waiter waiter{.stop = ends_.get_token(),
                       .peer = -1,

@@ -1,4 +1,4 @@
-// Some lines of a stored program, each beside the line of the family that it was rendered from and the values of the
+// Some lines of a stored program, each next to the line of the family that it was rendered from and the values of the
 // variables there. The cost is that of the lines that are given: where they begin is known from an index that is made
 // once for a text, and places are found by halving. What was not stored is not there; nothing is guessed.
 #pragma once

@@ -1,4 +1,4 @@
-// Contents first, then the row that refers to them: a crash in between leaves only bytes that nobody names.
+// Contents first, then the row that refers to them: a crash in between leaves only bytes that no one names.
 #include "server/app/library/programs.h"
 
 #include <algorithm>

@@ -15,7 +15,7 @@ bool is_free(LineState state) { return state == LineState::idle || state == Line
 Asks AskWatch::look(const std::string& machine, const LineReport& report, feed::Time now, std::int64_t wall_ms) {
   const std::lock_guard lock(mutex_);
   Heard& heard = heard_[machine];
-  if (report.unarmed_starts < heard.starts) heard.starts = 0;  // a line that was made anew
+  if (report.unarmed_starts < heard.starts) heard.starts = 0;  // a line that was made again
   const std::uint64_t more = report.unarmed_starts - std::exchange(heard.starts, report.unarmed_starts);
   if (!is_free(report.state)) return heard.asks = {};
   if (more > 0) {

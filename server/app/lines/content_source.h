@@ -1,5 +1,5 @@
 // A stored text as a feed's source: read ahead in chunks on one thread, taken on another without waiting, EOBs turned
-// to LF on the way.
+// to LF in passing.
 #pragma once
 
 #include <array>

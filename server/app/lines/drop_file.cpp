@@ -72,7 +72,7 @@ void remove_abandoned(const std::string& folder) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     if (!at->path().filename().string().starts_with(kUnnamed)) continue;
-    std::error_code failed;  // gone meanwhile, or somebody else's: it stays
+    std::error_code failed;  // gone meanwhile, or another's: it stays
     const auto touched = fs::last_write_time(at->path(), failed);
     if (!failed && fs::file_time_type::clock::now() - touched > kAbandoned) fs::remove(at->path(), failed);
   }

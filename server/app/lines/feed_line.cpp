@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t kInputBytes = 256;
 constexpr feed::Time kTick = std::chrono::milliseconds(1);
-constexpr feed::Time kCountersShown = std::chrono::milliseconds(20);  // news are told at once, counters alone so often
+constexpr feed::Time kCountersShown =
+    std::chrono::milliseconds(20);  // news are reported at once, counters alone so often
 constexpr std::string_view kHoldsControl = "holding the control: what it sent before is not taken yet";
 constexpr feed::Time kHoldShown = std::chrono::seconds(1);  // a hold has no deadline, but people see how long it lasts
 
@@ -109,7 +110,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
  private:
   [[nodiscard]] feed::Time now() const { return thread_.clock().now(); }
 
-  // A person's job goes before an answer that nobody fetched.
+  // A person's job goes before an answer that no one fetched.
   void drop_waiting_answer() {
     if (of_answer_ && feed_.state() == feed::State::armed) {
       static_cast<void>(feed_.command(feed::Command::disarm, now()));
@@ -288,7 +289,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
   }
 
-  // Our own hold: RTS, or DC3 and DC1. On a torn line nothing goes out, and beside a job only the job.
+  // Our own hold: RTS, or DC3 and DC1. On a torn line nothing goes out, and during a job only the job.
   void hold_control() {
     Link* const link = link_.get();
     if (link == nullptr || !link_.is_up() || !input_) return;
@@ -308,8 +309,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     return input_ && !input_->idle() ? LineState::receiving : LineState::idle;
   }
 
-  // What is new is told at once. Counters alone are told now and then: they change with every write, and where a byte
-  // lies in the text is looked up for each report.
+  // What is new is reported at once. Counters alone are reported now and then: they change with every write, and where
+  // a byte lies in the text is looked up for each report.
   void publish() {
     const FeedStateRow& row = kFeedStateRows[static_cast<std::size_t>(feed_.state())];
     const LineState state = state_now(row.line);

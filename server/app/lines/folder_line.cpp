@@ -1,6 +1,6 @@
 // A hung file server keeps a system call for as long as it likes. So each folder has a thread of its own, which alone
 // touches the folder and holds no lock meanwhile; whoever asks the line something is answered from its state. Line and
-// thread share that state: a thread that hangs outlives its line, and finds on its return that nobody wants it any
+// thread share that state: a thread that hangs outlives its line, and finds on its return that no one wants it any
 // more.
 #include "server/app/lines/folder_line.h"
 
@@ -49,7 +49,7 @@ struct Drop {
   std::uint64_t written = 0;
 };
 
-// What line and thread share. Members without a remark are guarded by the mutex, which nobody holds over file I/O.
+// What line and thread share. Members without a remark are guarded by the mutex, which no one holds over file I/O.
 class Folder {
  public:
   Folder(const machine::LineSettings& settings, LineChanged changed, feed::LeftAs left)
@@ -123,7 +123,7 @@ class Folder {
     return report;
   }
 
-  // The line goes: nobody is called any more, and the text is given back.
+  // The line goes: no one is called any more, and the text is given back.
   void close() {
     std::unique_lock lock(mutex_);
     closed_ = true;
@@ -236,7 +236,7 @@ class Folder {
     }
     drop_->written += bytes.size();
     report_.handed = report_.clocked = drop_->written;
-    report_.known = {};  // no name yet: nobody reads it
+    report_.known = {};  // no name yet: no one reads it
     publish(LineState::feeding, "");
     return true;
   }

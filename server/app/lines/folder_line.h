@@ -1,4 +1,4 @@
-// A folder as a line, for controls that fetch their programs as files (FTP, SMB): a job's text is written beside its
+// A folder as a line, for controls that fetch their programs as files (FTP, SMB): a job's text is written next to its
 // name, read back, and gets its name in one step, so that whoever reads the folder sees the whole program or none.
 // A file of that name that says something else is never replaced unless the link says overwrite=yes. What the control
 // does with the file is not known here, and not claimed.

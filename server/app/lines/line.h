@@ -71,7 +71,7 @@ enum class AnswerStage : std::uint8_t {
   torn,     // it broke off inside a block
 };
 struct AnswerReport {
-  std::uint64_t serial = 0;  // 1, 2, 3, … since the start; tells one answer from the next
+  std::uint64_t serial = 0;  // 1, 2, 3, … since the start; distinguishes one answer from the next
   AnswerStage stage = AnswerStage::none;
   std::uint64_t total = 0;  // wire bytes
   std::string_view cause;   // why it ended, "" while it is on
@@ -80,7 +80,7 @@ struct AnswerReport {
 
 struct LineReport {
   std::uint64_t job = 0;      // 0: none since the start
-  std::uint64_t session = 0;  // of its order: tells one arming of a job from the next
+  std::uint64_t session = 0;  // of its order: distinguishes one arming of a job from the next
   LineState state = LineState::disconnected;
   JobEnd end = JobEnd::none;
   std::string_view stall;    // "" or a name: "waiting for DC1", "held by DC3", "CTS off", "peer gone", …
@@ -118,7 +118,7 @@ struct LineOrder {
   std::uint64_t reserve = 0;  // already committed in the ledger
   std::uint32_t rounds = 1;   // the text is sent so often, and the source gives it so often
   std::uint64_t session = 0;  // new for each arming; 32 bits of it identify a block transfer at the PLC
-  std::string file_name{};    // the name under which the control fetches it from a folder, or that YMODEM tells
+  std::string file_name{};    // the name under which the control fetches it from a folder, or that YMODEM states
 };
 
 // What a control punched, as it came.
@@ -135,7 +135,7 @@ struct Answer {
   feed::Time expires_after = feed::kArmingExpiry;
 };
 
-// What the link itself tells, into the report. Cheap while nothing changes.
+// What the link itself reports, into the report. Cheap while nothing changes.
 void report_link(const Link& link, LineReport& report);
 
 class Line {

@@ -1,4 +1,4 @@
-// A count that is lower than it was has begun anew, at nothing.
+// A count that is lower than it was has begun again, at nothing.
 #include "server/app/lines/line_totals.h"
 
 namespace dripfeed::app {

@@ -153,7 +153,7 @@ Result<void> Lines::let_go(const std::string& machine) {
   return fail(ErrorCode::unavailable, fmt::format("the line of {} is still in use", machine));
 }
 
-// It is looked at once nobody else has it: what came until then counts.
+// It is looked at once no other has it: what came until then counts.
 Result<void> Lines::take_out(const std::string& machine, std::string why) {
   bool is_alone = false;
   auto old = take_alone(machine, is_alone);

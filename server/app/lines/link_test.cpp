@@ -18,7 +18,7 @@ namespace {
 
 constexpr feed::Time kTick = std::chrono::milliseconds(1);
 constexpr feed::Time kPause = std::chrono::milliseconds(5);    // between two round trips
-constexpr feed::Time kAfter = std::chrono::milliseconds(100);  // silence that ends the count behind a DC3
+constexpr feed::Time kAfter = std::chrono::milliseconds(100);  // silence that ends the count after a DC3
 constexpr std::uint64_t kBeforeDc3 = 20;                       // characters of a stream until its DC3
 constexpr std::uint64_t kLongestStream = 4096;                 // a host that does not hear its DC3 stops here
 constexpr std::uint8_t kDc3 = 0x13;
@@ -84,7 +84,7 @@ class Test final : private LinkListener, private Ticker {
     if (step_ == Step::proving) return take_proof(byte);
     if (step_ == Step::round_trip) return end_round_trip(byte, at);
     if (step_ != Step::streaming && step_ != Step::counting) {
-      ++result_.wrong;  // nobody sent it
+      ++result_.wrong;  // no one sent it
       return;
     }
     const std::uint64_t place = received_++;

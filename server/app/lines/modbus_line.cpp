@@ -294,7 +294,7 @@ class ModbusLine final : public Line, private BusUser {
     }
   }
 
-  // A ring that was answered "missed" is told by nobody else; it stays in sight until another one is answered.
+  // A ring that was answered "missed" is reported to no other person; it stays in sight until another one is answered.
   void note_missed(const modbus::AnswerImage& answer) {
     const bool missed = answer[2] == static_cast<std::uint16_t>(modbus::BellReason::missed);
     report_.link_note =
@@ -363,7 +363,7 @@ class ModbusLine final : public Line, private BusUser {
   std::chrono::nanoseconds idle_poll_;
   MachineWatch watch_;
   bool left_torn_;          // by whoever had the line before
-  bool rings_ = false;      // somebody was told that a ring waits
+  bool rings_ = false;      // a person was informed that a ring waits
   modbus::Time bell_at_{};  // the answer's registers are not asked for before
   modbus::Sender sender_{modbus::SenderSettings{}};
   std::shared_ptr<tape_code::TextSource> source_;

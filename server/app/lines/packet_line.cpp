@@ -202,7 +202,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     const auto telegram = sender_.telegram();
     if (telegram.empty()) return;
     const std::lock_guard lock(report_mutex_);
-    if (receptions_.size() == kMaxReceptions) return;  // the partner's next call is refused until somebody looks
+    if (receptions_.size() == kMaxReceptions) return;  // the partner's next call is refused until a person looks
     const receive::Ending ending{
         .by = receive::EndedBy::end_code, .bytes = telegram.size(), .began_at = now(), .at = now()};
     receptions_.push_back({.raw = {telegram.begin(), telegram.end()},

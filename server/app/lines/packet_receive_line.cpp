@@ -1,5 +1,5 @@
 // Everything but report() and take_receptions() runs on the links' thread. One text, then the line rests; while nothing
-// of it has come, a transfer that broke is begun anew.
+// of it has come, a transfer that broke is begun again.
 #include "server/app/lines/packet_receive_line.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr feed::Time kRestartAfter = std::chrono::seconds(1);
-constexpr std::uint8_t kFilling = 0x1A;  // SUB, behind the text in XMODEM's last block
+constexpr std::uint8_t kFilling = 0x1A;  // SUB, after the text in XMODEM's last block
 
 class PacketReceiveLine final : public Line, private LinkListener, private Ticker, private packet::Sink {
  public:

@@ -1,4 +1,4 @@
-// In the order of a text's way: program, release, job, line; then what people look after.
+// In the order of a text's stages: program, release, job, line; then what people look after.
 #include "server/app/out/event_types.h"
 
 #include <algorithm>

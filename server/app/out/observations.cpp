@@ -33,7 +33,7 @@ constexpr bool items_in_order() {
 static_assert(items_in_order());
 
 // What a machine's own state says of its control in the words of MTConnect. "held" may be a feed hold or a program
-// stop: either way it is interrupted.
+// stop: in either case it is interrupted.
 struct StateRow {
   std::string_view state;
   std::string_view execution;

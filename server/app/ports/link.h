@@ -56,13 +56,13 @@ class Link {
   // Nothing may be armed meanwhile: a start sign among it was given before. While something lies unread write() takes
   // nothing.
   [[nodiscard]] virtual bool unheard() const { return false; }
-  // Bytes that the driver holds unsent, where it tells.
+  // Bytes that the driver holds unsent, where it shows.
   [[nodiscard]] virtual std::optional<std::uint64_t> unsent() = 0;
-  // Bytes that the network behind the driver has not confirmed, where there is one.
+  // Bytes that the network past the driver has not confirmed, where there is one.
   [[nodiscard]] virtual std::optional<std::uint64_t> unconfirmed() = 0;
   // Our RTS, off asks the control to stop sending. False where the link has no such line.
   virtual bool set_rts(bool /*on*/) { return false; }
-  // Of the UART, where it tells.
+  // Of the UART, where it shows.
   [[nodiscard]] virtual LineErrors errors() const { return {}; }
   // "" or what people should know of a link that is up: what a device server did not confirm.
   [[nodiscard]] virtual std::string_view note() const { return {}; }

@@ -1,5 +1,5 @@
 // Memory loads that are punched back and compared. The transfer itself is over when its job is; what came of the
-// read-back stands beside it by name: "waiting for read-back", "equal", "differs: …", "expired: …", "superseded: …".
+// read-back stands next to it by name: "waiting for read-back", "equal", "differs: …", "expired: …", "superseded: …".
 #include "server/app/receive/read_back.h"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ void Receiving::note_read_back(const std::string& machine, store::Id id, std::st
   alarm(machine, *kind, std::move(text), id);
 }
 
-// After a start: what the jobs themselves say of loads that nobody compared.
+// After a start: what the jobs themselves say of loads that no one compared.
 void Receiving::find_open_read_backs(const std::string& machine, Waiting& waiting) {
   waiting.looked = true;
   const auto jobs = store_.jobs().list({.limit = kJobsLookedAt, .after = {}}, {.machine = machine, .state = {}});

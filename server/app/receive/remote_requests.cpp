@@ -333,7 +333,7 @@ bool Receiving::cancel_waiting(const std::string& machine) {
   return any || cancelled.has_value();
 }
 
-// A load that nobody fetched in time is over: its line disarmed it, and nobody is to find it in the queue later.
+// A load that no one fetched in time is over: its line disarmed it, and no one is to find it in the queue later.
 void Receiving::expire_request(const std::string& machine) {
   Waiting& waiting = waiting_[machine];
   if (waiting.expires_at == feed::Time{} || clock_.now() < waiting.expires_at) return;

@@ -1,5 +1,5 @@
 // Machines, families and parts: what the shop has. Documents are checked before they are stored; a wrong one leaves
-// nothing behind.
+// nothing after.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
-// Programs and machines that make no sense, through every check: moves without a way, numbers that are none, radii of
-// nothing, places beyond all measure, machines at the ends of what a profile may say. Every check ends, in bounded time
-// and memory, and its figures are numbers. Seeded: a failure can be played again.
+// Programs and machines that make no sense, through every check: moves without a length, numbers that are none, radii
+// of nothing, places beyond all measure, machines at the ends of what a profile may say. Every check ends, in bounded
+// time and memory, and its figures are numbers. Seeded: a failure can be played again.
 #include <array>
 #include <chrono>
 #include <cmath>

@@ -79,7 +79,7 @@ TEST(Verdicts, APointWithoutAWaiverKeepsItFromClearing) {
   EXPECT_FALSE(clears(verdict, 10));
 }
 
-TEST(Names, GoBothWays) {
+TEST(Names, GoInBothDirections) {
   EXPECT_EQ(name_of(JobState::interrupted), "interrupted");
   EXPECT_EQ(named<JobState>("held"), JobState::held);
   EXPECT_EQ(named<Role>("operator"), Role::operator_);

@@ -137,7 +137,7 @@ TEST(Accuracy, ANoseCutsNoDeeperThanItsNeighboursAtARidge) {
        {{{0, 20}, [](double z) { return curves::ExplicitPoint{50 - 0.1 * z, -0.1}; }, {}}, 0.01}}};
   const Settings settings{
       .nominal = ridge, .x_is_diameter = false, .tools = {{.number = 1, .nose_radius_mm = 1, .tip = 9}}};
-  // The centre is led one radius above both flanks, around the ridge by way of the offsets' crossing.
+  // The centre is led one radius above both flanks, around the ridge over the offsets' crossing.
   const double up = std::sqrt(1 + 0.01);
   const Report report = run(settings, {takes_tool(1), cut(19, 48.1 + up, 0, 50 + up), cut(0, 50 + up, -19, 48.1 + up)});
   ASSERT_TRUE(report.surface);
@@ -161,7 +161,7 @@ TEST(ChordBound, HoldsForArcsAndFindsAnArcOnItself) {
   EXPECT_GE(*chord_bound(profile, chord), sagitta);
   EXPECT_LE(*chord_bound(profile, chord), 1.05 * sagitta);
   EXPECT_GE(*chord_bound(profile, curves::Segment{{5, 50}, {5, 60}}), 10.0);  // away from it
-  EXPECT_EQ(chord_bound(profile, curves::Segment{{60, 50}, {70, 50}}), 0.0);  // beside it
+  EXPECT_EQ(chord_bound(profile, curves::Segment{{60, 50}, {70, 50}}), 0.0);  // next to it
   curves::Profile unbounded = profile;
   unbounded.pieces[0].curve.second_derivatives = nullptr;
   EXPECT_FALSE(chord_bound(unbounded, chord));

@@ -1,4 +1,4 @@
-// Plane paths beside curves of which the deviation is known.
+// Plane paths next to curves of which the deviation is known.
 #include "checks/accuracy/plane_accuracy.h"
 
 #include <cmath>
@@ -122,7 +122,7 @@ TEST(PlaneAccuracy, AnArcOnItsCircleIsExact) {
   EXPECT_NEAR(part.gaps.at(0).high_mm, 84.85, 0.01);  // by chords of the missing half
 }
 
-TEST(PlaneAccuracy, ANurbsCurveEitherWay) {
+TEST(PlaneAccuracy, ANurbsCurveInEitherDirection) {
   const curves::ParametricCurve curve = curves::curve_of({4, kPoints, {1, 3, 1, 1, 1, 3, 1}, {}});
   for (const bool backwards : {false, true}) {
     const Report report = run(settings_for(curve), chords(curve, 50, 0, ir::CompSide::left, backwards));
@@ -215,7 +215,7 @@ TEST(PlaneAccuracy, ACornerBetweenTwoCurvesIsNoEndToRunOut) {
   EXPECT_NEAR(run(settings_for(sides), on_it).overrun_mm, 8.0, 1e-6);
 }
 
-TEST(PlaneAccuracy, WhatIsNotKnownIsSaidAndNothingHangs) {
+TEST(PlaneAccuracy, WhatIsNotKnownIsReportedAndNothingHangs) {
   const Report unknown = run(settings_for(circle()), chords(circle(), 60, 0), 9);
   EXPECT_FALSE(unknown.surface);
   EXPECT_FALSE(unknown.not_checked.empty());

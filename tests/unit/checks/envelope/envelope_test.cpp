@@ -1,4 +1,4 @@
-// One fault a test, beside a near miss that must not be one.
+// One fault a test, and a near miss that must not be one.
 #include "checks/envelope/envelope.h"
 
 #include <limits>
@@ -52,7 +52,7 @@ TEST(Envelope, LooksAtTheTopOfAnArc) {
   const Report over = run({arc});
   ASSERT_EQ(over.findings.count(DiagnosticId::travel_exceeded), 1U);
   EXPECT_NEAR(over.findings.kept()[0].value, 160, 1e-9);
-  arc.kind = arc_ccw;  // the other way it bends inwards
+  arc.kind = arc_ccw;  // in the other direction it bends inwards
   EXPECT_TRUE(run({arc}).findings.empty());
 }
 
@@ -208,7 +208,7 @@ TEST(Envelope, SuspectsInchesWhereAFactorStands) {
 }
 
 // Millimetres that are read as inches are too long for any place on the table; what is too long by little is not.
-TEST(Envelope, SuspectsAWayThatNoOffsetCanMakeFit) {
+TEST(Envelope, SuspectsAPathThatNoOffsetCanMakeFit) {
   const Settings settings{.machine = mill()};
   const auto suspects = [&](double length) {
     return run({move(linear, 0, 0, length, -1)}, settings).findings.count(DiagnosticId::unit_suspicion);

@@ -1,4 +1,4 @@
-// One fault of speed a test, beside a near miss that must not be one.
+// One fault of speed a test, and a near miss that must not be one.
 #include "checks/envelope/speeds.h"
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Where the slide is: work offset and tool length, and what is said where one of them is not known.
+// Where the slide is: work offset and tool length, and what is reported where one of them is not known.
 #include "checks/envelope/travel.h"
 
 #include <vector>
@@ -57,7 +57,7 @@ TEST(Travel, MachineCoordinatesAreTheSpindles) {
   EXPECT_TRUE(run({home}, edges).findings.empty());
 }
 
-TEST(Travel, ALengthThatIsNotKnownIsSaid) {
+TEST(Travel, ALengthThatIsNotKnownIsReported) {
   const Report low = on_mill({with_length(-60, kPlus, 4)});
   EXPECT_EQ(low.findings.count(DiagnosticId::travel_exceeded), 0U) << "it may be long enough";
   ASSERT_EQ(low.findings.count(DiagnosticId::travel_uncertain), 1U);
@@ -133,7 +133,7 @@ TEST(Travel, TheOriginStandsForOffsetsWithoutValues) {
   EXPECT_DOUBLE_EQ(run({move(rapid, 0, 0, 300, 100)}, settings).machine[2].high, 300) << "its own value counts";
 }
 
-TEST(Travel, AnOffsetThatNobodyNamedIsSaid) {
+TEST(Travel, AnOffsetThatNoOneNamedIsReported) {
   EXPECT_TRUE(reports(run({move(rapid, 0, 0, 10, 10)}), "no work offset is named: 2 is taken to be in effect"));
   EXPECT_FALSE(reports(run({event(offset, 2), move(rapid, 0, 0, 10, 10)}),
                        "no work offset is named: 2 is taken to be in effect"));

@@ -1,4 +1,4 @@
-// Led paths against closed forms: a square inside and outside, arcs, corners of each kind, the way on and off; and
+// Led paths against closed forms: a square inside and outside, arcs, corners of each kind, approach and departure; and
 // seeded contours whose axis must keep its distance.
 #include "checks/gouge/compensation.h"
 
@@ -150,10 +150,10 @@ TEST(Compensation, ASharpCornerIsCutOffARadiusBeyondIt) {
   path.line({0, 10}, kRight).line({20, 10}, kRight).line({0, 11}, kRight).line({0, 20}, kOff);
   const Led led = lead(path, 2, OuterCorner::straight);
   ASSERT_GE(led.moves.size(), 5U);
-  EXPECT_NEAR(led.moves[2].end[0], 22, 1e-9);  // 2 beyond the corner along x, 2 beside it
+  EXPECT_NEAR(led.moves[2].end[0], 22, 1e-9);  // 2 beyond the corner along x, 2 next to it
   EXPECT_NEAR(led.moves[2].end[1], 8, 1e-9);
   for (const ir::Motion& m : led.moves) EXPECT_NE(m.kind, MotionKind::arc_ccw);
-  // Back on its own way: half around the corner.
+  // Back on its own path: half around the corner.
   Path back({0, 0});
   back.line({0, 10}, kRight).line({20, 10}, kRight).line({0, 10}, kRight).line({0, 20}, kOff);
   const Led half = lead(back, 2);
@@ -182,7 +182,7 @@ TEST(Compensation, ArcsKeepTheirCentreAndChangeTheirRadius) {
 TEST(Compensation, HollowCornersOfArcsAreTrimmedAtTheCrossing) {
   Path path({30, -3});
   path.line({25, 0}, kLeft).line({10, 0}, kLeft).arc({-10, 0}, {0, 0}, MotionKind::arc_cw, kLeft).line({-20, 0}, kOff);
-  // Left of the way to -x is below; the arc runs below the centre, its left is outside: radius 12.
+  // Left of the path to -x is below; the arc runs below the centre, its left is outside: radius 12.
   const Led led = lead(path, 2);
   ASSERT_GE(led.moves.size(), 3U);
   EXPECT_NEAR(led.moves[1].end[1], -2, 1e-9);
@@ -191,7 +191,7 @@ TEST(Compensation, HollowCornersOfArcsAreTrimmedAtTheCrossing) {
   EXPECT_TRUE(led.notes.empty());
 }
 
-TEST(Compensation, DownMovesBetweenWaitForTheWay) {
+TEST(Compensation, DownMovesBetweenWaitForThePath) {
   Path path({0, 0});
   path.line({0, 10}, kRight).down(-5, kRight).line({20, 10}, kRight).down(3, kOff).line({40, 0}, kOff);
   const Led led = lead(path, 2);
@@ -199,7 +199,7 @@ TEST(Compensation, DownMovesBetweenWaitForTheWay) {
   EXPECT_NEAR(led.moves[0].end[1], 8, 1e-9);
   EXPECT_EQ(led.moves[1].end[2], -5);
   EXPECT_NEAR(led.moves[1].end[1], 8, 1e-9);
-  EXPECT_NEAR(led.moves[3].end[0], 20, 1e-9);  // up, still beside the path
+  EXPECT_NEAR(led.moves[3].end[0], 20, 1e-9);  // up, still next to the path
   EXPECT_NEAR(led.moves[3].end[1], 8, 1e-9);
   EXPECT_NEAR(led.moves[4].end[0], 40, 1e-9);
   EXPECT_TRUE(led.notes.empty());
@@ -208,7 +208,7 @@ TEST(Compensation, DownMovesBetweenWaitForTheWay) {
   EXPECT_TRUE(reports(lead(twice, 2), "look beyond"));
 }
 
-TEST(Compensation, WhatTheControlWouldRefuseIsSaid) {
+TEST(Compensation, WhatTheControlWouldRefuseIsReported) {
   Path narrow({0, 0});  // a slot narrower than the cutter
   narrow.line({0, 5}, kLeft).line({10, 5}, kLeft).line({10, 7}, kLeft).line({0, 7}, kLeft).line({0, 20}, kOff);
   EXPECT_TRUE(reports(lead(narrow, 3), "shorter than the cutter needs"));

@@ -69,7 +69,7 @@ TEST(Gouge, APlungeBetweenTwoPlacesIsSeen) {
   EXPECT_TRUE(run(bar(), {rapid(120, -40.0071, 100, -40.0071)}).findings.empty());
 }
 
-TEST(Gouge, CutsClearTheWayForRapids) {
+TEST(Gouge, CutsClearThePathForRapids) {
   const ir::Motion back = rapid(84, -20, 84, 5);
   EXPECT_EQ(run(bar(), {back}).findings.count(DiagnosticId::rapid_into_stock), 1U);
   EXPECT_TRUE(run(bar(), {cut(84, 5, 84, -20), back}).findings.empty());
@@ -89,7 +89,7 @@ TEST(Gouge, ACutBelowTheNominalIsMeasuredAgainstItsTolerance) {
   const Report report = run(bar(), {cut(80 - 0.041, 5, 80 - 0.041, -20)});
   ASSERT_EQ(report.findings.count(DiagnosticId::cut_below_nominal), 1U);
   EXPECT_NEAR(report.deepest_cut_mm, 0.0205, 1e-9);
-  EXPECT_TRUE(run(bar(), {cut(70, -31, 70, -45)}).findings.empty());  // beside the nominal
+  EXPECT_TRUE(run(bar(), {cut(70, -31, 70, -45)}).findings.empty());  // next to the nominal
 }
 
 TEST(Gouge, TheNoseReachesAsFarAsItsCircle) {
@@ -97,7 +97,7 @@ TEST(Gouge, TheNoseReachesAsFarAsItsCircle) {
   const std::vector<ir::Motion> motions = {takes_tool(1), cut(80.1, 5, 80.1, -29.5), rapid(80.1, -29.5, 200, -29.5)};
   EXPECT_TRUE(run(bar(), motions).findings.empty());
   EXPECT_NEAR(run(bar(), {takes_tool(1), cut(78, 5, 78, -20)}).deepest_cut_mm, 1.0, 1e-9);
-  // A rapid that passes beside the bar's end by less than the nose.
+  // A rapid that passes next to the bar's end by less than the nose.
   EXPECT_TRUE(run(bar(), {takes_tool(1), rapid(200, 0.01, 0, 0.01)}).findings.empty());
   EXPECT_FALSE(run(bar(), {takes_tool(1), rapid(200, -0.1, 0, -0.1)}).findings.empty());
 }

@@ -19,7 +19,7 @@ const std::vector<curves::HeightField> kNominal = {
      [](double x, double y) { return -4.0 - 0.1 * x + 0.05 * y; },
      0.02}};
 
-// The same cuts, once as they come and once with a cut beside the map between them, which breaks every chain.
+// The same cuts, once as they come and once with a cut next to the map between them, which breaks every chain.
 TEST(HeightMap, ACutThatGoesOnLeavesNothing) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-22, 22);

@@ -112,11 +112,11 @@ TEST(Milling, ARapidIntoTheBlockIsSeenWithItsDepth) {
   ASSERT_EQ(report.findings.count(DiagnosticId::rapid_into_stock), 1U);
   EXPECT_NEAR(report.deepest_rapid_mm, 2.0, 1e-9);
   EXPECT_TRUE(run(settings, {rapid({-80, 0, 10}, {80, 0, 0})}).findings.empty());     // lands on its top
-  EXPECT_TRUE(run(settings, {rapid({-80, 56, -5}, {80, 56, -5})}).findings.empty());  // passes beside it
+  EXPECT_TRUE(run(settings, {rapid({-80, 56, -5}, {80, 56, -5})}).findings.empty());  // passes next to it
   EXPECT_EQ(run(settings, {rapid({0, 0, 10}, {0, 0, -0.01})}).findings.count(DiagnosticId::rapid_into_stock), 1U);
 }
 
-TEST(Milling, CutsClearTheWayForRapids) {
+TEST(Milling, CutsClearThePathForRapids) {
   MillingSettings settings = block();
   settings.nominal.clear();
   const ir::Motion plunge = cut({0, 0, 10}, {0, 0, -4});
@@ -166,7 +166,7 @@ TEST(Milling, ABallLeavesItsRounding) {
   const auto [low, high] = std::ranges::minmax(picture.map->values);
   EXPECT_NEAR(low, -2, 0.02);
   EXPECT_EQ(high, 0);
-  // A flat mill would have to stand at the rounding's height: the ball passes beside at depth 2 within 4 mm.
+  // A flat mill would have to stand at the rounding's height: the ball passes to the side at depth 2 within 4 mm.
   EXPECT_TRUE(run(settings,
                   {cut({-30, 0, 10}, {-30, 0, -2}), cut({-30, 0, -2}, {30, 0, -2}), rapid({30, 0, -2}, {30, 0, 5})}, 2)
                   .findings.empty());
@@ -205,7 +205,7 @@ TEST(Milling, AxesThatRunAtTheirOwnSpeedAreAWarning) {
   EXPECT_TRUE(run(settings, {rapid({-60, 0, -3}, {-60, 0, 40}), rapid({-60, 0, 40}, {-40, 0, 40})}).findings.empty());
 }
 
-TEST(Milling, WhatIsNotKnownIsSaid) {
+TEST(Milling, WhatIsNotKnownIsReported) {
   const auto reports = [](const Report& report, std::string_view part) {
     return std::ranges::any_of(report.not_checked.list(),
                                [&](const checks::NotChecked& one) { return one.text.find(part) != std::string::npos; });

@@ -109,7 +109,7 @@ TEST(Execution, BrakesAtTheEndOfWhatItKnows) {
   EXPECT_NEAR(stalls[1].waited_s, 0.2, 1e-12);
 }
 
-TEST(Execution, ABufferTooShortForTheFeedIsTold) {
+TEST(Execution, ABufferTooShortForTheFeedIsReported) {
   // 0.1 mm a block, three of them known: 2·1000·0.3 = 600 mm²/s² at the most, of 10,000.
   PieceArrays pieces;
   for (int i = 0; i < 500; ++i) pieces.push_back({0.1, 1e4, kNoLimit, 1000});

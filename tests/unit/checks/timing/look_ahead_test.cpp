@@ -90,7 +90,7 @@ TEST(LookAhead, SlowsDownToACornerAndStopsAtARest) {
 }
 
 TEST(LookAhead, LooksBackOverManyShortPieces) {
-  // 1000 pieces of 0.01 mm: 10 mm in all, triangle up to 100 mm/s at half way.
+  // 1000 pieces of 0.01 mm: 10 mm in all, triangle up to 100 mm/s in the middle.
   const SpeedPlan planned = plan(std::vector<Piece>(1000, {0.01, 1e6, kNoLimit, 1000}));
   EXPECT_NEAR(planned.total_s, 0.2, 1e-9);
   EXPECT_NEAR(planned.speed2[500], 1e4, 1e-4);

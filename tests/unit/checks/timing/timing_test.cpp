@@ -385,7 +385,7 @@ TEST(Timing, DelaysAndAnUnhurriedSenderMakeTheLineSlower) {
   settings.line_bytes = {10, 20, 10};
   const Report report = program.run(settings);
   EXPECT_NEAR(report.line_s, 40 * 0.025 + 3 * 0.25, 1e-12);
-  EXPECT_NEAR(report.first_move_s, 10 * 0.025, 1e-12);            // the line rests behind what the control has by then
+  EXPECT_NEAR(report.first_move_s, 10 * 0.025, 1e-12);            // the line rests after what the control has by then
   EXPECT_NEAR(report.cycle_s, report.line_s - 0.25 + 0.2, 1e-9);  // the second move, from rest to rest
 }
 

@@ -177,7 +177,7 @@ TEST(Arguments, ThatMayBeEmptyAreNotHandedOn) {
 }
 
 // 6: X#107 moves nothing while #107 is empty; R107 is always a number.
-TEST(Arguments, InCommonVariablesAreToldWhereTheyMayBeEmpty) {
+TEST(Arguments, InCommonVariablesAreReportedWhereTheyMayBeEmpty) {
   const auto messages = [](const std::string& body) {
     const std::string text = "%\nO9010\n" + body + "M99\n%\n";
     const ConvertResult result = file_as("O9010", text, "fanuc", kSinumerik);

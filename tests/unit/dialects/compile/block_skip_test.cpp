@@ -84,7 +84,7 @@ TEST(BlockSkip, OfAModeInsideABlockHasNoWordOnSinumerik) {
             "block skip inside a block has no counterpart on SINUMERIK 840D sl");
 }
 
-TEST(BlockSkip, IsDecidedByPlainBlocksAndThatIsSaid) {
+TEST(BlockSkip, IsDecidedByPlainBlocksAndThatIsReported) {
   const ConvertResult made = converted(std::string(kProgram), "sinumerik-840d", ConvertMode::explicit_blocks);
   ASSERT_EQ(made.diagnostics.size(), 1U);
   EXPECT_EQ(made.diagnostics.front().id, text::DiagnosticId::block_skip_decided);

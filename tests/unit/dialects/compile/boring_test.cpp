@@ -17,7 +17,7 @@ void expect_same_path(const std::vector<ir::Motion>& a, const std::vector<ir::Mo
     EXPECT_EQ(a[i].kind, b[i].kind) << what << ", move " << i;
     for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(a[i].end[axis], b[i].end[axis], 1e-9) << what << ", " << i;
     EXPECT_NEAR(a[i].feed, b[i].feed, 1e-9) << what << ", move " << i;
-    // On the way down, that is; between holes one control has it turning already and the other not yet.
+    // On the move down, that is; between holes one control has it turning already and the other not yet.
     if (a[i].kind == ir::MotionKind::linear) {
       EXPECT_EQ(a[i].spindle, b[i].spindle) << what << ", move " << i;
     }
@@ -79,7 +79,7 @@ TEST(Boring, FineAndBackBoringOfHashControls) {
   EXPECT_NE(made.text.find("CYCLE86"), std::string::npos) << made.text;
   EXPECT_NE(made.text.find("X=IC(-2"), std::string::npos) << made.text;
   expect_same_path(original, real_moves(run_text(made.text, mill("sinumerik-840d")).motions), made.text);
-  // Which way Q shifts a parameter of the machine says.
+  // In which direction Q shifts, a parameter of the machine says.
   const std::string by_q =
       "%\nO1\nG21 G17 G90 G94\nG00 X0. Y0. Z10.\nS500 M03\nG98 G76 X1. Z-20. R2. Q1. F200.\nG80\nM30\n%\n";
   const ConvertResult guessed = translated(by_q, "fanuc", "sinumerik-840d");
@@ -112,7 +112,7 @@ TEST(Boring, FloatingTaps) {
     }
     EXPECT_EQ(moves.back().spindle, ir::SpindleState::clockwise);
   }
-  // Nobody said which way it turns.
+  // The direction in which it turns is not known.
   EXPECT_TRUE(text::has_error(
       translated("G17 G71 G90 G94\nG0 Z10\nF250\nCYCLE840(10,0,2,-20,,,0,3,1)\nM30\n", "sinumerik-840d", "fanuc")
           .diagnostics));

@@ -48,7 +48,7 @@ TEST(ChangingThreads, AreCarriedBetweenLathes) {
   EXPECT_NE(back.find("F3.5 K-0.25"), std::string::npos) << back;
 }
 
-TEST(ChangingThreads, WhatCannotBeSaidIsRefusedWithItsPlace) {
+TEST(ChangingThreads, WhatCannotBeWrittenIsRefusedWithItsPlace) {
   struct Row {
     std::string from;
     std::string to;

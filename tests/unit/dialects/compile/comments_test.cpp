@@ -1,4 +1,4 @@
-// Comments in a translation: they stay beside their lines, and nothing in them becomes code of the other control.
+// Comments in a translation: they stay next to their lines, and nothing in them becomes code of the other control.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ std::string text_of(const std::string& text, const std::string& from, const std:
 
 constexpr std::string_view kHead = "G71 G17 G90 G94 G0\n";
 
-TEST(Comments, StayBesideTheirLines) {
+TEST(Comments, StayNextToTheirLines) {
   const std::string to = text_of("%\nO1 (TITLE)\n(ROUGH THE FACE)\nG21 G17 G90 G94\nG00 X1. (FIRST)\n(LAST)\nM30\n%\n",
                                  "fanuc", "sinumerik-840d");
   EXPECT_TRUE(to.contains("; TITLE\n; ROUGH THE FACE\n")) << to;
@@ -33,7 +33,7 @@ TEST(Comments, BracketsAndTapeMarksBecomeHarmless) {
   for (const std::string name : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const ConvertResult result = translated(text, "sinumerik-840d", name);
     EXPECT_TRUE(result.text.contains("(SIDE [A] OF [B] 50  DEEP, G0 X500)")) << result.text;
-    // The lost character is told, and that is no error.
+    // The lost character is reported, and that is no error.
     ASSERT_EQ(result.diagnostics.size(), 1U);
     EXPECT_EQ(result.diagnostics[0].severity, text::Severity::note);
     const Played played = run_text(result.text, control(name, ir::MachineKind::mill));
@@ -42,7 +42,7 @@ TEST(Comments, BracketsAndTapeMarksBecomeHarmless) {
   }
 }
 
-TEST(Comments, OfOtherAlphabetsAreToldAndDropped) {
+TEST(Comments, OfOtherAlphabetsAreReportedAndDropped) {
   const std::string text = std::string(kHead) +
                            "X1 ; Fl\xC3\xA4"
                            "che\nM30\n";
@@ -88,7 +88,7 @@ TEST(Comments, LongOnesAreCutAtABlank) {
   EXPECT_TRUE(to.contains("WORD59)")) << to;
 }
 
-TEST(Comments, TellOriginLines) {
+TEST(Comments, GiveOriginLines) {
   const ConvertResult result = translated("G21 G17 G90 G94\n(A)\nG00 X1.\n(B)\nM30\n", "fanuc", "sinumerik-840d");
   std::size_t lines = 0;
   for (const char c : result.text) lines += c == '\n' ? 1 : 0;

@@ -38,7 +38,7 @@ TEST(Contour, RoughsInEqualPassesAndCutsTheStepsOff) {
   const auto m = moves_only(ran);
   ASSERT_GE(m.size(), 8U) << ran.trace;
   using enum ir::MotionKind;
-  expect_at(m[1], rapid, 64, 2);  // lift beside the first way, over the highest level
+  expect_at(m[1], rapid, 64, 2);  // lift next to the first travel, over the highest level
   for (std::size_t n = 1; n <= 4; ++n) {
     const double radius = 30.0 - 5.0 * static_cast<double>(n);
     const double z = -2.0 * (radius - 10.0);
@@ -88,7 +88,7 @@ TEST(Contour, InsideCutsOutward) {
       cycle("\"BORE\",5,0,0,0,0.3,0.2,0.15,11,0,0,1", {{"BORE", "PROC BORE\nG1 X60 Z0\nX30 Z-30\nM17\n"}});
   for (const ir::Motion& m : moves_only(ran)) {
     if (m.kind != ir::MotionKind::linear) continue;
-    // Never beyond the bore: at way z the contour's diameter is 60 + z.
+    // Never beyond the bore: at travel z the contour's diameter is 60 + z.
     EXPECT_LE(m.end[0], 60.0 + m.end[2] + 1e-9) << ran.trace;
   }
   EXPECT_EQ(ran.result.not_interpreted.size(), 0U);
@@ -145,7 +145,7 @@ TEST(Contour, ReliefCutsComeAfterWhatIsReachedFromInFront) {
       EXPECT_GE(x, neck_diameter(z) - 1e-6) << "line of " << ran.trace << " at Z" << z;
     }
   }
-  // In front: down to radius 10 and no deeper than 40 in diameter behind the height. 5 in radius by at most 4: two
+  // In front: down to radius 10 and no deeper than 40 in diameter after the height. 5 in radius by at most 4: two
   // passes of the relief, by 0.2 down the flank, by 0.3 along to the other one and up.
   std::vector<ir::Motion> down;
   for (const ir::Motion& move : m)
@@ -214,7 +214,7 @@ TEST(Contour, FacesFromInside) {
   }
 }
 
-// FAL: beside a cone of 45 degrees, a cylinder and a shoulder; every point of the last pass lies at that distance.
+// FAL: next to a cone of 45 degrees, a cylinder and a shoulder; every point of the last pass lies at that distance.
 TEST(Contour, AnAllowanceAlongTheContour) {
   const Texts step = {{"STEP", "PROC STEP\nG1 X20 Z0\nX30 Z-5\nZ-20\nG2 X40 Z-25 CR=5\nG1 X60\nM17\n"}};
   const Result ran = cycle("\"STEP\",50,0,0,0.5,0.3,0.2,0.15,9,0,0,1", step);
@@ -226,8 +226,8 @@ TEST(Contour, AnAllowanceAlongTheContour) {
   const double part = 0.5 * std::sqrt(0.5);
   ASSERT_EQ(rough.size(), 6U) << ran.trace;
   expect_at(rough[0], ir::MotionKind::linear, 2.0 * (10.0 + part), part);         // along the level to the cone
-  expect_at(rough[1], ir::MotionKind::linear, 2.0 * (15.0 + part), -5.0 + part);  // beside the cone
-  // About the outer corner, then beside the cylinder.
+  expect_at(rough[1], ir::MotionKind::linear, 2.0 * (15.0 + part), -5.0 + part);  // next to the cone
+  // About the outer corner, then next to the cylinder.
   EXPECT_NEAR(rough[2].end[0], 31.0, 1e-9);
   EXPECT_NEAR(rough[2].end[2], -5.0, 1e-9);
   EXPECT_NEAR(
@@ -261,7 +261,7 @@ TEST(Contour, NeedsNoFeedOfItsOwn) {
   EXPECT_TRUE(ran.result.diagnostics.empty()) << text::message_of(ran.result.diagnostics.front().diagnostic);
 }
 
-TEST(Contour, WhatIsNotInterpretedIsToldAndNothingIsCut) {
+TEST(Contour, WhatIsNotInterpretedIsReportedAndNothingIsCut) {
   const Texts stairs = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nX35 Z-20\nX25 Z-25\nX60 Z-40\nM17\n"}};
   const Result neck = cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", stairs);
   EXPECT_TRUE(neck.names("CYCLE95 with a relief cut that is no plain one, in line 4")) << neck.trace;

@@ -311,7 +311,7 @@ TEST(Library, AsksOnceAndRemembersWhatIsMissing) {
   EXPECT_EQ(cycle.library.loaded()[0]->name, "TURNING_CYCLE");
 }
 
-// G68 is about a point and beside the shift; ROT replaces and AROT adds to it: one is never printed for the other, and
+// G68 is about a point and besides the shift; ROT replaces and AROT adds to it: one is never printed for the other, and
 // what is printed moves the same.
 TEST(Convert, AFrameMovesTheSameWhateverItIsPrintedAs) {
   for (const std::string& to : dialect_names()) {
@@ -364,7 +364,7 @@ TEST(Convert, RefusesHalfAStructure) {
   }
 }
 
-// A comment is the nearest to a message; the values in it are told as left out.
+// A comment is the nearest to a message; the values in it are reported as left out.
 TEST(Convert, MessagesBecomeCommentsOfTheirWrittenParts) {
   const std::string text = "DEF INT NR=3\nG17 G710 G90 G94\nMSG(\"layer \"<<NR<<\" of \"<<NR+1)\nMSG(\"done\")\nM30\n";
   const ConvertResult result = translated(text, "sinumerik-840d", "fanuc");
@@ -376,7 +376,7 @@ TEST(Convert, MessagesBecomeCommentsOfTheirWrittenParts) {
             0U);
 }
 
-// An index that is a text: a fault that only the validator of its own control tells.
+// An index that is a text: a fault that only the validator of its own control shows.
 TEST(Convert, RefusesWhatItsOwnControlRefuses) {
   const std::string text = "DEF REAL ROW[3]\nG17 G710 G90 G94\nROW[\"two\"]=1\nM30\n";
   for (const std::string& to : dialect_names()) {
@@ -415,7 +415,7 @@ TEST(Convert, AFaultOfTheTranslationNamesTheControlThatHasIt) {
 }
 
 // A code without effect on the path keeps its name and words where the other control has it, and goes with them where
-// it has not, which is told; a cycle in effect takes none of the words.
+// it has not, which is reported; a cycle in effect takes none of the words.
 TEST(Convert, CodesWithoutEffectGoWithTheirWords) {
   const std::string head = "%\nO1\nG21 G17 G90 G94 G54\nS500 M3\nG0 X0. Y0. Z50.\n";
   const std::string text = head + "G98 G83 X10. Y0. Z-20. R2. Q5. F100.\nG05.1 Q1\nX20.\nG80\nM30\n%\n";

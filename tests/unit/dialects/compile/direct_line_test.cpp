@@ -73,7 +73,7 @@ TEST(DirectLine, OnAMillTheAngleCountsFromX) {
   EXPECT_NEAR(moves[1].end[1], 10.0 * tan_deg(30.0), 1e-9);
 }
 
-// What does not follow leaves the places unknown, and is told by name, where the control has no alarm for it.
+// What does not follow leaves the places unknown, and is reported by name, where the control has no alarm for it.
 TEST(DirectLine, WhatDoesNotFollowIsNotCertain) {
   const Played unfinished = lathe(",A150.\nX60.\nZ-50. X70.\n", "mazak");
   EXPECT_TRUE(is_reported(unfinished));

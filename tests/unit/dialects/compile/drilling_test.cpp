@@ -67,7 +67,7 @@ TEST(DrillingOfNumberedControls, HowManyHolesStaysANumber) {
   }
 }
 
-// The chips are broken all the same; that the way back takes longer or shorter is said.
+// The chips are broken all the same; that the return takes longer or shorter is reported.
 TEST(DrillingToSinumerik, ChipBreakingGoesBackAtAnotherSpeed) {
   const std::string numbered = kHead + "G99 G73 X50. Y10. Z-25. R3. Q8. F100.\nG80\nG00 Z50.\nM30\n";
   const std::string named = kOwnHead + "CYCLE83(40,3,0,-25,,,8,0,,,1,0)\nG0 Z50\nM30\n";
@@ -102,7 +102,7 @@ TEST(DrillingToSinumerik, IncrementsAndRepeats) {
   expect_same_holes(kHead + "G91 G99 G81 X10. Y5. Z-11. R-37. F120. K4\nG80\nG90 G00 Z40.\nM30\n", "fanuc", kTo);
 }
 
-TEST(DrillingToSinumerik, TheMotionBehindTheCycleIsSaid) {
+TEST(DrillingToSinumerik, TheMotionAfterTheCycleIsReported) {
   const std::string to =
       expect_same_holes(kHead + "G01 X1. F100.\nG99 G81 X10. Z-8. R3.\nG80\nX50.\nM30\n", "fanuc", kTo);
   EXPECT_TRUE(to.contains("MCALL\nG1\n") || to.contains("MCALL\nG01\n")) << to;
@@ -111,14 +111,14 @@ TEST(DrillingToSinumerik, TheMotionBehindTheCycleIsSaid) {
 TEST(DrillingToSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
   expect_refused(kHead + "G18 G98 G76 X1. Z1. Y-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "program:5");
   expect_refused(kHead + "G18 G98 G76 X1. Z1. Y-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "boring");
-  // The initial level is lost behind G99.
+  // The initial level is lost after G99.
   expect_refused("#5=33.\n" + kHead + "G00 Z#5\nG99 G81 X10. Z-8. R3. F120.\nG98 X20.\nG80\nM30\n", "fanuc", kTo,
                  "level where the drilling cycle began");
   // A depth of an earlier block that may be another by now.
   expect_refused(kHead + "#1=-5.\nG99 G81 X10. Z#1 R3. F120.\n#1=-9.\nX20. R2.\nG80\nM30\n", "fanuc", kTo, "Z of the");
   // A cycle that the operator's switch leaves out.
   expect_refused(kHead + "/G99 G81 X10. Z-8. R3. F120.\nX20.\nG80\nM30\n", "fanuc", kTo, "two control-flow paths");
-  // Two ways with different cycles.
+  // Two paths with different cycles.
   expect_refused(kHead + "#1=2.\nG99 G81 X10. Z-8. R3. F120.\nIF[#1GT1.]GOTO10\nG80\nN10 X20.\nM30\n", "fanuc", kTo,
                  "two control-flow paths");
 }
@@ -202,7 +202,7 @@ TEST(DrillingFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
   expect_refused(kOwnHead + "CYCLE86(40,2,1,-20,,0,3,1,1,1,30)\nM30\n", kTo, "fanuc", "CYCLE86");
 }
 
-// A level that is said by itself counts from there on (a retract past a clamp).
+// A level that is stated by itself counts from there on (a retract past a clamp).
 TEST(DrillingToSinumerik, AReturnLevelByItself) {
   for (const std::string level : {"G98\n", "G98 M08\n", "G90 G98\n"}) {
     const std::string to = expect_same_holes(
@@ -224,7 +224,7 @@ TEST(DrillingToSinumerik, DwellsAndShiftsBetweenHoles) {
 }
 
 // Whether G84 alone is a rigid tap, a parameter decides; where pecks count from, the cycle.
-TEST(DrillingToSinumerik, WhatThePictureOfTheHoleLeavesOpenIsSaid) {
+TEST(DrillingToSinumerik, WhatThePictureOfTheHoleLeavesOpenIsReported) {
   const auto messages = [](const std::string& text, const std::string& from, const std::string& to) {
     return messages_of(translated(text, from, to).diagnostics, text::Source("p", text));
   };
@@ -236,8 +236,8 @@ TEST(DrillingToSinumerik, WhatThePictureOfTheHoleLeavesOpenIsSaid) {
   EXPECT_FALSE(messages(own + "CYCLE83(10,0,0,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
 }
 
-// Mazak's second feed, of the way out of a reamed hole.
-TEST(DrillingToOthers, EOfMazakIsRefusedAndSaid) {
+// Mazak's second feed, of the retract of a reamed hole.
+TEST(DrillingToOthers, EOfMazakIsRefusedAndReported) {
   const std::string text = kHead + "G98 G85 X1. Z-5. R2. F100. E200.\nX3.\nG80\nM30\n";
   for (const std::string& to : {std::string("fanuc"), std::string("mitsubishi-m80"), kTo})
     EXPECT_TRUE(text::has_error(translated(text, "mazak", to).diagnostics)) << to;

@@ -52,7 +52,8 @@ TEST(Explicit, SinumerikLatheKeepsItsMotions) {
       control("sinumerik-840d", ir::MachineKind::lathe));
 }
 
-// The spindle goes in one way and out the other; a thread of plain blocks would go on turning it (PG, "Rigid tapping").
+// The spindle goes in with one direction and out with the other; a thread of plain blocks would go on turning it (PG,
+// "Rigid tapping").
 TEST(Explicit, ATapThatTurnsTheSpindleIsRefused) {
   ConvertRequest request;
   request.from = control("sinumerik-840d", ir::MachineKind::mill);
@@ -87,7 +88,7 @@ TEST(Explicit, FanucLatheKeepsItsMotions) {
 }
 
 // H and D stay in effect from wherever they stand; one with a computed value would be lost, and so would the number of
-// a computed code that is carried. That is said, not done.
+// a computed code that is carried. That is reported, not done.
 TEST(Explicit, CarriesNumbersOfOffsetsOrSaysThatItCannot) {
   const ir::Control on = control("fanuc", ir::MachineKind::mill);
   const std::string head = "%\nO1\nG21 G17 G90 G94\n#1=7.\n";
@@ -122,7 +123,7 @@ TEST(Explicit, BracketsCountWholeUnits) {
   EXPECT_DOUBLE_EQ(moves[4].end[1], 7.0);
 }
 
-// M99 of a called program goes on behind the call, M99 P at a block of the caller, written or computed.
+// M99 of a called program goes on after the call, M99 P at a block of the caller, written or computed.
 TEST(Explicit, ReturnsOfSubprogramsGoOnWhereTheySay) {
   const ir::Control on = control("fanuc", ir::MachineKind::mill);
   ProgramLibrary library(on, [](std::string_view name) -> std::optional<text::Source> {

@@ -1,4 +1,4 @@
-// The facts beside the interpreter: programs made from a seed are run with several inputs and switches, and at each
+// The facts against the interpreter: programs made from a seed are run with several inputs and switches, and at each
 // message the run's state is held against what the facts claim there. A fact may say nothing; what it says must hold in
 // every run. Without branches it must also say something.
 //

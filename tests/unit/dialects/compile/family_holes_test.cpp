@@ -103,7 +103,7 @@ TEST(FamilyHoles, ADwellIsSecondsOnEveryControl) {
   }
 }
 
-// The lead of every cut of a tap is its pitch, in by one turn of the spindle and out by the other, and the feed behind
+// The lead of every cut of a tap is its pitch, in by one turn of the spindle and out by the other, and the feed after
 // it is the one before.
 TEST(FamilyHoles, ATapTurnsTheSpindleByItsPitch) {
   for (const bool left : {false, true}) {
@@ -128,7 +128,7 @@ TEST(FamilyHoles, ATapTurnsTheSpindleByItsPitch) {
           EXPECT_DOUBLE_EQ(std::abs(cuts[i].feed), 1.25) << what;
           EXPECT_DOUBLE_EQ(cuts[i].spindle_rpm, 400.0) << what;
           EXPECT_DOUBLE_EQ(cuts[i].end[2], i % 2 == 0 ? -9.0 : 4.0) << what;
-          // G331 turns the other way where its lead is below zero.
+          // G331 turns in the other direction where its lead is below zero.
           const bool clockwise = cuts[i].spindle == ir::SpindleState::clockwise;
           if (dialect.starts_with("sinumerik"))
             EXPECT_EQ(cuts[i].feed < 0.0, left) << what;

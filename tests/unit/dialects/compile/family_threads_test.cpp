@@ -1,4 +1,4 @@
-// Threads of families: leads, and the feed behind them.
+// Threads of families: leads, and the feed after them.
 #include <string>
 #include <vector>
 
@@ -36,7 +36,7 @@ TEST(FamilyThreads, TheLeadIsThePitchAlongEitherAxis) {
 }
 
 // Where F is the lead, the next cut must say its feed again, on every path.
-TEST(FamilyThreads, TheFeedBehindAThreadIsTheOneBefore) {
+TEST(FamilyThreads, TheFeedAfterAThreadIsTheOneBefore) {
   using enum ir::MotionKind;
   EXPECT_EQ(
       cuts_of(lathe("  feed slow\n  rapid x 20 mm z 3 mm\n  cut z 0 mm\n  thread z -10 mm pitch p\n  cut x 30 mm\n")),

@@ -1,4 +1,4 @@
-// Flow that one control says in its own way: RET over several programs, parts that are repeated, jumps to computed
+// Flow that one control writes by its own rules: RET over several programs, parts that are repeated, jumps to computed
 // numbers, returns to a block of the caller. Oracle: the places that the programs name.
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ TEST(ReturnLevels, ToALabelThere) {
   EXPECT_EQ(places(run(kMain, with("RET(\"LATER\",,2)"))), (std::vector<double>{0, 3, 11}));
 }
 
-// What else RET can do is told, and the program is left.
-TEST(ReturnLevels, OtherFormsAreTold) {
+// What else RET can do is reported, and the program is left.
+TEST(ReturnLevels, OtherFormsAreReported) {
   const Result played = run(kMain, with("RET(\"LATER\",1,1)"));
   EXPECT_TRUE(played.names("RET"));
   EXPECT_EQ(places(played), (std::vector<double>{0, 3, 5, 9, 11}));
@@ -73,7 +73,7 @@ void expect_places_everywhere(const std::string& text, const std::vector<double>
 }
 
 // A part below the end of the program is run by its REPEAT only.
-TEST(RepeatedParts, BehindTheEnd) {
+TEST(RepeatedParts, AfterTheEnd) {
   expect_places_everywhere(
       kOwnStart + "REPEAT LAB1 LAB2 P=2\nG0 X9\nREPEAT LAB1 LAB2\nM30\nLAB1: G0 X=IC(1)\nLAB2: G0 X=IC(2)\n",
       {0, 1, 3, 4, 6, 9, 10, 12});
@@ -83,7 +83,7 @@ TEST(RepeatedParts, BehindTheEnd) {
 TEST(RepeatedParts, UpToTheirOwnRepeat) {
   expect_places_everywhere(kOwnStart + "LAB1: G0 X=IC(1)\nG0 X=IC(2)\nREPEAT LAB1 P=2\nG0 X20\nM30\n",
                            {0, 1, 3, 4, 6, 7, 9, 20});
-  // In a loop each arrival counts anew.
+  // In a loop each arrival counts again.
   expect_places_everywhere(kOwnStart + "R1=0\nWHILE R1<2\nLAB1: G0 X=IC(1)\nREPEAT LAB1 P=R1\nR1=R1+1\nENDWHILE\nM30\n",
                            {0, 1, 2, 3});
 }
@@ -164,7 +164,7 @@ TEST(ReturnsOfAMainProgram, AreJumpsToSinumerik) {
   EXPECT_FALSE(called.text.contains("GOTOS")) << called.text;
 }
 
-// G53 goes at rapid and not beside G91; SUPA as programmed.
+// G53 goes at rapid and not with G91; SUPA as programmed.
 TEST(MachineMoves, AreTheSameOnlyByRapid) {
   const auto errors = [](const std::string& blocks, const std::string& from, const std::string& to) {
     const std::string text =
@@ -182,7 +182,7 @@ TEST(MachineMoves, AreTheSameOnlyByRapid) {
   EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "mitsubishi-m80", "fanuc").contains("together with G91"));
 }
 
-// G53 leaves the length of the tool out; whether SUPA does, a machine data decides, and D0 says so.
+// G53 leaves the tool length out; whether SUPA does, a machine data decides, and D0 says so.
 TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
   const std::string head = "%\nO1\nG90 G21 G17 G94\nT1 M6\nG54 G0 X10. Y10.\nG43 Z10. H1\nG0 Z100.\n";
   const std::string mill = translated(head + "G53 Z0.\nX20.\nG53 X0.\nG49\nG53 Z0.\nM30\n%\n", "fanuc", kOwn).text;
@@ -211,7 +211,7 @@ TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
   EXPECT_TRUE(messages_of(keeps.diagnostics, text::Source("p", own + "SUPA Z0\nM30\n")).starts_with("p:7:1: error"));
 }
 
-// How the machine follows the path is no part of it: told and left out.
+// How the machine follows the path is no part of it: reported and left out.
 TEST(Smoothing, OfAnotherControlIsLeftOut) {
   const std::string text = kOwnStart + "CYCLE832(0.01,1)\nG1 X10 F500\nCYCLE832()\nX20\nM30\n";
   for (const std::string& to : dialect_names()) {
@@ -223,8 +223,8 @@ TEST(Smoothing, OfAnotherControlIsLeftOut) {
   }
 }
 
-// What an operator has typed in is elsewhere on another control, and nobody has typed it there.
-TEST(OutsideValues, AreToldByName) {
+// What an operator has typed in is elsewhere on another control, and no one has typed it there.
+TEST(OutsideValues, AreReportedByName) {
   const auto messages = [](const std::string& text, const std::string& from, const std::string& to) {
     return messages_of(translated(text, from, to).diagnostics, text::Source("p", text));
   };
@@ -244,8 +244,8 @@ TEST(OutsideValues, AreToldByName) {
   EXPECT_FALSE(messages("G0 X=R1\nM17\n", kOwn, "fanuc").contains("which nothing here sets"));
 }
 
-// A part that is run again begins with what is in effect behind it: positions by angle count otherwise beside G91.
-TEST(RepeatedParts, PolarPositionsInThemAreOfAllWays) {
+// A part that is run again begins with what is in effect after it: positions by angle count otherwise with G91.
+TEST(RepeatedParts, PolarPositionsInThemAreOfAllPaths) {
   const std::string text =
       kOwnStart + "PART:\nG111 X10 Y10\nG1 AP=90 RP=5 F100\nG91\nPARTEND:\nREPEAT PART PARTEND P=1\nM30\n";
   const ConvertResult made = translated(text, kOwn, "fanuc");

@@ -89,7 +89,7 @@ TEST(ForeignWords, AnArcNeedsACentreOrARadius) {
     EXPECT_NE(complaints(none).find("an arc without a centre or radius"), std::string::npos) << to << none.text;
     const ConvertResult modal = translated(kHead + "G02 X10. Y0. I5. F100.\nX20.\nM30\n", "fanuc", to);
     EXPECT_NE(complaints(modal).find("an arc without a centre or radius"), std::string::npos) << to << modal.text;
-    // One word left out is 0, also beside a move along the third axis.
+    // One word left out is 0, also next to a move along the third axis.
     const std::string helix = kHead + "G00 X0. Y0. Z0.\nG02 X10. Y0. Z-2. I5. F100.\nG03 I-5.\nG01 X3.\nM30\n";
     const ConvertResult whole = translated(helix, "fanuc", to);
     ASSERT_FALSE(text::has_error(whole.diagnostics)) << to << complaints(whole);

@@ -56,7 +56,7 @@ TEST(FramesToSinumerik, LocalShift) {
   expect_refused(kHead + "G52 X5. Y6.\nX1. Y1.\nG52 X7.\nX2.\nM30\n", "fanuc", kTo, "program:7");
 }
 
-TEST(FramesToSinumerik, RotationBesideALocalShift) {
+TEST(FramesToSinumerik, RotationWithALocalShift) {
   for (const std::string from : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const std::string to = expect_same_moves(
         kHead +
@@ -88,7 +88,7 @@ TEST(FramesFromSinumerik, MirrorScaleAndRotationInTheOrderThatIsTheSame) {
   expect_same_moves(kOwnHead + "MIRROR Y0\nX4 Y2\nMIRROR\nX0\nM30\n", kTo, "fanuc");
 }
 
-TEST(FramesFromSinumerik, AddedShiftsAreSaidAsOne) {
+TEST(FramesFromSinumerik, AddedShiftsAreWrittenAsOne) {
   const std::string to = expect_same_moves(
       kOwnHead +
           "R1=1\nTRANS X10 Y-4\nX1\nATRANS X5 Z2\nX2 Z1\nATRANS Y=R1+3\nY1\nAROT RPL=30\nX4 Y2\nTRANS\nX0 Y0\nM30\n",
@@ -99,7 +99,7 @@ TEST(FramesFromSinumerik, AddedShiftsAreSaidAsOne) {
   expect_refused(kOwnHead + "TRANS X3\nG70\nATRANS X5\nX1\nTRANS\nM30\n", kTo, "fanuc", "a shift that is computed");
 }
 
-TEST(FramesFromSinumerik, InALoopThatBeginsAnew) {
+TEST(FramesFromSinumerik, InALoopThatBeginsAgain) {
   expect_same_moves(
       "DEF INT I\n" + kOwnHead + "FOR I=0 TO 3\nTRANS X=I*10 Y=2\nAROT RPL=I*15\nX5 Y1\nENDFOR\nTRANS\nX0 Y0\nM30\n",
       kTo, "fanuc");
@@ -137,7 +137,7 @@ TEST(PolarFromSinumerik, APoleIsWhatItWasWhenItWasSet) {
                     kRounded);
 }
 
-// One pole reaches the loop, another is set behind it.
+// One pole reaches the loop, another is set after it.
 TEST(PolarFromSinumerik, LoopsKeepTheirPole) {
   expect_same_moves(
       "DEF INT I\n" + kOwnHead + "G111 X5 Y5\nFOR I=0 TO 3\nG1 AP=I*90 RP=10\nENDFOR\nG111 X1 Y1\nAP=0 RP=1\nM30\n",

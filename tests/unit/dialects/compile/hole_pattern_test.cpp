@@ -1,4 +1,4 @@
-// Figures of holes from one control to another: between the controls that have them, and their moves for the others.
+// Hole patterns from one control to another: between the controls that have them, and their moves for the others.
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {
@@ -46,7 +46,7 @@ TEST(HolePatterns, AreTheirMovesForTheOthers) {
   }
 }
 
-// Without a cycle only places come of it, and that is not certain; with a variable of others nobody knows the places.
+// Without a cycle only places come of it, and that is not certain; with a variable of others no one knows the places.
 TEST(HolePatterns, AreRefusedWithTheirPlace) {
   for (const std::string& text :
        {"%\nO1\nG21 G17 G90 G94 G40\nG00 X0. Y0. Z50.\n" + kFigures + "M30\n%\n",

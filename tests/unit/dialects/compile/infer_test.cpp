@@ -10,7 +10,7 @@ namespace {
 
 std::string inferred(const std::string& text) { return std::string(infer_dialect(text::Source("x", text)).name); }
 
-TEST(Infer, TellsTheFamilyFirst) {
+TEST(Infer, StatesTheFamilyFirst) {
   EXPECT_EQ(inferred("%\nO1(PART)\nG00 X1.\nM30\n%\n"), "fanuc");
   EXPECT_EQ(inferred("%_N_PART_MPF\nG0 X1\nM30\n"), "sinumerik-840d");
   EXPECT_EQ(inferred("G1 X10\n"), "fanuc");
@@ -26,7 +26,7 @@ TEST(Infer, ReadsTheEndingOfTheNameAndSmallLetters) {
   EXPECT_EQ(inferred("Proc Wheel(Real Edge)\nG1 X10\nM17\n"), "sinumerik-840d");
 }
 
-TEST(Infer, TellsTheHashControlsApartByWhatOneAloneHas) {
+TEST(Infer, SeparatesTheHashControlsByWhatOneAloneHas) {
   EXPECT_EQ(inferred("%\nO1\nG53.5\nG00 X1.\nM30\n%\n"), "mazak");
   EXPECT_EQ(inferred("%\nO1(FOR THE MAZAK)\nG00 X1.\nM30\n%\n"), "mazak");
   EXPECT_EQ(inferred("%\nO1\nG31.1 Z-5. F50.\nM30\n%\n"), "mitsubishi-m80");
@@ -41,7 +41,7 @@ TEST(Infer, AnIntegrexHasCodesOfItsOwn) {
 }
 
 // Lathes of schools change the tool by T0707 M06: the lines after it decide.
-TEST(Infer, AToolWithItsOwnOffsetBesideM06IsEithers) {
+TEST(Infer, AToolWithItsOwnOffsetWithM06IsEithers) {
   const Dialect& fanuc = *find_dialect("fanuc");
   const auto kind = [&](const std::string& text) { return fanuc.infer_control(text::Source("x", text)).kind; };
   EXPECT_EQ(kind("O1\nG28 G21\nT0707 M06\nG99 G96 S255 M03\nG00 X55. Z1.5\nG71 U1. R0.5\nM30\n"),

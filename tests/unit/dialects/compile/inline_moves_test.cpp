@@ -53,7 +53,7 @@ TEST(InlineMoves, ArcsByAPointOrATangent) {
   }
 }
 
-// The chords of one that leaves its plane are straight cuts there, and whoever takes them over is told.
+// The chords of one that leaves its plane are straight cuts there, and whoever takes them over is informed.
 TEST(InlineMoves, AnArcInSpace) {
   const std::string text = "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z0\nCIP X10 I1=5 K1=5 F200\nX20 I1=15 K1=5\nM30\n";
   const auto here = real_moves(run_text(text, control("sinumerik-840d", MachineKind::mill)).motions);
@@ -86,7 +86,7 @@ TEST(InlineMoves, ArcsAgainAndAgainInALoop) {
   }
 }
 
-TEST(InlineMoves, BesideModalDrilling) {
+TEST(InlineMoves, DuringModalDrilling) {
   const std::string made = expect_same_there(
       "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z5\nCIP X20 Y0 I1=10 J1=10 F200\nG0 Z5\nMCALL CYCLE81(5,0,2,-9)\nX5 Y5\nX9\n"
       "MCALL\nG0 Z10\nM30\n",
@@ -94,8 +94,8 @@ TEST(InlineMoves, BesideModalDrilling) {
   EXPECT_NE(made.find("G81"), std::string::npos) << made;
 }
 
-TEST(InlineMoves, TheFeedAndTheMotionBehindThem) {
-  // Behind the arcs the modal motion is the arc's: X50 is one; G1 and a feed of its own follow, then a rapid.
+TEST(InlineMoves, TheFeedAndTheMotionAfterThem) {
+  // After the arcs the modal motion is the arc's: X50 is one; G1 and a feed of its own follow, then a rapid.
   expect_same_there(
       "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z5\nG1 Y1 F100\nCIP X20 Y1 I1=10 J1=11 F200\nG1\nX30\nF50\nX40\nG0 X50\n"
       "X60\nM30\n",
@@ -144,7 +144,7 @@ TEST(InlineMoves, AContourBetweenLabels) {
 }
 
 // The end's label alone on its line: the contour is what stands before it. All blocks are numbered, and no number is a
-// way into the program.
+// path into the program.
 TEST(InlineMoves, AContourThatEndsBeforeItsLabel) {
   const std::string blocks =
       "N5 G18 G90 G95 G71 DIAMOF\nN10 G97 S500 M3\nN20 G0 X41 Z5\nN30 CYCLE95(\"START:END\",5,0,0,0,0.3,0.2,0.15,1)\n"
@@ -205,7 +205,7 @@ TEST(InlineMoves, OnOneSwitchTheMovesMustBeTheSame) {
   EXPECT_NE(here.find("makes other moves each time"), std::string::npos) << here;
 }
 
-// A macro whose arguments come from outside, a value of the control, a caller, another coordinate system: nobody knows
+// A macro whose arguments come from outside, a value of the control, a caller, another coordinate system: no one knows
 // the moves. The message says which.
 TEST(InlineMoves, WhatOthersDecideIsRefused) {
   struct Case {
@@ -258,7 +258,7 @@ TEST(InlineMoves, WhatWouldBeLostIsRefused) {
   const std::string mill = "%\nO1\nG21 G17 G90 G94 G40\nS800 M03\nG00 X0. Y0. Z20.\n";
   const std::string figure = "G34 X50. Y50. I20. J0. K4\n";
   for (const std::string to : {"fanuc", "sinumerik-840d"}) {
-    // An oriented stop, a tap; holes and a level that count on the cycle behind the figure.
+    // An oriented stop, a tap; holes and a level that count on the cycle after the figure.
     refusal(mill + "G98 G87 Z-10. R-15. Q0.2 F100. L0\n" + figure + "G80\nM30\n%\n", "mitsubishi-m80", to,
             MachineKind::mill);
     refusal(mill + "G98 G84 Z-10. R5. F100. L0\n" + figure + "G80\nM30\n%\n", "mitsubishi-m80", to, MachineKind::mill);
@@ -273,7 +273,7 @@ TEST(InlineMoves, WhatWouldBeLostIsRefused) {
   }
 }
 
-TEST(InlineMoves, ACycleThatBecameMovesIsSaid) {
+TEST(InlineMoves, ACycleThatBecameMovesIsReported) {
   const std::string text = kLathe + "G00 X0 Z5.\nG83 Z-30. R-3. Q5000 F0.1\nG80\nG00 Z20.\nM30\n%\n";
   const ConvertResult made = converted(text, "fanuc", "sinumerik-840d", MachineKind::lathe);
   const std::string here = messages_of(made.diagnostics, text::Source("program", text));

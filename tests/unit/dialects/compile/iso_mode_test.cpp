@@ -138,7 +138,7 @@ TEST(IsoMode, CallsAreWrittenAsInSiemensModeToo) {
             path(after_head("G0 X1\nX9 Y0\nY2\nX4\nX9 Y0\nY3\nX2\n")));
 }
 
-TEST(IsoMode, SwitchesThatBlockSkipLeavesOutAreSaid) {
+TEST(IsoMode, SwitchesThatBlockSkipLeavesOutAreReported) {
   const std::string_view name = "a switch of the language that block skip leaves out";
   EXPECT_FALSE(after_head("G291\nG0 X1.\n/G290\nG0 X2\n").names(name));
   EXPECT_TRUE(run_on(iso_mill(), std::string(kHead) + "G291\nG0 X1.\n/G290\nG0 X2\nM30\n", {}, {}, 100, 2).names(name));
@@ -151,12 +151,12 @@ TEST(IsoMode, SwitchesStandAlone) {
   EXPECT_EQ(path(after_head("N10 G291 ;c\ng0 x1.\nG291 (again)\nX2.\nN20 G290 (back)\nX=3\n")),
             path(after_head("G0 X1\nX2\nX3\n")));
   EXPECT_EQ(path(after_head("G291\nG0 X1.\n:20 G290\nX=3\n")), path(after_head("G0 X1\nX3\n")));
-  // A text that is executed does not change the language of the blocks behind it.
+  // A text that is executed does not change the language of the blocks after it.
   EXPECT_TRUE(after_head("EXECSTRING(\"G291\")\nG0 X1\n").names("EXECSTRING"));
 }
 
-// Which frame lies in which is not followed: it is said. A code that takes nothing back is no frame.
-TEST(IsoMode, FramesOfBothLanguagesAreSaid) {
+// Which frame lies in which is not followed: it is reported. A code that takes nothing back is no frame.
+TEST(IsoMode, FramesOfBothLanguagesAreReported) {
   const std::string_view name = "a frame of one of the control's languages together with one of the other";
   EXPECT_EQ(path(after_head("ROT RPL=90\nG291\nG69 G50\nG0 X2. Y0.\nG290\n")),
             path(after_head("ROT RPL=90\nG0 X2 Y0\n")));
@@ -183,7 +183,7 @@ TEST(IsoMode, TapeMarksEndNoPart) {
 }
 
 // A file with its head begins in ISO mode where it is called there, and so does each of a stream on a machine that
-// wakes up in it.
+// wakes it.
 TEST(IsoMode, HeadsDoNotEndIt) {
   ir::Control counts = iso_mill();
   counts.semantics.iso_decimal_mode = ir::DecimalMode::least_increment;
@@ -266,7 +266,7 @@ TEST(IsoMode, LathesHaveTheirGCodeSystem) {
             wanted);
 }
 
-TEST(IsoMode, WhatIsNotCarriedOutIsSaid) {
+TEST(IsoMode, WhatIsNotCarriedOutIsReported) {
   const Result macro = after_head("G291\nG1 X#1\nIF[#1EQ0]GOTO5\nY1.\nN5\nG290\n");
   EXPECT_TRUE(macro.names("Custom Macro B in ISO mode"));
   EXPECT_NE(macro.motions.back().axes_unknown & 1U, 0U);
@@ -276,8 +276,8 @@ TEST(IsoMode, WhatIsNotCarriedOutIsSaid) {
                    .names("a modal cycle or call that continues in the control's other language"));
 }
 
-// Nobody reads the part where there is no library: it is kept as written.
-TEST(IsoMode, WithoutALibraryThePartIsSaid) {
+// No one reads the part where there is no library: it is kept as written.
+TEST(IsoMode, WithoutALibraryThePartIsReported) {
   const ir::Control control = iso_mill();
   const text::Source source("TEST.MPF", std::string(kHead) + "G291\nG0 X1.\nG290\nG0 Y1\nM30\n");
   const ir::ReadResult read = find_dialect(control.dialect)->read(source, control);
@@ -309,7 +309,7 @@ std::string streamed(const ir::Control& control, const std::string& text, bool w
 TEST(IsoMode, StreamingFindsTheSwitch) {
   const std::string text = "G0 X1 Y0 Z0\nG0 X2\nG291\nG81 X3. Z-1. R1. F100.\nG80\nG290\nG0 X4\nM30\n";
   EXPECT_EQ(streamed(iso_mill(), text, false), streamed(iso_mill(), text, true));
-  // A machine that wakes up in ISO mode has no block of Siemens mode first.
+  // A machine whose power-on state is ISO mode has no block of Siemens mode first.
   ir::Control starts = iso_mill();
   starts.semantics.starts_in_iso_mode = true;
   const std::string iso = "O0001\nG21 G0 X1. Y0. Z0.\nG81 X3. Z-1. R1. F100.\nG80\nG290\nG0 X=2*2\nM30\n";

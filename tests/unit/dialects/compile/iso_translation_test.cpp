@@ -71,7 +71,7 @@ TEST(IsoTranslation, ModesGoThroughTheSwitch) {
   }
 }
 
-TEST(IsoTranslation, IncrementsOfTheControlAreSaid) {
+TEST(IsoTranslation, IncrementsOfTheControlAreReported) {
   ir::Control from = sinumerik(MachineKind::mill);
   from.semantics.iso_decimal_mode = ir::DecimalMode::least_increment;
   from.semantics.iso_decimal_mode_confirmed = true;
@@ -104,8 +104,8 @@ TEST(IsoTranslation, ToolsAndTheirOffsets) {
             std::string::npos);
 }
 
-// Units and kinds of feed are those on the ways that lead there; K counts holes, F hundredths per revolution.
-TEST(IsoTranslation, WhatNumbersCountFollowsTheWays) {
+// Units and kinds of feed are those on the paths that lead there; K counts holes, F hundredths per revolution.
+TEST(IsoTranslation, WhatNumbersCountFollowsThePaths) {
   ir::Control from = sinumerik(MachineKind::mill);
   from.semantics.iso_decimal_mode = ir::DecimalMode::least_increment;
   from.semantics.iso_decimal_mode_confirmed = true;
@@ -128,8 +128,8 @@ TEST(IsoTranslation, WhatNumbersCountFollowsTheWays) {
   EXPECT_NE(turned.find("F2."), std::string::npos) << turned;
 }
 
-// Where the tool stands behind what ISO mode does is known or not taken for known.
-TEST(IsoTranslation, InitialLevelsBehindIt) {
+// Where the tool comes after what ISO mode does is known or not taken for known.
+TEST(IsoTranslation, InitialLevelsAfterIt) {
   const std::string head = "G17 G90 G94 G54 G71\nT5 M6\nD1\nG0 X0 Y0 Z50 F500 S1000 M3\n";
   const std::string holes = "MCALL CYCLE81(50,0,2,-5)\nX30\nX40\nMCALL\nX50\nR100=R101\nM30\n";
   for (const std::string what : {"G92 Z10.", "G52 Z5.", "G31 Z20. F100.\nG0", "G10 L2 P1 Z5.", "G43 H5"}) {
@@ -188,7 +188,7 @@ TEST(IsoTranslation, MacrosReadWhatTheyWerePassed) {
     expect_same(wanted, real_moves(run_text(calls.text, control(to, MachineKind::mill), &there).motions), 1.1e-3,
                 called.text);
   }
-  // As a number it has no equal, nor has it in a program that nobody calls.
+  // As a number it has no equal, nor has it in a program that no one calls.
   EXPECT_NE(refusal("PROC O0010\nR1=5+$C_X_PROG\nM17\n").find("$C_X_PROG"), std::string::npos);
   EXPECT_NE(refusal("G17 G90 G71 G94\nG1 X=$C_X F100\nM30\n").find("$C_X"), std::string::npos);
 }
@@ -229,7 +229,7 @@ TEST(IsoTranslation, ThreadsAndShapesOfALathe) {
       head + "G0 X40. Z5.\nG34 Z-20. F2. K0.1\nG0 X60.\nZ5.\nG32 X40. Z-10. F1.5\nG290\nG0 X60\nM30\n", "fanuc",
       sinumerik(MachineKind::lathe));
   EXPECT_NE(made.find("G34 Z-20. F2. K0.1"), std::string::npos) << made;
-  // Behind a cycle the feed is that of its block, whatever its shape says.
+  // After a cycle the feed is that of its block, whatever its shape says.
   const std::string behind = expect_same_there(
       head +
           "G0 X42. Z2.\nG71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X20.\nG1 Z-10. F0.1\nN20 X42.\nG0 X60.\nZ5.\n"
@@ -247,7 +247,7 @@ TEST(IsoTranslation, ThreadsAndShapesOfALathe) {
             std::string::npos);
 }
 
-// A user's macro beside a drilling cycle; what starts the coolant does so before the cut.
+// A user's macro in the block of a drilling cycle; what starts the coolant does so before the cut.
 TEST(IsoTranslation, ModalMacrosAndSwitchingFunctions) {
   const ConvertResult made =
       converted(program("G66 P9010 A1.\nX5.\nG67\nG290\nG0 Z5\nMCALL CYCLE81(5,0,2,-5)\nX9\nMCALL\n"), "fanuc",

@@ -1,4 +1,4 @@
-// The spindle behind a constant surface speed: it keeps what that came to, and never goes back to the S before it.
+// The spindle after a constant surface speed: it keeps what that came to, and never goes back to the S before it.
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -73,7 +73,7 @@ TEST(Outline, HasProgramsToolsCallsLabelsAndStops) {
             "1 label A1: G0 X0, 2 call GROOVE, 5 stop M30");
 }
 
-TEST(Outline, NumbersThatNobodyJumpsToAreNoPlaces) { EXPECT_EQ(outline("N10 X1.\nN20 X2.\n"), ""); }
+TEST(Outline, NumbersThatNothingJumpsToAreNoPlaces) { EXPECT_EQ(outline("N10 X1.\nN20 X2.\n"), ""); }
 
 TEST(Outline, HasEachOfSeveralPrograms) {
   EXPECT_EQ(outline("%\nO1\nM30\nO2\nM99\n%\n"), "2 program O1, 3 stop M30, 4 program O2");

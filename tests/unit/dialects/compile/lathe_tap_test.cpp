@@ -1,5 +1,5 @@
 // Taps of lathes, from one control to the other. Oracle: the run of the source: ends, leads, speeds, dwells and how the
-// spindle turns behind; the words by hand from the manuals.
+// spindle turns afterwards; the words by hand from the manuals.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ double lead_of(const ir::Motion& m) {
   return by_time ? m.feed / m.spindle_rpm : m.feed;
 }
 
-// Moves and dwells; a rapid that only stops on the way of the next one is left out.
+// Moves and dwells; a rapid that only stops on the path of the next one is left out.
 std::vector<ir::Motion> cuts_of(const std::vector<ir::Motion>& motions) {
   std::vector<ir::Motion> out;
   for (const ir::Motion& m : motions) {
@@ -237,7 +237,7 @@ TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
 }
 
 // F of the tap is its lead there, and the feed of the next cut here.
-TEST(LatheTap, TheFeedBehindATapOfAnotherNumberedControl) {
+TEST(LatheTap, TheFeedAfterATapOfAnotherNumberedControl) {
   const std::string end = "G80\nG01 Z9.\nG00 X100.\nM30\n%\n";
   const std::string by_time =
       expect_same_there(kNumbered + "G98\nM29 S300\nG84 Z-20. R-2. F450.\nZ-9.\n" + end, "fanuc", "mitsubishi-m80");
@@ -300,7 +300,7 @@ TEST(LatheTap, AsPlainBlocks) {
 }
 
 // Where G91 is a mode (systems B and C), the ends of the moves that stand for a cycle are absolute all the same.
-TEST(LatheCycles, BesideG91AreAbsoluteMoves) {
+TEST(LatheCycles, WithG91AreAbsoluteMoves) {
   const std::string head = "%\nO1\nG21 G18 G40 G95 G90\nT0101\nG97 G00 X50. Z2. S1000 M03\n";
   const std::string end = "G90\nG00 X60.\nM30\n%\n";
   for (const std::string cycle :

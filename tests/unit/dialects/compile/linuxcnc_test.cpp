@@ -126,7 +126,7 @@ TEST(LinuxCnc, KnowsWhatExists) {
             "1.0000 2.0000 2.0000 1.0000 2.0000 ");
 }
 
-TEST(LinuxCnc, TellsItsMessages) {
+TEST(LinuxCnc, ReportsItsMessages) {
   EXPECT_EQ(run("#<a>=2.5\n( Debug , a is #<a>, 3 is #1)\n(MSG, #<a>)\nm2\n").trace,
             "message \" a is 2.5, 3 is 0\"\nmessage \" #<a>\"\nend\n");
 }

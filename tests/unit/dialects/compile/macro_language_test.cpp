@@ -167,7 +167,7 @@ TEST(MacroLanguage, ComputedJumpsAndNestedLoops) {
   EXPECT_EQ(value_of(r, "#103"), 6.0);
 }
 
-// An offset that is set to a value that only the control knows, and then to another: where the axis is, nobody knows.
+// An offset that is set to a value that only the control knows, and then to another: where the axis is, is not known.
 TEST(MacroLanguage, AnOffsetOfAnUnknownValue) {
   const Result ran = run("%\nO1\nG90 G54 G00 X0. Y5.\n#5222=#5122\n#5222=0\n#101=#5042\nG91 Y1.\nM30\n%\n");
   EXPECT_FALSE(ran.trace.contains("nan")) << ran.trace;
@@ -186,7 +186,7 @@ TEST(MacroLanguage, OffsetsThatAreSetMoveThePosition) {
   EXPECT_EQ(value_of(r, "#103"), 50.0);
 }
 
-// G54.1 P2 X is #7021 on all of them and has another number beside; P60 has none below 8000, but G10 L20 sets it. The
+// G54.1 P2 X is #7021 on all of them and has another number besides; P60 has none below 8000, but G10 L20 sets it. The
 // zero moves from 100 to 130, so that the same place is 30 less.
 TEST(MacroLanguage, AnOffsetWithTwoNumbersIsOne) {
   struct Case {
@@ -252,7 +252,7 @@ TEST(MacroLanguage, ABlockUnderEachBlockCallWithACodeIsNotCertain) {
                                   [](const auto& n) { return n.name == "a block under G66.1" && n.first_line == 5; }));
 }
 
-TEST(MacroLanguage, ThreeDimensionalCodesAreToldWithTheirLine) {
+TEST(MacroLanguage, ThreeDimensionalCodesAreReportedWithTheirLine) {
   for (const std::string code : {"G68.2 X0. Y0. Z0. I0. J45. K0.", "G43.4 H1"}) {
     const Result r = run("%\nO1\nG90 G00 X9. Y0. Z0.\n" + code + "\nX1.\nM30\n%\n");
     const std::string name = code.substr(0, 5);
@@ -364,7 +364,7 @@ TEST(MacroLanguage, ContourControlIsAMode) {
   EXPECT_TRUE(unread("G05 P#1"));
 }
 
-TEST(MacroLanguage, TapersStartBesideTheEnd) {
+TEST(MacroLanguage, TapersStartNextToTheEnd) {
   const Result r = run("%\nO1\nG21 G99 G18\nG00 X60. Z2.\nG90 X50. Z-20. R-2.5 F0.2\nU-14.\nM30\n%\n", "fanuc",
                        ir::MachineKind::lathe);
   EXPECT_EQ(

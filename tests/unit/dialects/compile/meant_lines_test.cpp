@@ -1,4 +1,4 @@
-// What two ways of writing one program have in common, and what is never the same.
+// What two spellings of one program have in common, and what is never the same.
 #include "dialects/compile/translate/meant_lines.h"
 
 #include <string>
@@ -89,7 +89,7 @@ TEST(MeantLines, NamesOfCallsAreExact) {
   expect_same("M98P0100\nM30\n", "M98P100\nM30\n");
 }
 
-TEST(MeantLines, WhatIsNotUnderstoodIsSaid) {
+TEST(MeantLines, WhatIsNotUnderstoodIsReported) {
   EXPECT_NE(meant("G1X1.F1.\nG1X[1+\nM30\n").not_understood, "");
   EXPECT_TRUE(meant("G1X1.F1.\nG1X[1+\nM30\n").not_understood.starts_with("line 2: "));
   EXPECT_NE(meant("G1 X1\nUNHEARD_OF X=\nM30\n", "sinumerik-840d").not_understood, "");

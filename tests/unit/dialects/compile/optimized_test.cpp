@@ -195,7 +195,7 @@ TEST(Optimized, WhatIsNotUnderstoodLeavesTheProgramAsItWas) {
   }
 }
 
-TEST(Optimized, WhatDependsOnInputsIsNotSaidToBeVerified) {
+TEST(Optimized, WhatDependsOnInputsIsNotCalledVerified) {
   const OptimizeResult result =
       optimized("G0 X0\nR3=R1+R2\nIF $A_IN[1]==1 GOTOF N20\nG1 X=R3 F100\nN20 M30\n", {.own = {kR}});
   EXPECT_EQ(result.not_verified, "its run depends on $A_IN[1]");

@@ -198,7 +198,7 @@ TEST(PolynomialRun, InverseTime) {
 }
 
 // At its end, x = 10, the slope of x (10 - x) is -10: an arc by CT leaves along (1, -10).
-TEST(PolynomialRun, ATangentialArcBehindIt) {
+TEST(PolynomialRun, ATangentialArcAfterIt) {
   const Result ran = run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=5\nCT X20 Y0\nM30\n");
   const auto arc = std::ranges::find_if(ran.motions, [](const ir::Motion& m) {
     return m.kind == ir::MotionKind::arc_cw || m.kind == ir::MotionKind::arc_ccw;
@@ -225,8 +225,8 @@ TEST(PolynomialRun, OnAFace) {
   EXPECT_GT(pieces, 10U) << ran.trace;
 }
 
-// From a place that nobody knows there is no curve; and a value that nobody knows makes none.
-TEST(PolynomialRun, UnknownPlacesAreSaid) {
+// From a place that no one knows there is no curve; and a value that no one knows makes none.
+TEST(PolynomialRun, UnknownPlacesAreReported) {
   for (const std::string text : {"G17 G90 G1 F500\nPOLY PO[X]=(10) PO[Y]=(0,-4) PL=5\nM30\n",
                                  "G17 G90 G1 X0 Y0 F500\nPOLY PO[X]=(10) PO[Y]=(0,-4) Z5\nM30\n",
                                  "G17 G90 G1 X0 Y0 F500\nPOLY PO[X]=(10) PO[Y]=(0,-4) SUPA\nM30\n"}) {
@@ -238,7 +238,7 @@ TEST(PolynomialRun, UnknownPlacesAreSaid) {
                   .trace.contains("spline X20.0000 Y0.0000"));
 }
 
-TEST(PolynomialRun, WithoutPolyTheyAreSaid) {
+TEST(PolynomialRun, WithoutPolyTheyAreReported) {
   for (const std::string block : {"PO[X]=(10) PO[Y]=(0,-4) PL=5", "PO[X]=(10)", "X=PO(10)", "G0 PO[X]=(10,1)"}) {
     const Result ran = run(kHead + block + "\nG1 Y1\nM30\n");
     EXPECT_TRUE(ran.names("PO: coefficients where POLY is not in effect")) << block;
@@ -247,8 +247,9 @@ TEST(PolynomialRun, WithoutPolyTheyAreSaid) {
   }
 }
 
-// Denominators, axes that have no polynomials here, more than five values, none: told by name, and all may have moved.
-TEST(PolynomialRun, WhatIsNotReadIsSaid) {
+// Denominators, axes that have no polynomials here, more than five values, none: reported by name, and all may have
+// moved.
+TEST(PolynomialRun, WhatIsNotReadIsReported) {
   for (const std::string block : {"POLY PO[X]=(0,-10) PO[Y]=(10) PO[]=(2,1)", "POLY PO[C]=(90,2)", "POLY C=PO(90,2)",
                                   "POLY PO[X]=(1,2,3,4,5,6)", "POLY PO[X]=()", "POLY X=PO()", "POLY PO[X]=(1,,2)",
                                   "POLY PO[AX1]=(1,2)", "POLY PO[X]=(,2)", "POLY PO[X]=(CAC(1),2)"}) {
@@ -269,7 +270,7 @@ TEST(PolynomialRun, CornersAreNotMade) {
   EXPECT_TRUE(run(kHead + "POLY X5 RND=2\nY10\nM30\n").trace.contains("arc-ccw X5.0000 Y2.0000"));
 }
 
-TEST(PolynomialRun, AWayOfTheParameterThatThereIsNot) {
+TEST(PolynomialRun, APathOfTheParameterThatThereIsNot) {
   for (const std::string way : {"0", "-1", "0.00001", "100000"}) {
     const Result ran = run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=" + way + "\nM30\n");
     ASSERT_FALSE(ran.result.diagnostics.empty()) << way;

@@ -38,7 +38,7 @@ TEST(ProgramDigest, CallsAreThoseOfTheReader) {
   EXPECT_EQ(calls(digest("GROOVE(1,2)\nL0100\nCYCLE83(1,2,3,4)\nM30\n", "sinumerik-840d")), "GROOVE:1 L0100:2");
 }
 
-TEST(ProgramDigest, AFaultIsSaid) { EXPECT_TRUE(digest("O1\nM98P[1\nM30\n").not_read.starts_with("line 2: ")); }
+TEST(ProgramDigest, AFaultIsReported) { EXPECT_TRUE(digest("O1\nM98P[1\nM30\n").not_read.starts_with("line 2: ")); }
 
 TEST(ProgramDigest, OfALongTextTheMovesAreLeftOut) {
   std::string text = "O1\n";

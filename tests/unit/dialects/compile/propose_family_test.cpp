@@ -85,7 +85,7 @@ TEST(ProposeFamily, DefinitionsAndCallsAreFound) {
   EXPECT_EQ(line_for(out, "R5"), "param r5 length -1 mm in -2..-0.5 is R5  # proposed range");
   EXPECT_EQ(line_for(out, "TURN.DM"), "param dm length 50 mm in 25..100 is TURN.DM  # proposed range");
   EXPECT_EQ(line_for(out, "TURN.PASSES"), "param passes count 4 in 2..8 is TURN.PASSES  # proposed range");
-  // G71 says nothing of feeds, and nobody has looked at the machine.
+  // G71 says nothing of feeds, and no one has looked at the machine.
   EXPECT_EQ(line_for(out, "TURN.F_ROUGH"), "param f_rough ratio 0.25 in 0.125..0.5 is TURN.F_ROUGH  # proposed range");
 }
 
@@ -110,7 +110,7 @@ TEST(ProposeFamily, NumbersOfOtherFormsAreNamed) {
             "3: R6 is not proposed: line 3 of the native program does not set it to a plain decimal number\n");
 }
 
-// A comment that stands behind two numbers names neither.
+// A comment that comes after two numbers names neither.
 TEST(ProposeFamily, ACommentNamesOneNumber) {
   const FamilyProposal out = proposed("G71\nR1=5 R2=7 ;feed\nR3=9 ;depth\nG0 X=R1 Z=R2\nG0 X=R3\nM30\n",
                                       "sinumerik-840d", ir::MachineKind::lathe);

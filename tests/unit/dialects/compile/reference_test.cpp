@@ -1,6 +1,6 @@
-// The way to the reference point: G28, and G75 of the fixed point that the profile says lies there. Where the point is
-// only the machine knows, so nothing is claimed of the axes afterwards. Oracle: the programming manual's section on the
-// approach to fixed points, and that both controls name the same axes.
+// The approach of the reference point: G28, and G75 of the fixed point that the profile says lies there. Where the
+// point is only the machine knows, so nothing is claimed of the axes afterwards. Oracle: the programming manual's
+// section on the approach to fixed points, and that both controls name the same axes.
 #include <gtest/gtest.h>
 
 #include "tests/unit/dialects/compile/sinumerik_run.h"
@@ -57,7 +57,7 @@ TEST(ReferencePoint, IsAFixedPointOfTheOtherControl) {
               1e-9, made.text);
 }
 
-TEST(ReferencePoint, ByWayOfAnotherPoint) {
+TEST(ReferencePoint, OverAnotherPoint) {
   const std::string text = "O1\nG17 G21 G90 G94 G40 G80\nG0 X0. Y0. Z0.\nG28 X5. Z7.\nX1. Z1.\nM30\n";
   const ConvertResult made = converted(text, control("fanuc", ir::MachineKind::mill), siemens(1));
   EXPECT_TRUE(made.text.contains("X5. Z7.\nG75 X1=0 Z1=0 FP=1\nX1. Z1.\n")) << made.text;
@@ -65,7 +65,7 @@ TEST(ReferencePoint, ByWayOfAnotherPoint) {
               1e-9, made.text);
 }
 
-// The way there is rapid, and the motion code of before goes on.
+// The approach is rapid, and the motion code of before goes on.
 TEST(ReferencePoint, FromAStraightCut) {
   const std::string text =
       "O1\nG17 G21 G90 G94 G40 G80\nG0 X0. Y0. Z0.\nN1 G1 X2. F100.\nN2 G28 Z7. M9\nX1. Z1.\nM30\n";

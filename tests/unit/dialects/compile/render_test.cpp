@@ -266,7 +266,7 @@ TEST(PlaceIndex, OffsetsAreBlockStartsAndValuesAreTheirs) {
       ++k;
     }
     EXPECT_EQ(k, static_cast<int>(closed_form({}).size()));
-    // Parameters do not change, so they are told once.
+    // Parameters do not change, so they are reported once.
     const auto constant = std::ranges::find(places.constants, "half_axis_z", &std::pair<std::string, double>::first);
     ASSERT_NE(constant, places.constants.end());
     EXPECT_DOUBLE_EQ(constant->second, 202.4);

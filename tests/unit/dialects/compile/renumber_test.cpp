@@ -46,7 +46,7 @@ TEST(Renumber, OnlyNamedBlocksKeepTheirs) {
   EXPECT_EQ(made.text, "%\nO1\n#1=1\nN10 G0 X0\nGOTO10\n\nM30\n%\n");
 }
 
-TEST(Renumber, EachProgramOfATextBeginsAnew) {
+TEST(Renumber, EachProgramOfATextBeginsAgain) {
   const Renumbered made = numbered("%\nO1\nN1 GOTO5\nN5 M98P2\nM30\nO2\nN1 #1=#1+1\nIF[#1LT3]GOTO1\nM99\n%\n");
   EXPECT_EQ(made.text, "%\nO1\nN10 GOTO20\nN20 M98P2\nM30\nO2\nN10 #1=#1+1\nIF[#1LT3]GOTO10\nM99\n%\n");
   EXPECT_TRUE(made.assumptions.empty());

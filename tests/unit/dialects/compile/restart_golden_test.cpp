@@ -1,6 +1,6 @@
 // Golden programs under tests/golden/restart/<diagnostic>/: a restart at the line that says HERE gives that diagnostic
 // for trigger* and a text for near_miss*. What it says, or the preamble and what it assumes, is what the
-// .expected.restart file beside it says (UPDATE_GOLDEN=1 writes it).
+// .expected.restart file next to it says (UPDATE_GOLDEN=1 writes it).
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -162,7 +162,7 @@ class Shop {
 
 bool is_near(double a, double b) { return std::abs(a - b) < 0.0015; }
 
-// The moves of `line` and behind it, in a program without calls.
+// The moves of `line` and after it, in a program without calls.
 std::vector<ir::Motion> moves_from(const std::vector<ir::Motion>& motions, std::uint32_t line) {
   std::vector<ir::Motion> out;
   for (const ir::Motion& m : motions)

@@ -1,5 +1,5 @@
-// Rigid taps whose F counts one thing here and another there: a feed a minute behind M29 and of G84.2, the lead with
-// ,R1 and in CYCLE84. Oracle: the lead of each way of both runs.
+// Rigid taps whose F counts one thing here and another there: a feed a minute after M29 and of G84.2, the lead with
+// ,R1 and in CYCLE84. Oracle: the lead of each move of both runs.
 #include <string>
 #include <vector>
 
@@ -31,7 +31,7 @@ std::string refusal(const std::string& text, const std::string& from, const std:
   return messages_of(made.diagnostics, text::Source("program", text));
 }
 
-// Ends and leads of the ways into the material.
+// Ends and leads of the moves into the material.
 std::vector<std::string> cuts_of(const std::string& text, const std::string& dialect) {
   std::vector<std::string> out;
   for (const ir::Motion& m : run_text(text, control(dialect, MachineKind::mill)).motions) {
@@ -59,7 +59,7 @@ TEST(RigidTap, TheLeadIsTheSame) {
   expect_same_leads(fanuc, "fanuc", "sinumerik-840d");
   expect_same_leads(lead, "mitsubishi-m80", "fanuc");
   expect_same_leads(lead, "mitsubishi-m80", "mazak");
-  // With numbers of blocks, which are no labels where nobody jumps to them.
+  // With numbers of blocks, which are no labels where no one jumps to them.
   expect_same_leads(kHead + "N10 M29 S500\nN20 G84 Z-20. R2. F750.\nN30 X10.\n" + kEnd, "fanuc", "mitsubishi-m80");
   expect_same_leads(kHead + "N10 M29 S500\nN20 G84 Z-20. R2. F750.\nN30 X10.\n" + kEnd, "fanuc", "mazak");
 }
@@ -77,7 +77,7 @@ TEST(RigidTap, ALeadThatChangesUnderTheCycleIsRefusedWhereItCounts) {
             std::string::npos);
 }
 
-// Which S counts, a way round or past it decides; and where the feed is to be said again.
+// Which S counts, a path round or past it decides; and where the feed is to be stated again.
 TEST(RigidTap, WhatJumpsDecideIsRefused) {
   const std::string past = kHead + "#1=1\nIF[#1EQ1]GOTO5\nS800\nN5 G84 Z-20. R2. F1.5 ,R1\n" + kEnd;
   EXPECT_NE(refusal(past, "mitsubishi-m80", "mazak").find("a rigid tap whose feed or speed"), std::string::npos);
@@ -93,7 +93,7 @@ TEST(RigidTap, WhatJumpsDecideIsRefused) {
                     "mitsubishi-m80", "fanuc");
 }
 
-TEST(RigidTap, ASecondOneBehindOneM29IsRefused) {
+TEST(RigidTap, ASecondOneAfterOneM29IsRefused) {
   const std::string twice = "M29 S500\nG84 Z-20. R2. F750.\nG84 Z-25. X3.\n";
   for (const std::string to : {"mazak", "mitsubishi-m80"})
     EXPECT_NE(refusal(kHead + twice + kEnd, "fanuc", to).find("a second tap after one M29"), std::string::npos);
@@ -107,7 +107,7 @@ TEST(RigidTap, ASecondOneBehindOneM29IsRefused) {
                     "mazak");
 }
 
-// CYCLE84 has the lead and the speed among its arguments: a block that changes them calls it anew.
+// CYCLE84 has the lead and the speed among its arguments: a block that changes them calls it again.
 TEST(RigidTap, ALaterHoleHasALeadOfItsOwn) {
   for (const std::string change : {"X10. F375.\n", "F375.\nX10.\n", "X10. S250\n", "X10. F375. Z-15.\n"}) {
     expect_same_leads(kHead + "G84 X0 Z-20. R2. F750.\n" + change + kEnd, "fanuc", "sinumerik-840d");

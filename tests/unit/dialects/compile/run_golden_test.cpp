@@ -1,5 +1,5 @@
 // Golden programs under tests/golden/run/<diagnostic>/ for what only a run sees: trigger* must give that diagnostic,
-// near_miss* must not, and all that the run says must be what the .expected.run file beside it says (UPDATE_GOLDEN=1
+// near_miss* must not, and all that the run says must be what the .expected.run file next to it says (UPDATE_GOLDEN=1
 // writes it). A program is a lathe's where it says so, and x.cir.nc one of a control whose 3403#5 (CIR) is 1.
 #include <algorithm>
 #include <cstdlib>

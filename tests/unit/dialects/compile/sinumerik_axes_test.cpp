@@ -1,4 +1,4 @@
-// SINUMERIK axes that move beside the path, frames, and calls whose arguments
+// SINUMERIK axes that move besides the path, frames, and calls whose arguments
 // do not fit. The oracle of each is the rule of the Programming Manuals Fundamentals (PG) and Job Planning (PGA), or
 // the alarm of the Diagnostics Manual, that it names.
 #include "tests/unit/dialects/compile/sinumerik_run.h"
@@ -25,7 +25,7 @@ TEST(SinumerikAxes, PositioningIsAMoveOfItsOwn) {
   EXPECT_TRUE(std::ranges::all_of(ran.result.not_interpreted, &interpreter::NotInterpreted::effects_known));
 }
 
-TEST(SinumerikAxes, WhatDoesNotWaitIsSaid) {
+TEST(SinumerikAxes, WhatDoesNotWaitIsReported) {
   const Result ran = after_head("POSA[X]=10 FA[X]=500\nWAITP(X)\nG0 Y1\n");
   EXPECT_TRUE(ran.names("POSA[X]"));
   EXPECT_TRUE(ran.names("FA[X]"));

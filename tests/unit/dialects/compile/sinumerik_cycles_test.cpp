@@ -180,7 +180,8 @@ TEST(SinumerikCycles, TappingWithACompensatingChuck) {
 }
 
 TEST(SinumerikCycles, BoringCycles) {
-  // CYCLE85: in by FFR, out by RFF; CYCLE86: lifted off by RPA, RPO, RPAP before it goes out, and back beside the hole.
+  // CYCLE85: in by FFR, out by RFF; CYCLE86: lifted off by RPA, RPO, RPAP before it goes out, and back next to the
+  // hole.
   const Result ream = run("G17 G90 G94 G0 X0 Y0 Z50\nF100\nCYCLE85(20,0,2,-10,,0,60,120)\nG0 X1\nM30\n");
   EXPECT_TRUE(
       ream.trace.contains("3 linear X0.0000 Y0.0000 Z-10.0000 F60.0000/min\n"
@@ -243,7 +244,7 @@ TEST(SinumerikCycles, OthersAreNamed) {
 
 // --- modal calls (PGA, "Modal subprogram call (MCALL)")
 
-TEST(SinumerikModalCalls, ACycleIsCalledBehindEachBlockThatMoves) {
+TEST(SinumerikModalCalls, ACycleIsCalledAfterEachBlockThatMoves) {
   const Result one = run("G0 X0 Y0 Z10\nMCALL CYCLE81(10,0,2,-5)\nX10 Y10 F100\nM8\nX20\nMCALL\nX30\nM30\n");
   const Result other = run("G0 X0 Y0 Z10\n\nX10 Y10 F100\nCYCLE81(10,0,2,-5)\nM8\nX20\nCYCLE81(10,0,2,-5)\nX30\nM30\n");
   ASSERT_EQ(one.motions.size(), other.motions.size()) << one.trace;
@@ -288,7 +289,7 @@ TEST(SinumerikModalCalls, ACallThatLacksItsProgramIsAnAlarm) {
   EXPECT_TRUE(run("MCALL POCKET3(1,2)\nG0 X1\nMCALL\nM30\n").names("POCKET3"));
 }
 
-// MCALL acts behind each block that moves along the path, by polar words, too.
+// MCALL acts after each block that moves along the path, by polar words, too.
 TEST(SinumerikCycles, AModalCallFollowsPolarPositions) {
   const Result ran =
       run("G17 G90 G94 F100\nG0 X0 Y0 Z50\nG111 X10 Y10\nMCALL CYCLE81(50,0,2,-5)\nAP=0 RP=20\nAP=90\nMCALL\nM30\n");

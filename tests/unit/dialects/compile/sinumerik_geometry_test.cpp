@@ -82,7 +82,7 @@ TEST(SinumerikGeometry, ATangentialArcInThePlaneOfALathe) {
 }
 
 TEST(SinumerikGeometry, ArcThroughAPoint) {
-  // Three points of the circle about (0, 0) with radius 10; the point in between says which way round.
+  // Three points of the circle about (0, 0) with radius 10; the point in between states the direction round.
   const Result ran = run("G17 G90 G0 X10 Y0 Z0\nCIP X-10 Y0 I1=0 J1=10 F100\nCIP X10 Y0 I1=0 J1=10\nM30\n");
   EXPECT_TRUE(ran.trace.contains("2 arc-ccw X-10.0000 Y0.0000 Z0.0000 G17 I-10.0000 J0.0000")) << ran.trace;
   EXPECT_TRUE(ran.trace.contains("3 arc-cw X10.0000 Y0.0000 Z0.0000 G17 I10.0000 J0.0000")) << ran.trace;
@@ -122,7 +122,7 @@ TEST(SinumerikGeometry, ChamfersByLegAndByEdge) {
 TEST(SinumerikGeometry, RoundingBetweenLineAndArc) {
   // The line y = 0 meets the circle about (1, 4) with radius 5 at (4, 0). The centre of a rounding of radius 1 inside
   // is 1 above the line and 4 from the circle's centre: (1 + sqrt 7, 1); it touches the circle at (1, 4) + 5 / 4 of the
-  // way.
+  // direction.
   const Result ran = run("G17 G90 G0 X0 Y0 Z0\nG1 X4 RND=1 F100\nG3 X1 Y9 I-3 J4\nM30\n");
   ASSERT_EQ(ran.motions.size(), 5U) << ran.trace;
   const double x = 1.0 + std::sqrt(7.0);
@@ -154,7 +154,7 @@ TEST(SinumerikGeometry, MeasuringEndsWhereTheStateSaysThatTheProbeTouches) {
 }
 
 // MEAW does not end the move.
-TEST(SinumerikGeometry, MeasuringWithoutDeletingTheWayGoesToItsEnd) {
+TEST(SinumerikGeometry, MeasuringWithoutDeletingThePathGoesToItsEnd) {
   const Result ran = run("G17 G90 G0 X0 Y0 Z0\nMEAW=1 G1 X10 F100\nR1=$AA_IW[X]\nM30\n");
   EXPECT_EQ(ran.value("R1"), 10.0);
   EXPECT_TRUE(ran.names("MEAW"));
@@ -230,7 +230,7 @@ TEST(SinumerikGeometry, AFeedOfOneBlock) {
 }
 
 // OFFN counts with the compensation of the radius alone.
-TEST(SinumerikGeometry, AnOffsetOfTheContourIsToldWhereItActs) {
+TEST(SinumerikGeometry, AnOffsetOfTheContourIsReportedWhereItActs) {
   constexpr auto kTold = "OFFN: an offset of the contour in addition to the tool's radius";
   const std::string head = "G17 G90 G94 T1 D1\nG1 X0 Y0 Z0 F100\n";
   EXPECT_FALSE(run(head + "OFFN=0\nG41 X5\nX10\nG40 X20\nM30\n").names(kTold));

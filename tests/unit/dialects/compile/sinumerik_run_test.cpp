@@ -43,7 +43,7 @@ TEST(SinumerikInputs, ALoopThatWaitsForOneEnds) {
   EXPECT_TRUE(ran.names("a condition on a value that is not known"));
 }
 
-TEST(SinumerikInputs, AWayByGuessesEndsInTime) {
+TEST(SinumerikInputs, APathByGuessesEndsInTime) {
   // Without end whatever the inputs are: the conditions never let it out.
   const Result result = run("MARK: R3=R0\nMORE: R3=R3-1\nIF R3>0 GOTOB MORE\nGOTOB MARK\nM30\n", {},
                             ir::MachineKind::mill, {}, 10'000'000);
@@ -174,7 +174,7 @@ TEST(SinumerikFlow, ReturnsGoToABlockOfTheCaller) {
 }
 
 TEST(SinumerikValues, TextsOfUnknownTypeAreTaken) {
-  // Nobody knows whether the name, defined in the control, is a text; and SPRINT gives one.
+  // No one knows whether the name, defined in the control, is a text; and SPRINT gives one.
   const Result result = run("DEF STRING[9] A\nA=NAME_IN_THE_CONTROL\nA=SPRINT(\"%5.2f\",R1)\nR5=1\nM30\n");
   EXPECT_TRUE(result.result.diagnostics.empty());
   EXPECT_EQ(result.value("R5"), 1.0);
@@ -239,7 +239,7 @@ TEST(SinumerikFlow, PartsOfProgramsAreCalled) {
     EXPECT_TRUE(ran.result.not_interpreted.empty()) << line;
   }
   EXPECT_TRUE(moves(part("P=2 CALL \"PARTS\" BLOCK \"N40\" TO \"N60\"")).ends_with("Z2.0000\n"));
-  // A loop that ends at the last label ends the part; what the variables before it are, nobody said.
+  // A loop that ends at the last label ends the part; what the variables before it are, no one said.
   const Texts loop = {{"LOOPS", "DEF REAL RR\nP1: FOR R2=1 TO 2\nX=20+R2\nP2: ENDFOR\nX98\nM17\n"}};
   const Result ended = run("G17 G90 G0 X0 Y0 Z0\nCALL \"LOOPS\" BLOCK \"P1\" TO \"P2\"\nM30\n", loop);
   EXPECT_TRUE(ended.trace.contains("X22.0000")) << ended.trace;

@@ -71,8 +71,8 @@ TEST(ArcInSpace, ThroughAPoint) {
   }
 }
 
-// Three quarters of a circle, its plane leaned at 45 degrees, by way of (0 -1 -1) from its centre.
-TEST(ArcInSpace, TheLongWay) {
+// Three quarters of a circle, its plane leaned at 45 degrees, over (0 -1 -1) from its centre.
+TEST(ArcInSpace, TheSlowPath) {
   const Result ran = run("G17 G90 G94 G1 X10 Y0 Z0 F500\nR1=10*SQRT(0.5)\nCIP X0 Y=-R1 Z=-R1 I1=0 J1=R1 K1=R1\nM30\n");
   const auto moves = chords(ran);
   expect_round(moves, {0.0, 0.0, 0.0}, 10.0);
@@ -103,7 +103,7 @@ TEST(ArcInSpace, SharesItsTime) {
 }
 
 TEST(ArcInSpace, ATangentGoesOnFromIt) {
-  // It comes down along -Z; CT needs the plane's part of the way, which is none there, and goes straight.
+  // It comes down along -Z; CT needs the plane's part of the direction, which is none there, and goes straight.
   const Result down = run(kHead + "CIP X10 I1=5 K1=5\nCT X20 Y5\nM30\n");
   EXPECT_TRUE(down.trace.contains("3 linear X20.0000 Y5.0000")) << down.trace;
   // A quarter up to (5 0 5), where it goes along X.
@@ -112,7 +112,7 @@ TEST(ArcInSpace, ATangentGoesOnFromIt) {
 }
 
 TEST(ArcInSpace, WhatIsNoArc) {
-  // In between on the same line: straight. Beside it, or back to the start: no circle.
+  // In between on the same line: straight. Next to it, or back to the start: no circle.
   EXPECT_TRUE(run(kHead + "CIP X10 Z10 I1=5 K1=5\nM30\n").trace.contains("2 linear X10.0000 Y0.0000 Z10.0000"));
   for (const std::string block : {"CIP X10 Z10 I1=20 K1=20", "CIP X0 Y0 I1=5 K1=5", "CIP X10 I1=12", "CIP X10 I1=-1",
                                   "CIP X10 Y10", "CIP X10 I1=5 J1=5 TURN=1"}) {
@@ -222,7 +222,7 @@ TEST(TiltedPlane, ATurnInThePlaneIsNone) {
   EXPECT_TRUE(ran.trace.contains("4 arc-cw X0.0000 Y30.0000 Z0.0000 G17 I0.0000 J10.0000")) << ran.trace;
 }
 
-TEST(TiltedPlane, WhatIsToldInstead) {
+TEST(TiltedPlane, WhatIsReportedInstead) {
   const std::string head = "G17 G90 G94 G0 X0 Y0 Z0\n";
   for (const std::string text : {"SCALE X2\nCIP X10 I1=5 J1=5 F500\n", "SCALE X2\nAROT X30\nG2 X10 I5 F500\n",
                                  "SCALE Z2\nCIP X10 I1=5 K1=5 F500\n"})

@@ -183,7 +183,7 @@ TEST(SplineRun, GoesThroughItsPointsBlockByBlock) {
       EXPECT_EQ(last->end[2], z);
       EXPECT_EQ(last->feed, line == 3 ? 500.0 : 800.0);
     }
-    // BTAN and ETAN are in effect where nothing is said: along X at both ends.
+    // BTAN and ETAN are in effect where nothing is stated: along X at both ends.
     EXPECT_NEAR(angle_deg(moves.front()), 0.0, 3.0) << code;
     EXPECT_NEAR(angle_deg(moves.back()), 0.0, 3.0) << code;
     // The coolant comes on where it stands.
@@ -196,7 +196,7 @@ TEST(SplineRun, GoesThroughItsPointsBlockByBlock) {
   }
 }
 
-// On a circle: tangents of the arcs before and behind it.
+// On a circle: tangents of the arcs before and after it.
 TEST(SplineRun, TangentsOfArcs) {
   const Result ran =
       run("G17 G90 G0 X10 Y0 Z0 F500\nG3 X0 Y10 I-10 J0\nCSPLINE X-20 Y14\nX-40 Y10\nG3 X-50 Y0 I0 J-10\n"
@@ -322,7 +322,7 @@ TEST(SplineRun, WhatIsNoSplineIsAFault) {
     EXPECT_EQ(ran.result.diagnostics.back().diagnostic.id, text::DiagnosticId::curve_invalid);
     EXPECT_EQ(ran.result.diagnostics.back().line, 2U);
   }
-  // From a place that nobody knows no curve can be said.
+  // From a place that no one knows no curve can be written.
   const Result unknown = run("G17 G90 G1 F500\nCSPLINE X10 Y5\nX20 Y0\nG1 X30\nM30\n");
   EXPECT_TRUE(unknown.names("the curve of a spline"));
 }

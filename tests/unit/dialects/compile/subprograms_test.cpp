@@ -120,7 +120,7 @@ TEST(Subprograms, WithoutACallerAreNotTakenAsPowerOn) {
       << complaints(result);
 }
 
-// What the called program sets holds behind the call.
+// What the called program sets holds after the call.
 TEST(Subprograms, HandTheirModesBack) {
   const std::string text =
       "O0001\nG97 G99\nM98 P0100\nG96 S150 M03\nG01 X10. F120.\nM30\n"
@@ -138,8 +138,8 @@ TEST(Subprograms, OutsideOfTheTextMayChangeAMode) {
       << complaints(result);
 }
 
-// Two jumps that meet are two ways as well.
-TEST(Subprograms, AJumpOverAModeIsAWayOfItsOwn) {
+// Two jumps that join are two paths as well.
+TEST(Subprograms, AJumpOverAModeIsAPathOfItsOwn) {
   const std::string text = "O0001\nG97 G99\nIF[#100EQ1]GOTO10\nG98\nN10 G96 S150 M03\nG01 X10. F120.\nM30\n";
   const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
   EXPECT_NE(complaints(result).find("feed per minute from line 4"), std::string::npos) << complaints(result);
@@ -155,7 +155,7 @@ TEST(Subprograms, OfSinumerikNeedToSayTheirDistanceMode) {
   EXPECT_FALSE(text::has_error(stated.diagnostics)) << complaints(messages_of);
 }
 
-TEST(Subprograms, RunByThemselvesTellWhatIsAssumed) {
+TEST(Subprograms, RunByThemselvesReportWhatIsAssumed) {
   const std::string text = "O0100\nG21 G01 X10. F0.2\nM99\n";
   const ConvertResult result = turned(text, "fanuc", "mazak", ConvertMode::explicit_blocks);
   ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
@@ -200,7 +200,7 @@ TEST(Modes, AFeedCodeThatEndsSurfaceSpeedSaysSoElsewhere) {
   EXPECT_NE(fanuc.text.find("\nG98 F90"), std::string::npos) << fanuc.text;
 }
 
-// F0.06 behind a thread of that lead is a feed that must be said.
+// F0.06 after a thread of that lead is a feed that must be written.
 TEST(Modes, TheLeadOfAThreadIsNoFeed) {
   const std::string text =
       "O0001\nG21 G18 G99 G97\nG00 X35. Z3.\nG01 Z1. F0.04\nG92 X28.5 Z-10. F0.06\nX26.\nG00 X40.\nG01 Z-5. F0.06\n"
@@ -217,7 +217,7 @@ TEST(Modes, TheLeadOfAThreadIsNoFeed) {
   }
 }
 
-// Hundredths per revolution, whole ones per minute; a subprogram of unknown mode cannot be said.
+// Hundredths per revolution, whole ones per minute; a subprogram of unknown mode cannot be written.
 TEST(Modes, AFeedWithoutAPointCountsAsItsModeSays) {
   ConvertRequest request;
   request.from = control("fanuc", ir::MachineKind::lathe);
@@ -248,7 +248,7 @@ TEST(Subprograms, ShareTheirVariables) {
   EXPECT_NE(complaints(result).find("another number in another program"), std::string::npos) << complaints(result);
 }
 
-TEST(Subprograms, OfOtherTextsAreToldOfNumbersThatChange) {
+TEST(Subprograms, OfOtherTextsAreReportedOfNumbersThatChange) {
   const std::string call = "O0001\nG97 G99\n#500=2.\nM98 P0100\nG00 X#500\nM30\n";
   EXPECT_NE(complaints(turned(call, "fanuc", "sinumerik-840d")).find("the number of #500, here R"), std::string::npos);
   const std::string alone = "O0001\nG97 G99\n#500=2.\nG00 X#500\nM30\n";
@@ -291,7 +291,7 @@ TEST(Subprograms, ThatReadNoArgumentsGetNone) {
 }
 
 // Each call with arguments is a macro's there, and of these the control takes few inside one another.
-TEST(Subprograms, DeeperThanMacrosGoAreTold) {
+TEST(Subprograms, DeeperThanMacrosGoAreReported) {
   const auto nested = [](char last) {
     std::string text = "%_N_MAIN_MPF\nG17 G90 G94 G71\nG0 X0\nAA(1)\nM30\n";
     for (char name = 'A'; name <= last; ++name) {
@@ -369,7 +369,7 @@ TEST(Subprograms, OneThatReturnsToABlockHasNoStartOfItsOwn) {
 }
 
 // Parameters that are not given are their defaults at each call.
-TEST(Subprograms, ParametersStartAnewAtEachCall) {
+TEST(Subprograms, ParametersStartAgainAtEachCall) {
   const std::string text =
       "%_N_MAIN_MPF\nG17 G90 G71 G54 G94\nG1 X0 Y0 F100\nINNER P3\nOTHER\nM30\n%_N_INNER_SPF\nPROC INNER(REAL "
       "TT=5)\nX=TT\nTT=TT+1\nRET\n"

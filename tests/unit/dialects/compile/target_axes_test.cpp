@@ -19,7 +19,7 @@ ConvertResult converted(const ir::Control& to, ConvertMode mode) {
 }
 
 // H without its point would be read as the number of an offset.
-TEST(TargetAxes, AControlThatNobodyDescribedGetsThemAll) {
+TEST(TargetAxes, AControlWithoutDescriptionGetsThemAll) {
   const ir::Control mazak = control("mazak", ir::MachineKind::lathe);
   const ConvertResult macro = converted(mazak, ConvertMode::macro);
   EXPECT_FALSE(text::has_error(macro.diagnostics));

@@ -1,5 +1,5 @@
-// G37 and its like: where the tool goes, and what is known afterwards. Oracle: the ways of the manuals ("Automatic tool
-// length measurement", "Automatic tool offset"), with numbers worked out by hand.
+// G37 and its like: where the tool goes, and what is known afterwards. Oracle: the moves of the manuals ("Automatic
+// tool length measurement", "Automatic tool offset"), with numbers worked out by hand.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kNote = "the end of measuring a tool (G37) and the length that comes of it";
 const std::vector<std::string> kControls = {"fanuc", "mazak", "mitsubishi-m80"};
-const std::vector<std::string> kWithWords = {"mazak", "mitsubishi-m80"};  // R D F beside the axis
+const std::vector<std::string> kWithWords = {"mazak", "mitsubishi-m80"};  // R D F next to the axis
 
 struct Result {
   interpreter::RunResult result;
@@ -77,7 +77,7 @@ TEST(ToolMeasuring, ByRapidAndThenSlower) {
   }
 }
 
-// A parameter says how much is slow, or R is more than the way.
+// A parameter says how much is slow, or R is more than the travel.
 TEST(ToolMeasuring, ByRapidWhereNothingSaysMore) {
   for (const std::string measures :
        {"G37 Z-400.", "G37 Z-400. F100.", "G37 Z-400. R500. F100.", "G37 Z-400. R0 F100."}) {
@@ -187,7 +187,7 @@ TEST(ToolMeasuring, OnLathes) {
   }
 }
 
-// Each control measures in its own way: nobody else's.
+// Each control measures by its own rules: no other's.
 TEST(ToolMeasuring, IsRefusedWhereItStands) {
   const std::string text = mill("G37 Z-400. F100.");
   const std::vector<std::string> all = {"fanuc", "mazak", "mitsubishi-m80", "sinumerik-840d"};

@@ -1,6 +1,6 @@
 // Edges of SINUMERIK's tools on controls that number lengths and radii: the tool that counts is the one in the spindle,
-// on all ways. Oracle: Programming Manual, "Tool change with M6" (T prepares, M6 changes; D belongs to the tool that is
-// in).
+// on all paths. Oracle: Programming Manual, "Tool change with M6" (T prepares, M6 changes; D belongs to the tool that
+// is in).
 #include <string>
 
 #include <gtest/gtest.h>
@@ -48,8 +48,8 @@ TEST(Tools, ATThatPreparesChangesNothing) {
   expect_has(made, "G49\nG43 H5\nM06\nG43 H6\nG41 X40. D6\n");
 }
 
-// D1 T6 behind the change: the edge of the tool that is in, and T6 gets ready.
-TEST(Tools, DBesideThePreparedToolActsAtOnce) {
+// D1 T6 after the change: the edge of the tool that is in, and T6 gets ready.
+TEST(Tools, DWithThePreparedToolActsAtOnce) {
   const std::string next = made_of(kHead + "T5\nM6\nD1 T6\nG0 X0 Y0 Z50\nG1 Z0\nG0 Z100\nM6\nD1 T7\nZ20\nM30\n");
   expect_has(next, "M06\nT6\nG43 H5\nG00 X0.");
   expect_has(next, "M06\nG43 H6\nT7\nZ20.");
@@ -58,7 +58,7 @@ TEST(Tools, DBesideThePreparedToolActsAtOnce) {
 }
 
 // T2 T3 M6 of Mazak: T2 is put in and T3 made ready; T0 there: none is.
-TEST(Tools, MazakNamesTheNextToolBesideTheChange) {
+TEST(Tools, MazakNamesTheNextToolWithTheChange) {
   const std::string text = "%\nO1\nG21 G17 G90 G94\nT2 T3 M6\nG0 X0.\nT4 M6\nX1.\nN5 T05 T0 M06\nX2.\nM30\n%\n";
   std::string tools;
   for (const ir::Motion& m : run_text(text, control("mazak", MachineKind::mill)).motions)
@@ -81,7 +81,7 @@ TEST(Tools, TheSpindleTurnsBeforeTheCoolantFlows) {
   expect_has(made_of("G17 G90 G71 G94\nG0 X0 Y0 Z50 S1000 M3 M8\nM30\n"), "S1000 M03\nG00 X0. Y0. Z50. M08\n");
 }
 
-TEST(Tools, DBesideItsTool) {
+TEST(Tools, DInTheBlockOfItsTool) {
   expect_has(made_of(kHead + "T5 D1\nM6\nG0 X0 Y0 Z50\nG41 G1 X10\nX20\nG40 X30\nM30\n"), "D5");
   // Without M6 a T brings its tool in.
   expect_has(made_of(kHead + "T5 D1\nG0 X0 Y0 Z50\nT6 D1\nG41 G1 X10\nX20\nG40 X30\nM30\n"), "G41 G01 X10. D6");
@@ -98,7 +98,7 @@ TEST(Tools, AChangeWithoutAnEdgeTakesTheFirst) {
   for (const std::string rest : {"M30\n", "TRANS X10\nD1\nG0 Z2\nM30\n", "G0 X0 Y0\nZ2 D1\nM30\n"})
     expect_not(messages_from(kHead + "T5 M6\n" + rest), "MD20270");
   expect_not(messages_from(kHead + "T0 M6\nG0 Z2\nM30\n"), "MD20270");
-  // Where the way does not go straight on, the edge is said at once.
+  // Where the path turns, the edge is stated at once.
   for (const std::string rest :
        {"IF R1==1 GOTOF ON\nD1\nON: G1 Z-5\nM30\n", "IF R1==1\nD1\nENDIF\nG1 Z-5\nM30\n", "M17\n", "SUB1\nM30\n"}) {
     expect_has(messages_from(kHead + "T5 M6\n" + rest), "MD20270");
@@ -108,7 +108,7 @@ TEST(Tools, AChangeWithoutAnEdgeTakesTheFirst) {
   expect_has(messages_from(kHead + "G18\nT5 M6\nG0 X0 Y0\nZ2 D1\nM30\n"), "MD20270");
 }
 
-TEST(Tools, WaysThatDiffer) {
+TEST(Tools, PathsThatDiffer) {
   const std::string either = kHead + "T5 M6 D1\nIF R1==1\nT7 M6 D1\nENDIF\nG0 X0 Y0 Z50\n";
   expect_has(messages_from(either + "G41 G1 X10\nX20\nG40 X30\nM30\n"), "a tool that is not known here");
   expect_has(messages_from(either + "D0\nD1\nG0 Z10\nM30\n"), "a tool that is not known here");
@@ -131,7 +131,7 @@ TEST(Tools, BeforeTheMoveOfTheirBlock) {
   expect_has(made_of(kHead + "T5 M6 M3 S800 D1 G0 X0\nM30\n"), "T5 M06\nG43 H5\nG00 S800 X0. M03\n");
 }
 
-// What stands beside a T that prepares comes with its M6.
+// What stands in the block of a T that prepares comes with its M6.
 TEST(Tools, WhatIsPreparedComesWithM6) {
   expect_has(made_of(kHead + "T5 M6 D1\nG0 Z2\nT6 D1\nG1 Z-5\nG0 Z100\nM6\nG0 Z2\nM30\n"),
              "T6\nG01 Z-5.\nG00 Z100.\nM06\nG43 H6\nG00 Z2.\n");
@@ -169,7 +169,7 @@ TEST(Tools, WhatIsCalledBetween) {
   expect_has(messages_from("G1 G41 X5 Y5 F100\nG40 X0 Y0\nM17\n"), "the number of the compensation (D)");
 }
 
-TEST(Tools, HolesBehindHoles) {
+TEST(Tools, HolesAfterHoles) {
   const std::string head = kHead + "T5 M6 D1\nG0 X0 Y0 Z50\n";
   expect_not(made_of(head + "CYCLE81(3,2,1,-8)\nX10\nCYCLE81(50,2,1,-8)\nG0 X20\nM30\n"), "G98");
   expect_not(made_of(head + "MCALL CYCLE81(3,2,1,-8)\nX10\nMCALL\nMCALL CYCLE81(50,2,1,-8)\nX20\nMCALL\nM30\n"), "G98");
@@ -178,14 +178,14 @@ TEST(Tools, HolesBehindHoles) {
   expect_has(messages_from(head + "MCALL CYCLE81(50,2,1,-8)\nSUB1\nMCALL\nM30\n"),
              "a call of another program after MCALL");
   expect_not(made_of(head + "MCALL CYCLE81(50,2,1,-8)\nX10\nG55 X20\nMCALL\nM30\n"), "G98");
-  // A subprogram, or one that a called program changes: told, not refused.
+  // A subprogram, or one that a called program changes: reported, not refused.
   const std::string called = "G0 X0 Y0 Z10\nCYCLE81(10,2,1,-8)\nG0 X20\nM17\n";
   expect_has(made_of(called), "Z-8.");
   expect_has(messages_from(called), "absolute or incremental is not known here");
   expect_has(messages_from(head + "SUB1\nCYCLE81(50,2,1,-8)\nG0 X20\nM30\n"), "may have changed");
 }
 
-// The other way: H and D of the tool in the spindle are its own edge, whatever T prepares.
+// The reverse: H and D of the tool in the spindle are its own edge, whatever T prepares.
 TEST(Tools, OffsetsOfTheToolThatIsIn) {
   const std::string head = "%\nO1\nG21 G17 G90 G94 G40 G49\n";
   const auto to_sinumerik = [&](const std::string& text) { return translated(head + text, "fanuc", "sinumerik-840d"); };
@@ -235,7 +235,7 @@ TEST(Tools, JumpsRoundHoles) {
   expect_not(made_of(head + "G91\nGOTOF ON\nG90\nON: Z50\nG90\nCYCLE81(50,0,2,-8)\nG0 X10\nM30\n"), "G98");
 }
 
-// Modes that a hole changes and says again are those of the ways that lead to it.
+// Modes that a hole changes and says again are those of the paths that lead to it.
 TEST(Tools, ModesAroundAHole) {
   const std::string head = kHead + "T5 M6 D1\nG0 X0 Y0 Z50\n";
   const std::string either = head + "IF R1==1\nG1 X5\nENDIF\nCYCLE81(50,0,2,-5)\n";
@@ -243,7 +243,7 @@ TEST(Tools, ModesAroundAHole) {
   expect_not(messages_from(either + "G0 X10\nM30\n"), "the motion code");
   const std::string turned = head + "IF R1==1\nG18\nENDIF\nCYCLE81(50,0,2,-5)\nG0 X10\nM30\n";
   expect_has(messages_from(turned), "the plane");
-  // What is only told first is an error where ways differ behind it.
+  // What is only reported first is an error where paths differ after it.
   const ConvertResult both =
       on_mill(head + "SUB1\nCYCLE81(50,0,2,-5)\nIF R1==1\nG91\nENDIF\nCYCLE81(50,0,2,-5)\nG0 X10\nM30\n");
   EXPECT_TRUE(text::has_error(both.diagnostics)) << both.text;

@@ -1,6 +1,6 @@
-// Polar and cylindrical interpolation. Oracle: the plane that the program is written in: the axes' way between the ends
-// of each piece, brought back to the face or the circumference, must lie on the line or circle, and the pieces' times
-// must add up to its length over the feed.
+// Polar and cylindrical interpolation. Oracle: the plane that the program is written in: the axes' path between the
+// ends of each piece, brought back to the face or the circumference, must lie on the line or circle, and the pieces'
+// times must add up to its length over the feed.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -36,7 +36,7 @@ std::vector<ir::Motion> lathe(const std::string& blocks, const std::string& dial
   return moves_of(run_text(head + blocks + (siemens ? "M30\n" : "M30\n%\n"), machine).motions);
 }
 
-// The greatest distance of the axes' way from where it should be, at places of each piece.
+// The greatest distance of the axes' path from where it should be, at places of each piece.
 double farthest(const std::vector<ir::Motion>& moves, std::uint32_t line,
                 const std::function<double(Place)>& distance) {
   double most = 0.0;
@@ -174,7 +174,7 @@ const std::string kFaceAndCylinder =
     "G01 H5.\nG02 X30. C5. R10.\nG13.1\nG00 X60.\nC30.\nG01 X40. Z-2. F100.\nG07.1 C20.\nG01 Z-5. C90.\n"
     "H-20.\nG07.1 C0.\nG00 X100. C0.\nM30\n%\n";
 
-// The same way of the machine's own axes, whichever letter the coordinate across has.
+// The same path of the machine's own axes, whichever letter the coordinate across has.
 TEST(PolarInterpolation, BetweenControls) {
   const ConvertResult made = lathe_translated(kFaceAndCylinder, "fanuc", "sinumerik-840d");
   for (const char* word : {"TRANSMIT", "TRACYL(40)", "TRAFOOF", "Y=IC(5.)", "Y31.4159"})
@@ -189,7 +189,7 @@ TEST(PolarInterpolation, BetweenControls) {
 }
 
 // From G18, whose first axis is Z, to G19, whose first one is Y.
-TEST(CylindricalInterpolation, ArcsGoTheOtherWayRound) {
+TEST(CylindricalInterpolation, ArcsGoInReverse) {
   const std::string text =
       "%\nO1\nG21 G18 G98 G97 G40\nG00 X50. Z5. C0.\nG01 X40. Z-5. F100.\nG07.1 C20.\nC90.\nG02 Z-15. C118.6479 R10.\n"
       "G07.1 C0.\nM30\n%\n";
@@ -223,7 +223,7 @@ TEST(PolarInterpolation, WhatWouldMeanSomethingElseIsRefused) {
       text::has_error(translated("G17 G71 G90 G94\nTRANSMIT\nG0 X0\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
 }
 
-TEST(Transmit, FromAnUnknownPlaceIsTold) {
+TEST(Transmit, FromAnUnknownPlaceIsReported) {
   ir::Control machine = control("sinumerik-840d", ir::MachineKind::lathe);
   machine.axes = "XZC";
   const Played played = run_text("G18 G90 G71 G94\nTRANSMIT\nG17 G1 X20 F100\nTRAFOOF\nM30\n", machine);
@@ -231,7 +231,7 @@ TEST(Transmit, FromAnUnknownPlaceIsTold) {
                                   [](const auto& n) { return n.name.contains("face or cylinder"); }));
 }
 
-// How far a place lies from a way of lines and arcs in the plane of X and Y.
+// How far a place lies from a path of lines and arcs in the plane of X and Y.
 double beside(const std::vector<ir::Motion>& way, Place p) {
   double least = 1e9;
   for (const ir::Motion& m : way) {
@@ -281,7 +281,7 @@ TEST(PolarInterpolation, Corners) {
     time += minutes(moves, line);
   }
   EXPECT_NEAR(time, length / 100.0, 1e-4 * length / 100.0);
-  // Each corner is there: somewhere the way is in the middle of it.
+  // Each corner is there: somewhere the path is in the middle of it.
   for (std::size_t i : {2U, 4U, 6U}) {
     const ir::Motion& m = mill[i];
     Place middle{0.5 * (m.start[0] + m.end[0]), 0.5 * (m.start[1] + m.end[1])};

@@ -1,7 +1,7 @@
 // Programs under tests/golden/translate and what they become on every other control, macro and explicit: the text, what
-// is said beside it, and why a run of both could not compare them. x.nc is Fanuc's, x.mpf SINUMERIK's; a program is a
+// is reported of it, and why a run of both could not compare them. x.nc is Fanuc's, x.mpf SINUMERIK's; a program is a
 // lathe's where it says LATHE, and with .machine in its name source and target are named machines. The answers stand in
-// the .expected.translate file beside it (UPDATE_GOLDEN=1 writes it). A program named refused* gives no text anywhere.
+// the .expected.translate file next to it (UPDATE_GOLDEN=1 writes it). A program named refused* gives no text anywhere.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

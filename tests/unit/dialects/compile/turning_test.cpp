@@ -109,7 +109,7 @@ TEST(Repetitive, FinishingRunsTheShapeAndGoesBack) {
   expect_moves(tail, {{'r', 20, 2}, {'f', 20, 0}, {'f', 60, -40}, {'r', 64, 2}, {'r', 100, 2}});
 }
 
-TEST(Repetitive, FacingHasTheAxesTheOtherWayRound) {
+TEST(Repetitive, FacingHasTheAxesExchanged) {
   // The face rises from Z-20 at X60 to Z0 at X20: z = (20 - x)/2.
   const std::vector<Move> actual =
       cut("G00 X64. Z2.\nG72 W4. R1.\nG72 P10 Q20 U0. W0. F0.3\n"
@@ -275,7 +275,7 @@ TEST(LatheOfNumberedControls, PassesOfAPatternStayANumber) {
             "G71 U2. R1\nG71 P30 Q40 U0.4 F0.3\nN30 G00 X14.\nG01 Z-9. F0.1\nN40 X33. Z-30.\nG00 X50.\nM30\n%\n",
         "fanuc", to);
     EXPECT_TRUE(made.contains("W2. R3\n")) << made;
-    EXPECT_TRUE(made.contains("U2. R0.001\n")) << made;  // a way
+    EXPECT_TRUE(made.contains("U2. R0.001\n")) << made;  // a distance
   }
 }
 
@@ -357,7 +357,7 @@ TEST(LoweredTurning, SpeedsGoWithWhatTheyCount) {
   }
 }
 
-// The usual thread of a program's own: cuts in a loop. G97 leaves a feed per turn one, and behind the loop nothing
+// The usual thread of a program's own: cuts in a loop. G97 leaves a feed per turn one, and after the loop nothing
 // cuts.
 TEST(LoweredTurning, ThreadsInALoop) {
   const std::string head = "DEF INT CUT\nG18 G54 G90 G710 DIAMON\nT2 D1\nG95 F0.2\nG97 S600 M3\nG0 X24 Z5\n";

@@ -1,4 +1,4 @@
-// The operations counted for a program, beside the same text counted by hand.
+// The operations counted for a program, against the same text counted by hand.
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
 namespace dripfeed::compile::test {

@@ -130,7 +130,7 @@ TEST(WrappedFamily, UnitsAreTheProgramsOwn) {
   EXPECT_EQ(value_in("G20", "count 1 in 0..9", "7"), "7.");
 }
 
-// A header stands before the code: the only unit of the text is meant. Without one nobody knows.
+// A header stands before the code: the only unit of the text is meant. Without one it is not known.
 TEST(WrappedFamily, UnknownUnitsAreRefused) {
   const std::string head = kMill + "param size length 1 mm in 0..100 is #100\nnative fanuc\n#100=1.\n";
   EXPECT_EQ(text_of(head + "G20\nX#100\nM30\n", "fanuc", {{"size", "25.4 mm"}}), "#100=1.\nG20\nX#100\nM30\n");
@@ -181,7 +181,7 @@ TEST(WrappedFamily, WhatIsNotPlainIsRefused) {
   }
 }
 
-TEST(WrappedFamily, LoopsAndJumpsBehindTheAssignmentAreFine) {
+TEST(WrappedFamily, LoopsAndJumpsAfterTheAssignmentAreFine) {
   EXPECT_EQ(faults_of(fanuc_with("#100=50.\n#1=0\nWHILE[#1LT3]DO1\nG0X[#100*#1]\n#1=#1+1\nEND1\nIF[#1EQ3]GOTO9\nN9\n"),
                       "fanuc"),
             "");
@@ -300,8 +300,7 @@ TEST(WrappedFamily, CallsThatCannotTakeAValueAreRefused) {
   EXPECT_NE(messages("TURN.DEPTH", left_out).find("the call in line 8 of the native program leaves it out"),
             std::string::npos);
   // PASSES is an INT.
-  EXPECT_NE(messages("TURN.PASSES", kCalls).find("it takes whole numbers (INT), and 1.5 is none"),
-            std::string::npos);
+  EXPECT_NE(messages("TURN.PASSES", kCalls).find("it takes whole numbers (INT), and 1.5 is none"), std::string::npos);
 }
 
 // --- modes
@@ -366,7 +365,7 @@ Turned turned(const Values& values) {
 }
 
 // Layers of the depth that is asked for at most, down to the allowance; then the drawing's diameter and length.
-TEST(WrappedFamily, TurningCycleTurnsWhatItIsTold) {
+TEST(WrappedFamily, TurningCycleTurnsItsValues) {
   const Turned standard = turned({});
   EXPECT_NEAR(standard.smallest_x, 50.0, 1e-9);
   EXPECT_NEAR(standard.smallest_z, -100.0, 1e-9);

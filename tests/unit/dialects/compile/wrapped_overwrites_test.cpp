@@ -1,5 +1,5 @@
 // A value that the program takes must still be there when the program reads it: what may set the variable otherwise
-// than by its name is refused, and what nobody can see is a warning.
+// than by its name is refused, and what no one can see is a warning.
 #include <string>
 #include <vector>
 
@@ -56,7 +56,7 @@ TEST(WrappedOverwrites, ComputedNumbersOfTheBankMaySetIt) {
 TEST(WrappedOverwrites, ComputedNumbersBeforeItOrAfterTheLastReadAreFine) {
   EXPECT_EQ(mill("#100", "#[#501]=7.\n#100=5.\nG1X#100\nM30\n"), "");
   EXPECT_EQ(mill("#100", "#100=5.\nG1X#100\n#[#501]=7.\nM30\n"), "");
-  // The loop sets it anew each time.
+  // The loop sets it again each time.
   EXPECT_EQ(mill("#100", "N1#100=5.\nG1X#100\n#[#501]=7.\nIF[#1EQ0]GOTO1\nM30\n"), "");
   EXPECT_EQ(mill("#100", "#100=5.\n#[501]=7.\nG1X#100\nM30\n"), "");
   EXPECT_EQ(turn("DIA", "DEF REAL DIA=5\nR[R2]=7\nG1 X=DIA\nM30\n"), "");

@@ -24,7 +24,7 @@ TEST(Segment, FindsItsNearestPoint) {
   EXPECT_DOUBLE_EQ(distance(Segment{{1, 1}, {1, 1}}, {4, 5}), 5.0);
 }
 
-TEST(ArcBetween, TurnsBothWays) {
+TEST(ArcBetween, TurnsInBothDirections) {
   const Arc left = arc_between({10, 0}, {0, 10}, {0, 0}, Turn::counterclockwise);
   EXPECT_NEAR(left.sweep, kPi / 2, 1e-15);
   EXPECT_NEAR(left.length(), 5 * kPi, 1e-12);

@@ -127,7 +127,7 @@ TEST(Profile, JoinsPiecesAndEndsAtTheOuterEndsOnly) {
   const auto level = [](double x) { return [x](double) { return ExplicitPoint{x, 0}; }; };
   const Profile steps{{{{{0, 10}, level(5), {}}, 0.1}, {{{10, 20}, level(8), {}}, 0.2}}};
   EXPECT_DOUBLE_EQ(closest(steps, {4, 5.5}).foot.distance, 0.5);
-  const ProfileFoot corner = closest(steps, {9.5, 8.0});  // beside the step's edge, above the lower piece
+  const ProfileFoot corner = closest(steps, {9.5, 8.0});  // next to the step's edge, above the lower piece
   EXPECT_DOUBLE_EQ(corner.foot.distance, 0.5);
   EXPECT_EQ(corner.foot.beyond, Beyond::none);
   EXPECT_EQ(corner.piece, 1U);

@@ -49,7 +49,7 @@ TEST(FamilyBind, OverridesAreConverted) {
   EXPECT_NEAR(value(bound.bound, "half_angle"), std::atan(60.0 / 202.4) * 180.0 / M_PI, 1e-12);
 }
 
-TEST(FamilyBind, EveryFaultIsSaid) {
+TEST(FamilyBind, EveryFaultIsReported) {
   const std::vector<Override> given = {
       {"half_axis_x", "100"}, {"roll_length", "5 deg"}, {"angle_step", "6 deg"}, {"nothing", "1"}, {"clearance", "x"}};
   EXPECT_EQ(faults(bind_family(shipped("hyperbolic-roll"), given)),

@@ -1,5 +1,5 @@
-// Wrong families and what is said of them: each file in tests/golden/family/errors against its expected text, and each
-// near miss against nothing. A line "# set name = value" of the file is an override.
+// Wrong families and what is reported of them: each file in tests/golden/family/errors against its expected text, and
+// each near miss against nothing. A line "# set name = value" of the file is an override.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -66,7 +66,7 @@ std::vector<fs::path> families() {
 
 bool is_near_miss(const fs::path& path) { return path.stem().extension() == ".near-miss"; }
 
-TEST(FamilyGolden, ErrorsAreSaidAsExpected) {
+TEST(FamilyGolden, ErrorsAreReportedAsExpected) {
   int count = 0;
   for (const fs::path& path : families()) {
     if (is_near_miss(path)) continue;

@@ -78,7 +78,7 @@ TEST(FamilyNominal, CurvesByPoints) {
   EXPECT_NEAR(g.curves[1].curve.at(0.5).point.x, 1, 1e-12);
 }
 
-TEST(FamilyNominal, FaultsAreSaid) {
+TEST(FamilyNominal, FaultsAreReported) {
   const auto expect_reported = [](const std::string& text, std::string_view part) {
     const std::string messages = faults(text);
     EXPECT_NE(messages.find(part), std::string::npos) << messages;

@@ -99,7 +99,7 @@ TEST(FamilyRead, MissingUnitsComeWithTheCure) {
   EXPECT_EQ(result.diagnostics[0].fix->replaced.begin, with_let("len + 5").find("5\nprogram") + 1);
 }
 
-TEST(FamilyRead, InchesAndRangesAreToldApart) {
+TEST(FamilyRead, InchesAndRangesAreDistinguished) {
   ReadFamilyResult result = read(
       "family f\nmachine mill\nparam a1 length 2 in in 1..3\nparam b1 count 3 in 1..9\n"
       "param c1 length 2 in in 1 mm..80 mm\nparam d1 length -2 in in -3 .. -1\nprogram p\nend\n");

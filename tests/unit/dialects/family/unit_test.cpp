@@ -23,7 +23,7 @@ TEST(FamilyUnit, WhatIsNoQuantityIsRefused) {
   }
 }
 
-TEST(FamilyUnit, DimensionsAreSaid) {
+TEST(FamilyUnit, DimensionsAreReported) {
   EXPECT_EQ(describe(kLength), "a length");
   EXPECT_EQ(describe(kLength + kLength), "mm^2");
   EXPECT_EQ(describe(kAngle - kLength), "mm^-1*deg");

@@ -57,7 +57,7 @@ TEST(Control, NamesAlarms) {
   EXPECT_EQ(ir::alarm_of(c, text::DiagnosticId::loop_number_invalid), "PS0126");
 }
 
-TEST(Infer, TellsLatheFromMillByTheFirstLineThatShows) {
+TEST(Infer, DecidesLatheOrMillByTheFirstLineThatShows) {
   const ir::Control lathe = inferred("%\nO1\nG00 X50.\nT0606\nG01 Z-5. F0.2\nM30\n%\n");
   EXPECT_EQ(lathe.kind, MachineKind::lathe);
   EXPECT_EQ(lathe.because_line, 4U);
@@ -70,7 +70,7 @@ TEST(Infer, TellsLatheFromMillByTheFirstLineThatShows) {
   EXPECT_EQ(inferred("").kind, MachineKind::mill);
 }
 
-TEST(Infer, TellsTheSystemOfALathe) {
+TEST(Infer, DecidesTheSystemOfALathe) {
   EXPECT_EQ(inferred("T0101\nG50 S2000\n").g_system, GSystem::a);
   EXPECT_EQ(inferred("T0101\nG99\nG90 X50. Z-5. F0.2\n").g_system, GSystem::a);
   EXPECT_EQ(inferred("T0101\nG90 G95\nG00 X50. Z5.\n").g_system, GSystem::b);

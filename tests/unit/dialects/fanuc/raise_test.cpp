@@ -241,7 +241,7 @@ TEST(Raise, WritesThePointThatTheControlCounted) {
   EXPECT_EQ(Stages::print(raised.program, c).text, "%\nO0007\nG21 G90 G00 X1.5 Y-2. Z#1\nG04 X0.5\nT5\nM30\n%\n");
 }
 
-TEST(Print, IsIdempotentAndTellsOrigins) {
+TEST(Print, IsIdempotentAndGivesOrigins) {
   const ir::Control c = control(MachineKind::mill, ir::GSystem::a);
   const text::Source source("x.nc",
                             "%\nO7\n(C)\nG21 G90\n/2N10 G00 X[ROUND[#1*2]] (D)\nIF[#1 EQ #0]THEN #3000=1(STOP IT)\n"

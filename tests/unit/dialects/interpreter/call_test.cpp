@@ -187,7 +187,7 @@ TEST(Call, ParametersByValueReferenceAndDefault) {
   EXPECT_EQ(ran.value("LIST[2]"), 8.5);
   EXPECT_EQ(ran.value("R3"), 8.0);
   EXPECT_EQ(ran.value("X1"), 15.0);
-  EXPECT_EQ(ran.value("R9"), 100.0);  // its own names start anew
+  EXPECT_EQ(ran.value("R9"), 100.0);  // its own names start again
 }
 
 TEST(Call, ReferencesAreTheVariableItself) {

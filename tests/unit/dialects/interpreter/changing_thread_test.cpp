@@ -1,4 +1,4 @@
-// G34 and G35: threads whose lead grows or shrinks. After a way s the square of the lead is L² + 2 c s.
+// G34 and G35: threads whose lead grows or shrinks. After a travel s the square of the lead is L² + 2 c s.
 #include <gtest/gtest.h>
 
 #include "dialects/ir/thread_lead.h"
@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const Ran& run) {
 const std::string kNotSaid = "the change of a thread's lead that its block does not state for certain";
 
 // From 1 with 0.5 more in each turn: 1, 1.5, 2, 2.5 begin the first four turns, which take 1.25 + 1.75 + 2.25 + 2.75.
-TEST(ChangingThread, TheLeadFollowsFromTheWay) {
+TEST(ChangingThread, TheLeadFollowsFromTheTravel) {
   EXPECT_DOUBLE_EQ(ir::lead_after(1.0, 0.5, 8.0), 3.0);
   EXPECT_DOUBLE_EQ(ir::mean_lead(1.0, 0.5, 8.0), 2.0);  // 4 turns
   EXPECT_DOUBLE_EQ(ir::lead_after(3.0, -0.5, 8.0), 1.0);
@@ -74,7 +74,7 @@ TEST(ChangingThread, LeadAndChangeAreLengthsInInch) {
   EXPECT_EQ(names_of(ran(s, sinumerik_control())), std::vector{kNotSaid});
 }
 
-// 2² - 2 · 0.1 · 19 is above 0, with 20 instead of 19 it is 0. The longer way counts, of X its half.
+// 2² - 2 · 0.1 · 19 is above 0, with 20 instead of 19 it is 0. The longer travel counts, of X its half.
 TEST(ChangingThread, ALeadThatFallsToNothingIsAnAlarm) {
   for (const double z : {-14.0, -15.0}) {
     Builder b;
@@ -92,7 +92,7 @@ TEST(ChangingThread, ALeadThatFallsToNothingIsAnAlarm) {
   EXPECT_EQ(ran(b, lathe_control()).last_diagnostic()->diagnostic.id, text::DiagnosticId::thread_invalid);
 }
 
-TEST(ChangingThread, WhatABlockDoesNotSayOfTheChangeIsTold) {
+TEST(ChangingThread, WhatABlockDoesNotSayOfTheChangeIsReported) {
   for (const bool point : {true, false}) {
     Builder b;
     ir::Control lathe = lathe_control();

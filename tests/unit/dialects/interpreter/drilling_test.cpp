@@ -210,7 +210,7 @@ TEST(Drilling, AnInitialLevelThatIsNotKnownStaysSo) {
   EXPECT_EQ(ran.result.not_interpreted[0].name, "the retract to an initial level that is not known");
 }
 
-// M functions beside a hole act when its first positioning begins (Fanuc, "Canned cycle for drilling").
+// M functions in the block of a hole act when its first positioning begins (Fanuc, "Canned cycle for drilling").
 TEST(Drilling, MFunctionsActBeforeTheHole) {
   Builder b;
   b.block({{Function::coolant_flood}}, {});

@@ -228,7 +228,7 @@ TEST(Flow, ABudgetOfTheCallerEndsARun) {
   EXPECT_EQ(ran.last_diagnostic()->diagnostic.arguments, std::vector<std::string>{"5 s"});
 }
 
-// The same jump back, and nothing that could have gone another way: twice is enough to know it.
+// The same jump back, and nothing that could have branched: twice is enough to know it.
 TEST(Flow, AJumpBackWithoutAConditionIsEndless) {
   Builder b;
   b.label(1U);

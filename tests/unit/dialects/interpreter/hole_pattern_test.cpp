@@ -150,7 +150,7 @@ TEST(HolePattern, ThePlanesOwnAxesAreMeant) {
   EXPECT_NEAR(holes[1].y, 10.0, 1e-12);
 }
 
-TEST(HolePattern, WhatIsNotCertainIsTold) {
+TEST(HolePattern, WhatIsNotCertainIsReported) {
   const auto messages = [](const std::vector<Builder::WordText>& words, std::int16_t argument, bool with_cycle = true,
                            bool from_known = true) {
     Builder b;

@@ -159,7 +159,7 @@ TEST(Modes, AnFOfTheOtherKindIsNone) {
 TEST(Modes, AFeedCodeEndsTheSurfaceSpeedWhereTheyAreOfOneGroup) {
   const auto make = [](const ir::Control& control) {
     Builder b;
-    // The feed code beside G96 belongs to it.
+    // The feed code with G96 belongs to it.
     b.block({{Function::surface_speed_on}, {Function::feed_per_rev}, {Function::spindle_cw}, {Function::linear}},
             {{Address::s, 100.0}, {Address::x, 1.0}, {Address::f, 0.2}});
     b.block({{Function::feed_per_min}}, {{Address::x, 2.0}, {Address::s, 900.0}, {Address::f, 0.2}});
@@ -232,7 +232,7 @@ TEST(Modes, DwellWordsAreNoModalFeedOrSpeed) {
 TEST(Modes, ReferenceReturnLeavesThePositionUnknown) {
   Builder b;
   b.block({{Function::rapid}}, {{Address::x, 1.0}, {Address::y, 2.0}, {Address::z, 3.0}});
-  b.block({{Function::reference_return}, {Function::incremental}}, {{Address::z, 0.0}});  // no way to go through
+  b.block({{Function::reference_return}, {Function::incremental}}, {{Address::z, 0.0}});  // nothing to go through
   b.block({{Function::absolute}}, {{Address::x, 10.0}});
   b.block({}, {{Address::z, 50.0}});
   b.block({{Function::reference_return}}, {{Address::z, 100.0}});
@@ -268,7 +268,7 @@ TEST(Modes, MachineCoordinatesAreForOneBlock) {
   EXPECT_EQ(ran.motions[2].axes_unknown & 7U, 4U);
 }
 
-// Fanuc goes to places of the machine at rapid and leaves increments out; Mitsubishi goes as programmed (M700V
+// Fanuc goes to machine positions at rapid and leaves increments out; Mitsubishi goes as programmed (M700V
 // programming manual, 14.4).
 TEST(Modes, MovesToThePlacesOfTheMachineAreOfTheControl) {
   Builder b;
@@ -289,7 +289,7 @@ TEST(Modes, MovesToThePlacesOfTheMachineAreOfTheControl) {
             "3 linear X1.0000 Y0.0000 Z4.0000 F100.0000/min\n4 linear X6.0000 Y0.0000 Z4.0000 F100.0000/min\n5 end\n");
 }
 
-TEST(Modes, MoveWithoutACodeIsTheUsualOneAndSaidOnce) {
+TEST(Modes, MoveWithoutACodeIsTheUsualOneAndReportedOnce) {
   ir::Control control = mill_control();
   control.semantics.power_on_known = false;
   Builder b;
@@ -303,7 +303,7 @@ TEST(Modes, MoveWithoutACodeIsTheUsualOneAndSaidOnce) {
   EXPECT_EQ(ran.result.diagnostics[0].diagnostic.arguments, std::vector<std::string>{"X Z"});
 }
 
-TEST(Modes, CutWithoutFeedIsSaidOnce) {
+TEST(Modes, CutWithoutFeedIsReportedOnce) {
   Builder b;
   b.block({{Function::linear}}, {{Address::x, 1.0}});
   b.block({}, {{Address::x, 2.0}});

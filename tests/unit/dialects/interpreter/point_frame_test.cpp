@@ -161,7 +161,7 @@ TEST(PointFrame, HolesLieOnTheTurnedPattern) {
       << trace;
 }
 
-TEST(PointFrame, AHoleThatAFrameTiltsIsSaid) {
+TEST(PointFrame, AHoleThatAFrameTiltsIsReported) {
   Builder b = started(0.0, 0.0, 10.0);
   b.block({{Function::scale, kFrameAboutPoint}},
           {{Address::x, 0.0}, {Address::y, 0.0}, {Address::z, 0.0}, {Address::p, 2.0}});

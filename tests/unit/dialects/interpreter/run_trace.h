@@ -54,7 +54,7 @@ class Recorder : public ir::MotionSink {
   std::vector<ir::Motion> motions_;
 };
 
-// Fanuc-like: vacant, exact comparison, motion from power-on known so that nothing is said about it.
+// Fanuc-like: vacant, exact comparison, motion from power-on known so that nothing is reported about it.
 inline ir::Control mill_control() {
   ir::Control control;
   control.dialect = "fanuc";

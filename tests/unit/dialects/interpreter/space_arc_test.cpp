@@ -36,7 +36,7 @@ TEST(SpaceArc, HalfACircleThatStands) {
   EXPECT_NEAR(way[0], 0.0, 1e-12);
 }
 
-// The same three points, the short way and the long one: what lies in between decides.
+// The same three points, the short arc and the long one: what lies in between decides.
 TEST(SpaceArc, ThePointInBetweenDecides) {
   const double h = std::sqrt(0.5);
   // A unit circle about the origin in the plane y = z, from (1 0 0); points at 60, 90 and 200 degrees.
@@ -79,7 +79,7 @@ TEST(SpaceArc, AHelixInItsPlane) {
   expect_near(arc.at(1.0), {-5.0, 3.0, -5.0}, 1e-12);
   const double h = 5.0 * std::sqrt(0.5);
   expect_near(arc.at(0.5), {-h, 1.5, h - 5.0}, 1e-12);
-  // Along -Z at its end, and rising 3 on a way of 5 pi / 2.
+  // Along -Z at its end, and rising 3 on a path of 5 pi / 2.
   const Vector way = arc.end_tangent();
   EXPECT_NEAR(way[0], 0.0, 1e-12);
   EXPECT_NEAR(way[1] / way[2], -3.0 / (2.5 * std::numbers::pi), 1e-12);

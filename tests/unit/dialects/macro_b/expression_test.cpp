@@ -72,7 +72,7 @@ TEST(Expression, ReadsBothFormsOfAtan) {
   EXPECT_EQ(printed("[ATAN[#1]]/[#2+1]"), "[ATAN[#1]]/[#2+1]");
 }
 
-TEST(Expression, TellsTruthsFromBits) {
+TEST(Expression, DistinguishesTruthsFromBits) {
   const Parsed bits = parse("#1 AND #2");
   EXPECT_EQ(bits.read.program.at(bits.value).op, Operator::bit_and);
   const Parsed truths = parse("[#1 EQ 1]AND[#2 EQ 2]");

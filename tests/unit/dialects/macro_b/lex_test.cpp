@@ -63,7 +63,7 @@ TEST(Lex, KnowsCommentsTextAndNames) {
   EXPECT_EQ(split("#1=[#_ABSIO[2]]"), "#|1|=|[|#|_ABSIO|[|2|]|]");
 }
 
-TEST(Lex, TellsBlockSkipFromDivision) {
+TEST(Lex, DistinguishesBlockSkipFromDivision) {
   EXPECT_EQ(kind_of("/N1X1"), ir::TokenKind::skip);
   EXPECT_EQ(split("/2G0\nN5/3X1"), "/2|G|0|\n|N|5|/3|X|1");
   EXPECT_EQ(tokens_of("#1=#2/2")[5].kind, ir::TokenKind::symbol);

@@ -98,7 +98,7 @@ TEST(Parse, KnowsWhereTheCallerGoesOn) {
   EXPECT_NE(computed.jumps.at(computed.statements.front().payload).computed, ir::ExpressionId::none);
 }
 
-TEST(Parse, TellsCallsOfOtherDevicesAndModalCalls) {
+TEST(Parse, ReportsCallsOfOtherDevicesAndModalCalls) {
   const ir::Program external = read_text("M198 P100 L2\n").program;
   ASSERT_EQ(external.calls.size(), 1U);
   EXPECT_EQ(external.calls[0].kind, ir::CallKind::external);

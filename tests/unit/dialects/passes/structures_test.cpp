@@ -200,7 +200,7 @@ TEST(Labels, BindsJumpsToTheLabelInTheirDirection) {
   b.end();
   FreeNumbers numbers(b.program, 9999);
   EXPECT_TRUE(number_labels(b.program, numbers).empty());
-  ASSERT_EQ(b.program.labels.size(), 1U);  // the first A is nobody's target
+  ASSERT_EQ(b.program.labels.size(), 1U);  // the first A is no one's target
   EXPECT_EQ(b.program.labels[0].statement, 3U);
   EXPECT_EQ(b.program.jumps[0].number, b.program.labels[0].number);
   EXPECT_EQ(run(b.program, control_with(3)).at("#100"), 1.0);

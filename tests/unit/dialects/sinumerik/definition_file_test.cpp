@@ -1,4 +1,4 @@
-// Definition files, initialization files, and what they change for programs beside them.
+// Definition files, initialization files, and what they change for programs next to them.
 #include <memory>
 #include <string>
 #include <string_view>

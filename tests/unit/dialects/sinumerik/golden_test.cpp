@@ -1,5 +1,5 @@
 // Golden programs under tests/golden/sinumerik/<diagnostic>/: trigger* must give that diagnostic, near_miss* must not,
-// and all diagnostics must be those of the .expected.diagnostics file beside it (UPDATE_GOLDEN=1 writes it). A name
+// and all diagnostics must be those of the .expected.diagnostics file next to it (UPDATE_GOLDEN=1 writes it). A name
 // with .drip is fed while it runs, one with .machine stands for a named machine. Folders that are no diagnostic hold
 // programs of papers.
 #include <algorithm>

@@ -214,7 +214,7 @@ TEST(Lower, SkipLevels) {
   EXPECT_EQ(p.statements[3].skip_level, 0);
 }
 
-TEST(Lower, OneFaultIsSaidOnce) {
+TEST(Lower, OneFaultIsReportedOnce) {
   EXPECT_EQ(faults_of("G1 X=- F=R1"), "missing-operand");
   EXPECT_EQ(faults_of("=(R1-R2)/R3"), "missing-target");
   EXPECT_EQ(faults_of("R1=R2 DIV ()"), "missing-operand");
@@ -225,7 +225,7 @@ TEST(Lower, OneFaultIsSaidOnce) {
             "homoglyph");
 }
 
-TEST(Infer, TellsMillFromLatheByALine) {
+TEST(Infer, DecidesMillOrLatheByALine) {
   const ir::Control lathe = infer_control(text::Source("a", "T1 D1\nG96 S200 LIMS=3000\n"));
   EXPECT_EQ(lathe.kind, ir::MachineKind::lathe);
   EXPECT_EQ(lathe.because_line, 2U);

@@ -75,7 +75,7 @@ TEST(Print, OriginsAndVariables) {
   EXPECT_EQ(result.variables, 2U);
 }
 
-// Each looks for its program in a way of its own (PGA, "CALL", "EXTCALL"): none may become another.
+// Each looks for its program by a method of its own (PGA, "CALL", "EXTCALL"): none may become another.
 TEST(Print, CallsByTextStayAsTheyAreWritten) {
   const std::string text =
       "EXTCALL(\"A:/parts/GROOVE.SPF\")\nCALL NAME\nPCALL /_N_SPF_DIR/_N_GROOVE_SPF(1,2)\nGROOVE(1)\nM30\n";

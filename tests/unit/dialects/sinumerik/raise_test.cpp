@@ -140,7 +140,7 @@ TEST(Raise, TheHeadSaysWhatTheProgramLeftToTheMachine) {
   b.block({{Function::linear, ir::ModalGroup::motion}}, {{Address::x, b.number(5)}, {Address::f, b.number(100)}});
   b.end();
   ir::Control mill = other_control(ir::MachineKind::mill);
-  // Whether it woke up in inches nobody knows.
+  // Whether it began in inches is not known.
   EXPECT_EQ(refusal(b, mill), "the program moves before it states inch or millimetre");
   mill.semantics.power_on_known = true;
   EXPECT_EQ(raised(b, mill), "G17 G710 G90 G94\nG1 X5. F100\nM30\n");
@@ -218,7 +218,7 @@ TEST(Raise, JumpsGetTheirDirection) {
   EXPECT_EQ(raised(b, other_control(ir::MachineKind::mill)), "N10 R101=0\nN20 R101=R101+1\nIF R101<5 GOTOB N20\nM30\n");
 }
 
-TEST(Raise, NamesOfAFamilyBecomeRParametersWithTheirNamesBeside) {
+TEST(Raise, NamesOfAFamilyBecomeRParametersWithTheirNamesNextTo) {
   ir::Control from = control(ir::MachineKind::mill);
   from.dialect = "family";
   from.semantics.power_on_known = true;
@@ -267,7 +267,7 @@ TEST(Raise, WhatHasNoCounterpartIsRefused) {
   }
 }
 
-// A local variable is empty until it is set; on one of two ways it is not.
+// A local variable is empty until it is set; on one of two paths it is not.
 TEST(Raise, AVariableThatMayBeEmptyIsRefused) {
   const auto program = [](bool both_ways) {
     Builder b;

@@ -1,4 +1,4 @@
-// What the tests of this folder share: reading a text, printing it again, and seeing what was said of it.
+// What the tests of this folder share: reading a text, printing it again, and seeing what was reported of it.
 #pragma once
 
 #include <string>

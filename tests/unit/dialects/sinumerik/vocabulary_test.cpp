@@ -16,7 +16,7 @@ TEST(Vocabulary, EachWordStandsOnce) {
   for (const Keyword& word : keywords()) EXPECT_TRUE(seen.insert(word.name).second) << word.name;
 }
 
-TEST(Vocabulary, TellsWordsFromNames) {
+TEST(Vocabulary, DistinguishesWordsFromNames) {
   for (const std::string_view word :
        {"FNORM", "flin", "FCUB", "BRISKA", "SOFTA", "FPR", "FPRAON", "OSCILL", "OSP1", "STRINGIS", "MEAFRAME",
         "GROUP_BEGIN", "CYCLE81", "TRAORI", "GFRAME100", "SIN", "CHANDATA", "REDEF", "CPLNUM"})

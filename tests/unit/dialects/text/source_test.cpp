@@ -54,7 +54,7 @@ TEST(Source, CountsColumnsInBytesAndCharacters) {
   EXPECT_EQ(start.column, 1U);
 }
 
-TEST(Source, PlacesAnOffsetBehindTheEndInTheLastLine) {
+TEST(Source, PlacesAnOffsetAfterTheEndInTheLastLine) {
   const Source source("a", "G1\nX1");
   const Position end = source.position(5);
   EXPECT_EQ(end.line, 2U);

@@ -103,7 +103,7 @@ TEST(Feed, AllocatesNothingHoweverLongTheText) {
   EXPECT_EQ(allocations_for(100'000), 0U);
 }
 
-TEST(Feed, EventsThatNobodyReadsAreDroppedAndCounted) {
+TEST(Feed, EventsThatNoOneReadsAreDroppedAndCounted) {
   Feed feed = Feed::make(Settings{}).value();
   feed.line(LineChange::link_up, 1s);
   for (int i = 0; i < 1000; ++i) send(feed, 0x12, 1s);

@@ -94,7 +94,7 @@ TEST(LineClock, StandsStillWhilePaused) {
   EXPECT_TRUE(clock.settled(3000ms));
 }
 
-TEST(LineClock, ANewJobCountsFromNothingBehindWhatIsStillOnTheLine) {
+TEST(LineClock, ANewJobCountsFromNothingAfterWhatIsStillOnTheLine) {
   LineClock clock = clock_of_milliseconds();
   clock.handed(4, 100ms);
   clock.restart();

@@ -42,7 +42,7 @@ TEST(ProgramCheck, CountsAWholeProgram) {
   EXPECT_EQ(bare->program_bytes(), bare->text_bytes());
 }
 
-TEST(ProgramCheck, TakesEveryWayToEndAProgram) {
+TEST(ProgramCheck, TakesEveryEndOfAProgram) {
   for (const char* end : {"M30", "M02", "M2", "M030", "m30", "N100M30", "N100 M30", "G0X0M30", "M5 M30", "M30 (END)",
                           "M 30", "M30M9", "M30\n(LAST WORDS)\n\nN99\n", "G28Z0.M30"}) {
     EXPECT_TRUE(check("%\nO1\n" + std::string(end) + "\n%\n")) << end;

@@ -1,4 +1,4 @@
-// The doorbell: a ring is told once, only where it was seen to come, and answered whatever is restarted in between.
+// The doorbell: a ring is reported once, only where it was seen to come, and answered whatever is restarted in between.
 #include "protocol/modbus/doorbell.h"
 
 #include <random>
@@ -33,7 +33,7 @@ class DoorbellTest : public testing::Test {
   AnswerImage kept{};
 };
 
-TEST_F(DoorbellTest, ARingIsToldOnceAndAnswered) {
+TEST_F(DoorbellTest, ARingIsReportedOnceAndAnswered) {
   see(0);
   EXPECT_FALSE(bells.take_ring());
   see(1, 2, 70'000);
@@ -65,7 +65,7 @@ TEST_F(DoorbellTest, AnAnswerIsWrittenAgainUntilItIsThere) {
   EXPECT_EQ(bells.want(), Doorbell::Want::nothing);
 }
 
-TEST_F(DoorbellTest, ARingThatNobodySawComeIsMissed) {
+TEST_F(DoorbellTest, ARingThatNoOneSawComeIsMissed) {
   see(5);
   EXPECT_FALSE(bells.take_ring());
   ASSERT_EQ(bells.want(), Doorbell::Want::read_answer);
@@ -78,7 +78,7 @@ TEST_F(DoorbellTest, ARingThatNobodySawComeIsMissed) {
   EXPECT_EQ(bells.take_ring()->bell, 6);
 }
 
-TEST_F(DoorbellTest, AnAnsweredRingStaysSoBehindARestartOfTheHost) {
+TEST_F(DoorbellTest, AnAnsweredRingStaysSoAfterARestartOfTheHost) {
   encode(armed(5), kept);
   see(5);
   bells.answer_read(kept);
@@ -105,7 +105,7 @@ TEST_F(DoorbellTest, ARestartOfThePlcIsNoRing) {
   EXPECT_TRUE(bells.take_ring());
 }
 
-TEST_F(DoorbellTest, ARingBehindASilenceIsMissedAndAnUnchangedBellIsNone) {
+TEST_F(DoorbellTest, ARingAfterASilenceIsMissedAndAnUnchangedBellIsNone) {
   see(0);
   see(1);
   static_cast<void>(bells.take_ring());
@@ -140,8 +140,8 @@ TEST_F(DoorbellTest, DamagedAnswerRegistersAreNone) {
   EXPECT_FALSE(answered_bell(std::span<const std::uint16_t>(kept).first(6)));
 }
 
-// A PLC and a host over many restarts of either, silences and lost writes: each ring is told once at the most, and only
-// where the host was there; the last one is answered in the end.
+// A PLC and a host over many restarts of either, silences and lost writes: each ring is reported once at the most, and
+// only where the host was there; the last one is answered in the end.
 class RestartsTest : public testing::TestWithParam<unsigned> {
  protected:
   void ring() {
@@ -186,7 +186,7 @@ class RestartsTest : public testing::TestWithParam<unsigned> {
   std::set<std::uint32_t> told;
 };
 
-TEST_P(RestartsTest, TellEachRingOnceAtTheMost) {
+TEST_P(RestartsTest, ReportEachRingOnceAtTheMost) {
   std::minstd_rand random(GetParam());
   for (int step = 0; step < 2000; ++step) {
     now += 100ms;
@@ -216,7 +216,7 @@ TEST_P(RestartsTest, TellEachRingOnceAtTheMost) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RestartsTest, testing::Range(1U, 65U));
 
-// Every way from every state, and no other.
+// Every transition from every state, and no other.
 TEST_F(DoorbellTest, TakesEveryCellOfTheTable) {
   using Cell = std::pair<BellState, BellInput>;
   std::set<Cell> taken;

@@ -77,7 +77,7 @@ TEST(WordsProbe, FindsOutWhatIsThere) {
 
 TEST(WordsProbe, FailuresOfAnotherKindHideNothing) {
   WordsProbe probe;
-  for (int i = 0; i < 7; ++i) probe.failed();  // nobody is there yet
+  for (int i = 0; i < 7; ++i) probe.failed();  // no one is there yet
   EXPECT_EQ(settle(probe, true), kStatusAndMachine);
   probe.failed();
   EXPECT_EQ(probe.registers(), kStatusAndMachine) << "one lost answer";

@@ -1,4 +1,4 @@
-// The Modbus server without a socket: every request its answer or its exception, whatever way it is cut, and the ends
+// The Modbus server without a socket: every request its answer or its exception, however it is cut, and the ends
 // of a connection that is out of step.
 #include "protocol/modbus/mbap.h"
 

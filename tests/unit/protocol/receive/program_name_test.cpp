@@ -1,4 +1,4 @@
-// Names of received programs by the controls' ways, and the parts of a punch.
+// Names of received programs by the controls' methods, and the parts of a punch.
 #include "protocol/receive/program_name.h"
 
 #include <gtest/gtest.h>

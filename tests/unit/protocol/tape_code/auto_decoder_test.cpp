@@ -1,4 +1,4 @@
-// Finding out a stream's code, and every way of writing a text read back: all codes, EOBs, fillers and cuts.
+// Finding out a stream's code, and every form of writing a text read back: all codes, EOBs, fillers and cuts.
 #include "protocol/tape_code/auto_decoder.h"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ TEST(WireDecoder, ABlankMakesEveryBlockEven) {
 TEST(WireDecoder, CountsOddBlocksWithTheirLine) {
   std::mt19937 random(1);
   WireDecoder decoder(EighthBit::data);
-  decoded(decoder, "%ABC\nAB\nABC\nA\n\n%", random);  // 3, 4, 2, 1 characters behind the label
+  decoded(decoder, "%ABC\nAB\nABC\nA\n\n%", random);  // 3, 4, 2, 1 characters after the label
   EXPECT_EQ(decoder.odd_blocks(), 2U);
   EXPECT_EQ(decoder.first_odd_line(), 2U);
   WireDecoder cr_lf(EighthBit::data);
@@ -174,7 +174,7 @@ TEST(AutoDecoder, AWrongBitIsCountedAndChangesNoCode) {
     WireFormat format{.leader_chars = 4};
     if (is_eia) format.eia = EiaSpecials{};
     const std::string good = encoded(format, text);
-    for (std::size_t at = 7; at < good.size(); ++at) {  // behind the leader, '%' and the first EOB
+    for (std::size_t at = 7; at < good.size(); ++at) {  // after the leader, '%' and the first EOB
       std::string bad = good;
       bad[at] = static_cast<char>(bad[at] ^ 0x04);
       if (bad[at] == '\0') continue;  // a blank, and counted as one

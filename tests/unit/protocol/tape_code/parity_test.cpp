@@ -31,7 +31,7 @@ TEST(Parity, GivesTheBytesOfIso840) {
   }
 }
 
-TEST(Parity, OfEveryByteInEveryWay) {
+TEST(Parity, OfEveryByteInEveryMode) {
   for (int value = 0; value < 256; ++value) {
     const auto byte = static_cast<std::uint8_t>(value);
     const auto low = static_cast<std::uint8_t>(value & 0x7F);

@@ -38,7 +38,7 @@ class FailingSource final : public TextSource {
   TextPiece next() noexcept override { return {.status = SourceStatus::failed}; }
 };
 
-// What the wire must be, offset by offset, made the plain way.
+// What the wire must be, offset by offset, made plainly.
 struct Plain {
   std::string wire;
   std::vector<WirePosition> at;  // one for each offset 0 ..= wire.size()

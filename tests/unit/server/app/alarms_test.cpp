@@ -118,7 +118,7 @@ TEST_F(AlarmsTest, ATornBlockIsOneAlarmOverAStopOfTheServer) {
 }
 
 // The server ended after the block was known as torn and before its alarm was written.
-TEST_F(AlarmsTest, ATornBlockThatNobodyRaisedIsFoundAtTheStart) {
+TEST_F(AlarmsTest, ATornBlockThatNoOneRaisedIsFoundAtTheStart) {
   shop_.start_job(kLathe, program(20));
   shop_.run(200ms);
   Shop next(killed_copy(database()));
@@ -173,7 +173,7 @@ TEST_F(AlarmsTest, ALedgerThatCannotBeWrittenIsAnAlarmUntilItCan) {
   EXPECT_NE(of(AlarmKind::ledger_failed)[0].cleared_at_ms, 0);
 }
 
-TEST_F(AlarmsTest, AnUnknownMachineIsToldAndNotTriedForEver) {
+TEST_F(AlarmsTest, AnUnknownMachineIsReportedAndNotTriedForEver) {
   shop_.alarms.raise("nobody", AlarmKind::person_called, "come");
   settle();
   shop_.links.advance(5s);

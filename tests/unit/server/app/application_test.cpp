@@ -1,5 +1,5 @@
-// The start and the end of a server: what a kill left behind becomes interrupted before a line opens, and an orderly
-// end leaves no block open.
+// The start and the end of a server: what a kill left unfinished becomes interrupted before a line opens, and an
+// orderly end leaves no block open.
 #include "server/app/application.h"
 
 #include <atomic>
@@ -89,7 +89,7 @@ TEST_F(ApplicationTest, EventIdsGoOnAboveThoseOfTheServerBefore) {
   EXPECT_TRUE(next.application->events().since(last).reset) << "who saw that server is told to reload";
 }
 
-TEST_F(ApplicationTest, ShowsTheBlockThatIsOnTheWay) {
+TEST_F(ApplicationTest, ShowsTheBlockThatIsInTransit) {
   Server server(database());
   must(server.application->start());
   must(server.application->catalog().add_machine("lathe " + url_of(kLathe), "anna"));
@@ -107,7 +107,7 @@ TEST_F(ApplicationTest, ShowsTheBlockThatIsOnTheWay) {
     server.links.settle();
     for (int i = 0; i < 80; ++i) {
       server.links.advance(3ms);
-      server.links.receive(url_of(kLathe), kDc3);  // news are told at once, counters alone only every 20 ms
+      server.links.receive(url_of(kLathe), kDc3);  // news are reported at once, counters alone only every 20 ms
       server.links.receive(url_of(kLathe), kDc1);
       const std::string sent = server.written().substr(before);
       if (sent.empty()) continue;

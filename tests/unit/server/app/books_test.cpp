@@ -50,7 +50,7 @@ TEST_F(BooksTest, HandsNothingThatIsNotReservedInTheLedger) {
   EXPECT_GE(must(shop.store.ledger().verify(job.id)), 4U);
 }
 
-TEST_F(BooksTest, AReserveIsToldOnlyAfterItsCommit) {
+TEST_F(BooksTest, AReserveIsReportedOnlyAfterItsCommit) {
   Gate gate;
   Shop shop(database());
   shop.add_machine(kLathe);
@@ -231,7 +231,7 @@ TEST_F(BooksTest, AfterAKillTheTruthLiesBetweenClockedAndReserve) {
   }
 }
 
-// A short job may begin and end between two rounds; its way through the states is complete all the same.
+// A short job may begin and end between two rounds; its path through the states is complete all the same.
 TEST_F(BooksTest, AJobThatWasQuickerThanARoundTakesEveryStep) {
   Shop shop(database());
   shop.add_machine(kLathe);
@@ -270,7 +270,7 @@ TEST_F(BooksTest, AJobThatWasQuickerThanARoundTakesEveryStep) {
 
 // Armed again and disarmed again while the ledger was busy elsewhere: the books must not believe in the first
 // disarming.
-TEST_F(BooksTest, ASecondDisarmingThatNobodySawIsBookedToo) {
+TEST_F(BooksTest, ASecondDisarmingThatNoOneSawIsBookedToo) {
   Gate gate;
   Shop shop(database());
   shop.add_machine(kLathe);
@@ -298,7 +298,7 @@ TEST_F(BooksTest, ASecondDisarmingThatNobodySawIsBookedToo) {
   must(shop.jobs.arm(job.id, std::nullopt, "olga"));
 }
 
-TEST_F(BooksTest, ATornBlockIsToldWithItsPlace) {
+TEST_F(BooksTest, ATornBlockIsReportedWithItsPlace) {
   Shop shop(database());
   shop.add_machine(kLathe);
   const store::Job job = shop.start_job(kLathe, program(20));

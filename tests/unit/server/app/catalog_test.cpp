@@ -1,4 +1,4 @@
-// Machines, families and parts: a wrong document leaves nothing behind, each change is a revision, and a line with a
+// Machines, families and parts: a wrong document leaves nothing, each change is a revision, and a line with a
 // job is left alone.
 #include "server/app/shop/catalog.h"
 
@@ -43,7 +43,7 @@ TEST_F(CatalogTest, AMachineHasALineAtOnce) {
   EXPECT_EQ(shop_.links.cable("pty:/machine/other").opened, 0) << "a refused document opens nothing";
 }
 
-TEST_F(CatalogTest, AWrongProfileLeavesNothingBehind) {
+TEST_F(CatalogTest, AWrongProfileLeavesNothing) {
   const Error url = refusal(shop_.catalog.add_machine("lathe ftp://x", "anna"));
   EXPECT_EQ(url.code, ErrorCode::invalid);
   EXPECT_EQ(url.places.at(0).pointer, "/link/url");

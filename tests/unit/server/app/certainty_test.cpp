@@ -1,4 +1,4 @@
-// What an examination of a '#' program calls an error, what it leaves open, and which likely faults a run tells of.
+// What an examination of a '#' program calls an error, what it leaves open, and which likely faults a run reports.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ bool reports(const CheckReport& report, std::string_view part) {
 
 const std::string kHead = "%\nO1\nG21 G17 G90 G94 G40 G49 G80 G54\n";
 
-// --- what nobody gave is not known
+// --- what no one gave is not known
 
 TEST(Certainty, AMacroByItselfHasNoArgumentsAndThatIsNoError) {
   const CheckReport report = check("%\nO9001\nIF[#1NE#0]GOTO10\n#3000=1(NO A)\nN10 G01 X#1\nM99\n%\n");
@@ -200,7 +200,7 @@ TEST(Certainty, AHoleEndsBelowItsR) {
   EXPECT_FALSE(is_reported("G91 G81 X1. Z-5. R-2. F100."));
 }
 
-TEST(Certainty, AFeedOfTheOtherModeIsTold) {
+TEST(Certainty, AFeedOfTheOtherModeIsReported) {
   const auto is_reported = [](const std::string& block, ir::MachineKind kind) {
     return find(check("%\nO1\nG21\n" + block + "\nM30\n%\n", {.kind = kind}), DiagnosticId::feed_suspicion) != nullptr;
   };
@@ -212,7 +212,7 @@ TEST(Certainty, AFeedOfTheOtherModeIsTold) {
   EXPECT_FALSE(is_reported("G17 G90 G94 G01 X10. F0.5", ir::MachineKind::mill));
 }
 
-TEST(Certainty, AnArcWithoutCentreIsTold) {
+TEST(Certainty, AnArcWithoutCentreIsReported) {
   const CheckReport report = check(kHead + "G00 X0. Y0.\nG02 X10. Y0. F100.\nM30\n%\n");
   const text::Diagnostic* arc = find(report, DiagnosticId::arc_without_center);
   ASSERT_NE(arc, nullptr);
@@ -347,7 +347,7 @@ TEST(Certainty, AHaasReadsPartsOfParameters) {
   EXPECT_EQ(find(other, DiagnosticId::tape_mark_in_comment)->severity, Severity::error);
 }
 
-TEST(Certainty, AHaasTakesAStatementBehindIfWithoutThen) {
+TEST(Certainty, AHaasTakesAStatementAfterIfWithoutThen) {
   const std::string text = kHead + "IF [#598 NE 1.] G65 P9725\nIF [#598 EQ 2.] #1= 5.\nM30\n%\n";
   EXPECT_FALSE(text::has_error(check(text, {.dialect = "haas"}).checks.diagnostics));
   EXPECT_TRUE(text::has_error(check(text).checks.diagnostics));
@@ -440,7 +440,7 @@ std::vector<std::string> characters_in(const CheckReport& report) {
   return all;
 }
 
-TEST(Certainty, CharactersOfCommentsAreToldOnceAKind) {
+TEST(Certainty, CharactersOfCommentsAreReportedOnceAKind) {
   const std::string rest = "G21G90G94G17\nG0X1.\nM30\n%\n";
   EXPECT_EQ(characters_in(check_for_line("%\nO1(Shaft)\n(of Steel)\n" + rest)),
             (std::vector<std::string>{"warning h: the first of 10 lower-case letters in comments"}));

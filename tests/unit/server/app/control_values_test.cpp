@@ -113,7 +113,7 @@ TEST(ControlValues, AClockCountsWhileNothingMoves) {
 
 // --- the control's memory
 
-TEST(ControlValues, NoTravelPassesBehindAnOffsetThatAProgramWrites) {
+TEST(ControlValues, NoTravelPassesAfterAnOffsetThatAProgramWrites) {
   struct Row {
     std::string dialect;
     std::string block;

@@ -49,7 +49,7 @@ TEST_F(DiskReserveTest, ADiskWithoutRoomHasNone) {
   EXPECT_FALSE(nowhere.is_whole());
 }
 
-TEST_F(DiskReserveTest, IsTakenBackOnlyWhereThereIsRoomBesideIt) {
+TEST_F(DiskReserveTest, IsTakenBackOnlyWhereThereIsRoomNextToIt) {
   std::uint64_t room = 2 * kSmall - 1;
   DiskReserve disk_reserve(path(), kSmall, [&](const std::filesystem::path& folder) {
     EXPECT_EQ(folder, folder_.path());

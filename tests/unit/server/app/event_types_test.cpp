@@ -83,7 +83,7 @@ class LineEventsTest : public ::testing::Test {
   std::uint64_t changes_ = 0;
 };
 
-TEST_F(LineEventsTest, AStateThatStandsIsToldOnce) {
+TEST_F(LineEventsTest, AStateThatStandsIsReportedOnce) {
   using std::chrono::milliseconds;
   stands(LineState::idle, milliseconds(3000));
   for (int i = 0; i < 5; ++i) {  // holds of a feed

@@ -60,7 +60,7 @@ TEST(Events, WhatIsHeldGoesOutWithItsReleaseOrNever) {
   EXPECT_EQ(texts, "of another thread,a1,a2,a3,a4,");
 }
 
-TEST(Events, TellsWhenTheRingNoLongerHoldsAll) {
+TEST(Events, ReportsWhenTheRingNoLongerHoldsAll) {
   Events events;
   for (std::size_t i = 0; i < Events::kRing; ++i) events.publish(alarm(""));
   EXPECT_FALSE(events.since(0).reset) << "just as many as fit";

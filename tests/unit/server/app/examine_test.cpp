@@ -32,7 +32,7 @@ CheckReport report_of(const std::string& text, const machine::Profile* profile) 
                   .profile_lines = {}});
 }
 
-// "LINE:COLUMN ARGUMENT" of what is said of characters.
+// "LINE:COLUMN ARGUMENT" of what is reported of characters.
 std::vector<std::string> characters_in(const CheckReport& report) {
   std::vector<std::string> all;
   for (const text::Diagnostic& one : report.checks.diagnostics) {
@@ -63,12 +63,12 @@ TEST(Examine, TheCodeOfTheUrlCounts) {
             (std::vector<std::string>{"4:1 #", "4:3 ="}));
 }
 
-TEST(Examine, WhatTheReaderSaidIsNotSaidAgain) {
+TEST(Examine, WhatTheReaderReportedIsNotReportedAgain) {
   const machine::Profile profile = profile_of("serial:/dev/ttyS0", "fanuc-iso");
   EXPECT_EQ(characters_in(report_of("%\nO1\nG0X1.\n\xC3\xA4\nM30\n%\n", &profile)).size(), 1U);
 }
 
-TEST(Examine, WhatReadingAndRunningBothSeeIsSaidOnce) {
+TEST(Examine, WhatReadingAndRunningBothSeeIsReportedOnce) {
   const CheckReport report = report_of("%\nO1\nG21 G90 G94 G17\nG0 X1.\n\n%\n", nullptr);
   std::vector<std::uint32_t> lines;
   for (const text::Diagnostic& one : report.checks.diagnostics)
@@ -149,7 +149,7 @@ TEST(Examine, LinesTakeTheirEobAndTheBlankOfATvCheck) {
   EXPECT_EQ(bytes_of_lines("%\nG0X1\nG0X10\n", format), (std::vector<std::uint32_t>{2, 6, 6}));
 }
 
-// A SINUMERIK program, with others beside it by name.
+// A SINUMERIK program, with others next to it by name.
 CheckReport sinumerik_report(const std::string& text, std::map<std::string, std::string, std::less<>> beside = {}) {
   const compile::Dialect* dialect = compile::find_dialect("sinumerik-840d");
   return examine({.source = text::Source("MAIN.MPF", text),
@@ -233,7 +233,7 @@ TEST(Examine, AFamilyForAnotherKindOfMachineFails) {
 }
 
 // A family's checks are those of the machine's tool: where that has another shape, nothing passes.
-TEST(Examine, AToolOfAnotherShapeThanTheFamilysIsSaid) {
+TEST(Examine, AToolOfAnotherShapeThanTheFamilysIsReported) {
   machine::Profile profile;
   profile.machine.tools = {{.number = 1, .diameter_mm = 10}};
   const compile::Dialect* dialect = compile::find_dialect("fanuc");

@@ -84,7 +84,7 @@ TEST_F(FeedLineTest, Dc1WithNothingArmedSendsNothingAndIsCounted) {
   EXPECT_EQ(written(), "") << "a DC1 from before the arming starts nothing";
 }
 
-TEST_F(FeedLineTest, ADc3ThatTheSystemHasNotToldOfStopsTheNextWrite) {
+TEST_F(FeedLineTest, ADc3ThatTheSystemHasNotReportedStopsTheNextWrite) {
   feed_into_a_block();
   links_.cable(kUrl).unread = kDc3;
   const std::string before = written();
@@ -339,7 +339,7 @@ TEST_F(FeedLineTest, CtsOffDisarmsWhereItIsWatched) {
   EXPECT_EQ(report().end, JobEnd::disarmed);
 }
 
-TEST_F(FeedLineTest, TellsOfEachChangeAndLeavesNothingBehind) {
+TEST_F(FeedLineTest, ReportsEachChangeAndLeavesNothing) {
   open();
   const int before = changes_;
   const std::uint64_t counted = report().changes;

@@ -128,7 +128,7 @@ TEST_F(FolderLineTest, UnlessTheLinkSaysSo) {
   EXPECT_EQ(contents(folder() / "O0042"), kText);
 }
 
-TEST_F(FolderLineTest, NobodySeesAFileBeforeItIsWhole) {
+TEST_F(FolderLineTest, NoOneSeesAFileBeforeItIsWhole) {
   fs::create_directory(folder());
   open();
   ASSERT_TRUE(arm(kText, 10));

@@ -14,7 +14,7 @@ class Gate {
     changed_.notify_all();
     changed_.wait(lock, [this] { return open_; });
   }
-  // Until somebody stands before it.
+  // Until a person stands before it.
   void await_someone() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return someone_waits_; });

@@ -45,7 +45,7 @@ class JobsTest : public ShopTest {
   Shop shop_;
 };
 
-TEST_F(JobsTest, AJobGoesItsWay) {
+TEST_F(JobsTest, AJobTakesItsCourse) {
   const store::Job queued = shop_.add_job(kLathe, text_);
   EXPECT_EQ(queued.state, JobState::queued);
   EXPECT_EQ(queued.link, "pty:/machine/lathe");

@@ -195,7 +195,7 @@ TEST_F(LineReceiveTest, AnAnswerDoesNotTakeTheLineFromAJob) {
   EXPECT_EQ(report().state, LineState::armed);
 }
 
-TEST_F(LineReceiveTest, HoldsTheControlWhileNobodyTakesWhatCame) {
+TEST_F(LineReceiveTest, HoldsTheControlWhileNoOneTakesWhatCame) {
   machine::LineSettings settings = line_settings();
   settings.receive.hold = receive::Hold::dc3;
   open(settings);

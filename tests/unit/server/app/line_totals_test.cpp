@@ -1,4 +1,4 @@
-// Sums over jobs and over lines that were made anew.
+// Sums over jobs and over lines that were made again.
 #include "server/app/lines/line_totals.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(LineTotals, EachRoundOfAJobBeginsAtItsFirstLine) {
   EXPECT_EQ(totals.all().at("lathe").sent_bytes, 140U);
 }
 
-TEST(LineTotals, CountsOfTheLineGoOnWhenItIsMadeAnew) {
+TEST(LineTotals, CountsOfTheLineGoOnWhenItIsMadeAgain) {
   LineTotals totals;
   LineReport report;
   report.received = 3;

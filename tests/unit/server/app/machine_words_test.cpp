@@ -1,5 +1,5 @@
-// What a PLC says of its machine, and its doorbell, through the use cases: shown, told, answered once, and never in the
-// way of a transfer; a PLC without the words works as before.
+// What a PLC says of its machine, and its doorbell, through the use cases: shown, reported, answered once, and never in
+// the course of a transfer; a PLC without the words works as before.
 #include <chrono>
 #include <thread>
 

@@ -1,5 +1,5 @@
 // Block transfer through the use cases: armed by a person, every byte exactly once whatever is lost, the ledger's
-// counts confirmed, and a job that ends leaves the PLC told.
+// counts confirmed, and a job that ends leaves the PLC informed.
 #include "server/app/lines/modbus_line.h"
 
 #include <algorithm>
@@ -175,7 +175,7 @@ TEST_F(ModbusLineTest, StopHoldsAtABlockEndAndResumeGoesOn) {
   EXPECT_EQ(plc_.text(), text);
 }
 
-TEST_F(ModbusLineTest, CancelTellsThePlc) {
+TEST_F(ModbusLineTest, CancelInformsThePlc) {
   plc_.give_credit(false);
   const store::Job job = arm(program(50));
   ASSERT_TRUE(comes_to(job.id, JobState::feeding));

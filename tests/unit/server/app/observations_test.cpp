@@ -1,4 +1,4 @@
-// What a collector is told of a line: what is known, and for all else that it is not.
+// What a collector learns of a line: what is known, and for all else that it is not.
 #include "server/app/out/observations.h"
 
 #include <gtest/gtest.h>

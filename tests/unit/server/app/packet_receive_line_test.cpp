@@ -106,7 +106,7 @@ TEST(PacketReceiveLine, ALostLinkIsABrokenReceptionByName) {
   EXPECT_EQ(rig.line->report().cause, "link lost");
 }
 
-TEST(PacketReceiveLine, AnAbortTellsTheSenderAndKeepsWhatCame) {
+TEST(PacketReceiveLine, AnAbortInformsTheSenderAndKeepsWhatCame) {
   Rig rig(packet::Protocol::ymodem);
   rig.peer.punch(rig.links.now());
   rig.pass_until_inside();
@@ -123,7 +123,7 @@ TEST(PacketReceiveLine, AnAbortTellsTheSenderAndKeepsWhatCame) {
             receive::Fault::none);
 }
 
-TEST(PacketReceiveLine, ASenderThatTakesLeaveBeforeItsTextIsWaitedForAnew) {
+TEST(PacketReceiveLine, ASenderThatTakesLeaveBeforeItsTextIsWaitedForAgain) {
   Rig rig(packet::Protocol::xmodem_crc);
   rig.links.receive(rig.url, "\x18\x18");
   EXPECT_TRUE(rig.line->take_receptions().empty());

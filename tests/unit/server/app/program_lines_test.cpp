@@ -59,7 +59,7 @@ TEST_F(ProgramLinesTest, ALongOneIsCut) {
   EXPECT_EQ(found.lines[1].text, "M30");
 }
 
-TEST_F(ProgramLinesTest, StandBesideTheFamilyTheyWereRenderedFrom) {
+TEST_F(ProgramLinesTest, StandNextToTheFamilyTheyWereRenderedFrom) {
   must(shop_.store.families().add("roll", "family roll\n  cut x\n  cut z\nend\n", by("anna")));
   must(shop_.store.families().change("roll", 1, "another\n", by("anna")));
   std::string text = "%\n";

@@ -50,7 +50,7 @@ TEST_F(ProgramsTest, AnUploadIsRevisionedByItsHash) {
   EXPECT_EQ(must(shop_.store.programs().get_revision(program.id, 1)).sha256, program.newest.sha256);
 }
 
-TEST_F(ProgramsTest, AWrongUploadLeavesNothingBehind) {
+TEST_F(ProgramsTest, AWrongUploadLeavesNothing) {
   EXPECT_EQ(refusal(programs_.upload("O1", "martian", kText, "anna")).places.at(0).pointer, "/dialect");
   EXPECT_EQ(refusal(programs_.upload("O1", "fanuc", "", "anna")).places.at(0).pointer, "/text");
   EXPECT_EQ(refusal(programs_.upload("", "fanuc", kText, "anna")).code, ErrorCode::invalid);
@@ -179,7 +179,7 @@ TEST_F(ProgramsTest, ATextWithAnErrorFails) {
   EXPECT_EQ(must(checking_.check(order, "anna")).of.outcome, store::Outcome::fail);
 }
 
-TEST_F(ProgramsTest, ChecksWhatItIsToldToAndNothingElse) {
+TEST_F(ProgramsTest, ChecksWhatItIsOrderedToAndNothingElse) {
   const store::Program program = must(programs_.upload("O1", "sinumerik-840d", "G0 X1\nM30\n", "anna"));
   CheckOrder order{.program = program.id, .revision = 0, .machine = "mill", .delivery = store::Delivery::memory};
   EXPECT_EQ(refusal(checking_.check(order, "anna")).code, ErrorCode::invalid) << "another dialect";

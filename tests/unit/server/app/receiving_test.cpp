@@ -150,7 +150,7 @@ TEST_F(ReceivingTest, AControlThatAsksGetsItsAnswerThenAndNotLater) {
   EXPECT_EQ(got(), "") << "it expired";
 }
 
-TEST_F(ReceivingTest, ALoadThatNobodyFetchesExpires) {
+TEST_F(ReceivingTest, ALoadThatIsNotFetchedExpires) {
   open();
   release_text(shop_->store, kLathe, text_, store::Delivery::memory);
   ask("LOAD 42");
@@ -186,7 +186,7 @@ TEST_F(ReceivingTest, NoAnswerTakesThePlaceOfAProgramOfTheShop) {
   EXPECT_TRUE(published("O0042 is a released program; set receive.answer_number"));
 }
 
-TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
+TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilAPersonConfirms) {
   open();
   ask("LOAD 4711");
   send_text(kDc1);

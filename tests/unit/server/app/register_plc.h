@@ -1,4 +1,4 @@
-// A PLC with the block mailbox behind a register bus without a network. Calls can be lost before or after they took
+// A PLC with the block mailbox on a register bus without a network. Calls can be lost before or after they took
 // effect, fail for good, or be held up; the text that arrived is compared byte by byte.
 #pragma once
 

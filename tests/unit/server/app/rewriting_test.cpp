@@ -1,4 +1,4 @@
-// A text laid out anew is the same program, or it is refused.
+// A text laid out again is the same program, or it is refused.
 #include "server/app/library/rewriting.h"
 
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ TEST(RoundThread, SettleWaitsForARoundThatBeganAfterIt) {
   }
 }
 
-TEST(RoundThread, WhoeverSettlesWaitsNoLongerThanHeSaid) {
+TEST(RoundThread, WhoeverSettlesWaitsNoLongerThanStated) {
   std::atomic<bool> go = false;
   RoundThread thread("test", kNever, Urgency::usual, [&] { go.wait(false); });
   EXPECT_FALSE(thread.settle(20ms)) << "the round hangs, as on a disk that does not answer";

@@ -1,4 +1,4 @@
-// The ways that the tests of the use cases walk first.
+// The steps that the tests of the use cases take first.
 #include <algorithm>
 #include <filesystem>
 

@@ -1,5 +1,5 @@
 // What the tests of the use cases share: a shop with a real store in a folder that goes away, lines over links without
-// a system, and the way from a text to a job that may be armed.
+// a system, and the steps from a text to a job that may be armed.
 #pragma once
 
 #include <memory>

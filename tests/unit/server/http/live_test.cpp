@@ -87,7 +87,7 @@ TEST_F(LiveTest, EventsAreFramedWithTheirIds) {
   EXPECT_THAT(take(*watch(1)), Not(HasSubstr("one")));
 }
 
-TEST_F(LiveTest, AWatcherWhoFellBehindTheRingIsReset) {
+TEST_F(LiveTest, AWatcherWhoLagsTheRingIsReset) {
   const auto watcher = watch(0);
   EXPECT_EQ(take(*watcher), "");
   for (std::size_t i = 0; i <= app::Events::kRing; ++i) events_.publish(receipt("x"));
@@ -160,7 +160,7 @@ TEST_F(LiveTest, ProgressIsDescribedOnceForAllWhoWatch) {
   EXPECT_EQ(described_, 1);
 }
 
-TEST_F(LiveTest, TellsWhenThereIsMoreUntilItIsTold) {
+TEST_F(LiveTest, ReportsWhenThereIsMoreUntilItIsReported) {
   std::atomic<int> ready = 0;
   const auto watcher = watch(0);
   watcher->on_ready([&] { ++ready; });

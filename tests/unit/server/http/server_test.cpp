@@ -209,7 +209,7 @@ TEST(HttpServer, AStopDoesNotWaitForEverForARequest) {
 }
 
 // The oldest that says nothing goes; whoever asks is answered.
-TEST(HttpServer, ManyWhoSayNothingKeepNobodyOut) {
+TEST(HttpServer, ManyWhoSayNothingKeepNoOneOut) {
   const auto server =
       start({.plan = {}, .refuse_long = {}, .answer = [](const Request&) { return text_response("done."); }});
   std::vector<std::unique_ptr<Link>> silent;

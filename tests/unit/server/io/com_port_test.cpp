@@ -1,5 +1,5 @@
 // rfc2217:// against a device server of the test's own: the line is set before anything passes, eight bits pass both
-// ways, modem lines and line errors are told, a server that sets something else is not used.
+// directions, modem lines and line errors are reported, a server that sets something else is not used.
 #include <array>
 #include <thread>
 
@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-// One connection, served by one thread; what it is told to do happens between two looks at the socket.
+// One connection, served by one thread; what it is ordered to do happens between two looks at the socket.
 class DeviceServer {
  public:
   explicit DeviceServer(std::string first_words = "") : first_words_(std::move(first_words)) {
@@ -141,7 +141,7 @@ TEST_F(LinkTest, ComPortIsSetBeforeItCarries) {
   EXPECT_EQ(heard_.received(), all);
 }
 
-TEST_F(LinkTest, ComPortTellsLinesAndErrors) {
+TEST_F(LinkTest, ComPortReportsLinesAndErrors) {
   DeviceServer server;
   ASSERT_EQ(open(server.url()), "");
   ASSERT_TRUE(heard_.await_ups(1));

@@ -100,7 +100,7 @@ TEST_F(LineClaim, ATornLineStaysTornUntilAPersonGivesAReason) {
   EXPECT_EQ(claim("tcp://10.0.0.7:4001").value()->torn(), "");
 }
 
-TEST_F(LineClaim, TheSecondIsToldWhoHasTheLine) {
+TEST_F(LineClaim, TheSecondLearnsWhoHasTheLine) {
   const auto first = claim("modbus-tcp://PLC:502/1").value();
   const auto second = claim("modbus-tcp://plc:502/1");
   ASSERT_FALSE(second);

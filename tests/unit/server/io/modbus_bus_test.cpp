@@ -1,4 +1,4 @@
-// The register bus against a Modbus server of the library's own: what a failed call leaves behind is a closed
+// The register bus against a Modbus server of the library's own: what a failed call leaves is a closed
 // connection, so that no late answer is taken for the next one's.
 #include "server/io/modbus_bus.h"
 
@@ -184,7 +184,7 @@ TEST_F(ModbusBusTest, AnExceptionLeavesTheConnection) {
 }
 
 // Two machines behind one gateway: one connection, and neither waits for more than one request of the other.
-TEST_F(ModbusBusTest, UnitsBehindOneAddressShareItInTurn) {
+TEST_F(ModbusBusTest, UnitsAtOneAddressShareItInTurn) {
   auto url = machine::parse_link_url("modbus-tcp://127.0.0.1:502/2").value();
   url.port = server_.port();
   const auto other = make_bus(url);
@@ -257,7 +257,7 @@ class RtuLine {
         if (count > 0) {
           EXPECT_EQ(::write(ends_[1 - i], buffer.data(), static_cast<std::size_t>(count)), count);
         }
-        if (count < 0) std::this_thread::sleep_for(std::chrono::microseconds(200));  // nobody has the other end open
+        if (count < 0) std::this_thread::sleep_for(std::chrono::microseconds(200));  // no one has the other end open
       }
     }
   }
@@ -301,7 +301,7 @@ TEST(ModbusBus, SpeaksRtuOnASerialLine) {
   ASSERT_TRUE(exchanged);
   EXPECT_TRUE(*exchanged);
   EXPECT_EQ(back[1], 7);
-  // Nobody has this number; the line is made anew behind the silence, and the other unit is as before.
+  // No one has this number; the line is made again after the silence, and the other unit is as before.
   const auto nobody = make_bus(machine::parse_link_url(url + "6").value());
   EXPECT_FALSE(nobody->read(2, back));
   // libmodbus's server takes what follows a request for another for that one's answer, and passes it over.
@@ -311,7 +311,7 @@ TEST(ModbusBus, SpeaksRtuOnASerialLine) {
   EXPECT_EQ(back[1], 7);
 }
 
-TEST(ModbusBus, NobodyThereIsAFailure) {
+TEST(ModbusBus, NoPeerIsAFailure) {
   std::uint16_t port = 0;
   {
     const ModbusServer gone;

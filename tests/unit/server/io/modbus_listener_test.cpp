@@ -84,7 +84,7 @@ TEST_F(ModbusListenerTest, WhoIsNotOnTheListIsLetGo) {
   EXPECT_EQ(listener_->refused(), 1U);
 }
 
-TEST_F(ModbusListenerTest, HalfARequestIsLetGoAndHoldsNobodyUp) {
+TEST_F(ModbusListenerTest, HalfARequestIsLetGoAndHoldsNoOneUp) {
   listen({"127.0.0.1"});
   const Client half = client_of(listener_->port(), 3);
   const int socket = modbus_get_socket(half.get());

@@ -1,4 +1,4 @@
-// Turns on a register bus: one thread for all units of it, nobody starved by a dead one, and a user that leaves has no
+// Turns on a register bus: one thread for all units of it, no one starved by a dead one, and a user that leaves has no
 // turn any more.
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// The units 1 to 3 of a serial line: each answers FC3 with one register, its number. Nobody else is there.
+// The units 1 to 3 of a serial line: each answers FC3 with one register, its number. No one else is there.
 class Slaves {
  public:
   Slaves() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
@@ -67,7 +67,7 @@ class Slaves {
     while (!stop.stop_requested()) {
       pollfd file{master_, POLLIN, 0};
       ::poll(&file, 1, 10);
-      if ((file.revents & POLLHUP) != 0) std::this_thread::sleep_for(1ms);  // nobody has it open
+      if ((file.revents & POLLHUP) != 0) std::this_thread::sleep_for(1ms);  // no one has it open
       const ssize_t count = ::read(master_, request.data() + have, request.size() - have);
       if (count <= 0) continue;
       have += static_cast<std::size_t>(count);

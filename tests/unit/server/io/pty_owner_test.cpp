@@ -97,7 +97,7 @@ TEST_F(PtyOwnerTest, ALinkThatLeadsElsewhereIsNotOpened) {
   EXPECT_THAT(refusal(), HasSubstr("another pseudo-terminal than its maker's"));
 }
 
-TEST_F(PtyOwnerTest, SomebodyElsesFileIsNotReplaced) {
+TEST_F(PtyOwnerTest, TheFileOfAnotherIsNotReplaced) {
   std::ofstream(path_) << "a file";
   EXPECT_FALSE(PtyOwner::link(path_, device_));
   EXPECT_TRUE(fs::is_regular_file(path_));

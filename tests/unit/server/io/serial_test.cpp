@@ -1,5 +1,5 @@
-// A tty, played by a pseudo-terminal: how it is set, that all eight bits pass, who owns it, and that its end is told
-// once.
+// A tty, played by a pseudo-terminal: how it is set, that all eight bits pass, who owns it, and that its end is
+// reported once.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -158,7 +158,7 @@ class SerialLinkTest : public LinkTest {
   Pty pty_;
 };
 
-TEST_F(SerialLinkTest, AllEightBitsPassBothWays) {
+TEST_F(SerialLinkTest, AllEightBitsPassInBothDirections) {
   open_pty();
   EXPECT_EQ(write(all_bytes()), 256U);
   EXPECT_EQ(pty_.hear(256), all_bytes());
@@ -169,7 +169,7 @@ TEST_F(SerialLinkTest, AllEightBitsPassBothWays) {
   EXPECT_EQ(heard_.losses(), 0);
 }
 
-TEST_F(SerialLinkTest, TakesWhatFitsAndTellsWhenThereIsRoom) {
+TEST_F(SerialLinkTest, TakesWhatFitsAndReportsWhenThereIsRoom) {
   open_pty();
   const std::string much(1 << 20, 'x');
   const std::size_t taken = write(much);
@@ -179,7 +179,7 @@ TEST_F(SerialLinkTest, TakesWhatFitsAndTellsWhenThereIsRoom) {
   EXPECT_GT(write("more"), 0U);
 }
 
-TEST_F(SerialLinkTest, AHangUpIsToldOnceAndTheLineCanBeOpenedAgain) {
+TEST_F(SerialLinkTest, AHangUpIsReportedOnceAndTheLineCanBeOpenedAgain) {
   open_pty();
   pty_.hang_up();
   ASSERT_TRUE(heard_.await_losses(1));

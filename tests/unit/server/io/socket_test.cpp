@@ -108,7 +108,7 @@ class SocketTest : public LinkTest {
   std::unique_ptr<FarEnd> peer_;
 };
 
-TEST_F(SocketTest, BytesPassBothWays) {
+TEST_F(SocketTest, BytesPassInBothDirections) {
   connect();
   const std::string odd("\x11\x13\x93\0\r\n\xFF", 7);
   EXPECT_EQ(write(odd), odd.size());
@@ -143,7 +143,7 @@ TEST_F(SocketTest, AHalfClosedPeerIsGone) {
   EXPECT_EQ(heard_.losses(), 1);
 }
 
-TEST_F(SocketTest, AResetIsToldOnce) {
+TEST_F(SocketTest, AResetIsReportedOnce) {
   connect();
   peer_->reset();
   ASSERT_TRUE(heard_.await_losses(1));

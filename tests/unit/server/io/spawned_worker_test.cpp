@@ -47,7 +47,7 @@ TEST(WorkerProcess, HasNoOtherFileOfOurs) {
   ::close(pipe[1]);
 }
 
-TEST(WorkerDesk, KillsWhatTakesLongerThanItMayAndWhatNobodyWaitsFor) {
+TEST(WorkerDesk, KillsWhatTakesLongerThanItMayAndWhatNoOneWaitsFor) {
   WorkerDesk desk({.command = shell("exec sleep 60"), .at_once = 2});
   std::array<int, 2> peer{};
   ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, peer.data()), 0);
@@ -98,7 +98,7 @@ TEST(WorkerDesk, SendsAwayWhoComesWhenAsManyWaitAsMay) {
   stop.request_stop();
 }
 
-// Callers that came one after the other, with what each of them was told.
+// Callers that came one after the other, with what each of them was answered.
 class Callers {
  public:
   Callers(WorkerDesk& desk, std::size_t count) : desk_(desk), answers_(count) {

@@ -326,7 +326,7 @@ TEST(ProfileDocument, OriginAndToolLengthsArrive) {
   EXPECT_FALSE(machine.tools[0].length_z_mm);
 }
 
-TEST(ProfileDocument, AllFaultsAreToldAtOnce) {
+TEST(ProfileDocument, AllFaultsAreReportedAtOnce) {
   std::string text = with(R"("baud": 4800)", R"("baud": "fast")");
   text.replace(text.find(R"("tip": 3)"), 8, R"("tip": -1)");
   const auto read = read_profile(text);

@@ -37,7 +37,7 @@ TEST(Sentences, HaveWhatTheStoreAdds) {
   EXPECT_THAT(found->values, ElementsAre(Pair("detail", "machine mill")));
 }
 
-TEST(Sentences, TellALongEndFromAShortOne) {
+TEST(Sentences, DistinguishALongEndFromAShortOne) {
   const std::string reached =
       "link_lost: between wire byte 100 and 120 of 900 may have reached the control (line 5 to 6)";
   const auto whole = said(reached);

@@ -66,7 +66,7 @@ TEST(ServerOptions, TheSchemaNamesEveryMember) {
   EXPECT_THAT(schema, HasSubstr("json-schema.org/draft/2020-12"));
 }
 
-TEST(PlaceInText, FindsMembersBehindAllKindsOfValues) {
+TEST(PlaceInText, FindsMembersAfterAllKindsOfValues) {
   constexpr std::string_view kText =
       R"({"a": "}\"]", "b": [[1, {"x": "]"}], -1.5e3, null], "c~/d": {"e": true}, "\u0066": 2})";
   const auto at = [&](std::string_view pointer) { return place_in_text(kText, pointer).column - 1; };

@@ -19,7 +19,7 @@ const tape_code::DecodeTable kEia(tape_code::EighthBit::data, tape_code::EiaSpec
 
 std::span<const std::byte> bytes(std::string_view text) { return std::as_bytes(std::span(text.data(), text.size())); }
 
-// A tap that somebody watches, and what it kept.
+// A tap that a person watches, and what it kept.
 std::vector<WireRun> runs_of(const tape_code::DecodeTable& code, const std::function<void(WireTap&)>& pass) {
   WireTap tap(code);
   const auto from = tap.join();
@@ -70,7 +70,7 @@ TEST(Wire, EiaIsReadByItsOwnTable) {
   EXPECT_EQ(runs[1].text, "\u2411");
 }
 
-TEST(WireTap, KeepsNothingWhileNobodyWatches) {
+TEST(WireTap, KeepsNothingWhileNoOneWatches) {
   WireTap tap(kIso);
   tap.note(WireKind::out, bytes("unseen"), 0ms);
   const auto from = tap.join();

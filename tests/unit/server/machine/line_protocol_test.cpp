@@ -54,7 +54,7 @@ TEST(LineProtocol, AUrlMaySayOtherwise) {
   EXPECT_FALSE(settings->answer_patience);
 }
 
-TEST(LineProtocol, OnlyYmodemTellsAName) {
+TEST(LineProtocol, OnlyYmodemStatesAName) {
   EXPECT_TRUE(sends_name(line_of("pty:/x?protocol=ymodem")));
   EXPECT_FALSE(sends_name(line_of("pty:/x?protocol=xmodem-1k")));
   EXPECT_FALSE(sends_name(line_of("dir:/x")));

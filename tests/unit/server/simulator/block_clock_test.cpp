@@ -12,7 +12,7 @@ namespace {
 constexpr BlockClockSettings kPlain{
     .x_is_diameter = false, .comment_open = '(', .rapid_mm_min = 6000.0, .acceleration_mm_s2 = 1000.0, .block_ms = 1.0};
 constexpr double kBlock_s = 0.001;
-// From rest to rest: the way at full speed, and once the time to reach it.
+// From rest to rest: the distance at full speed, and once the time to reach it.
 double move_s(double length_mm, double speed_mm_s) {
   if (length_mm < speed_mm_s * speed_mm_s / 1000.0) return 2.0 * std::sqrt(length_mm / 1000.0);
   return length_mm / speed_mm_s + speed_mm_s / 1000.0;

@@ -128,7 +128,7 @@ class FaultyControl : public ::testing::Test {
 
 constexpr std::string_view kProgram = "%\nO1\nG1X1.\nG1X2.\nM30\n%";
 
-TEST_F(FaultyControl, ResetAndAlarmAreToldBehindADc3) {
+TEST_F(FaultyControl, ResetAndAlarmAreReportedAfterADc3) {
   make({{FaultKind::reset, 10}});
   feed(kProgram);
   EXPECT_EQ(hex(out_), "9396");

@@ -1,5 +1,5 @@
 // The simulated PLC on a loopback socket: what is written twice is appended once, and a client that says half a word
-// holds up nobody.
+// holds up no one.
 #include "server/simulator/plc.h"
 
 #include <array>
@@ -96,7 +96,7 @@ TEST_F(PlcTest, AppendsEachBlockOnceAndRunsWhatIsWhole) {
   EXPECT_EQ(status().state, modbus::ReceiverState::done);
 }
 
-TEST_F(PlcTest, AWriteBringsTheStatusThatStandsBehindIt) {
+TEST_F(PlcTest, AWriteBringsTheStatusThatStandsAfterIt) {
   start();
   ASSERT_TRUE(write(MailboxCommand::open, 1));
   const std::string_view text = "G0X1.\n";
@@ -140,7 +140,7 @@ TEST_F(PlcTest, CreditKeepsTheBufferFromRunningOver) {
   EXPECT_LE(status().appended, 3 * modbus::kMaxPayload + 10);
 }
 
-TEST_F(PlcTest, HalfARequestHoldsUpNobody) {
+TEST_F(PlcTest, HalfARequestHoldsUpNoOne) {
   start();
   const int half = connect_raw();
   send(half, std::string_view("\0\1\0\0\0\6\1", 7));

@@ -40,7 +40,7 @@ TEST(Token, IsLongRandomAndUrlSafe) {
   }
 }
 
-TEST(Token, HashTellsNothingOfItAndComparingIsExact) {
+TEST(Token, HashShowsNothingOfItAndComparingIsExact) {
   const std::string token = random_token();
   EXPECT_EQ(token_hash(token).size(), 64U);
   EXPECT_EQ(token_hash(token), token_hash(token));
