@@ -94,7 +94,7 @@ std::string revisions_where(std::string_view rest) {
 }
 
 // A pattern of LIKE for what begins so when its ASCII letters are small ones: people who name folders do not
-// distinguish their case apart.
+// distinguish their case.
 std::string beginning_with(std::string_view text) {
   std::string pattern;
   for (const char c : text) {
