@@ -192,6 +192,7 @@ Response mtconnect_assets(const Call& call);
 Response list_receipts(const Call& call);
 Response get_receipt(const Call& call);
 Response get_receipt_text(const Call& call);
+Response explain_receipt(const Call& call);
 Response accept_receipt(const Call& call);
 Response discard_receipt(const Call& call);
 Response list_requests(const Call& call);

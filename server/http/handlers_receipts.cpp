@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "server/app/library/value_case.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/http/list_response.h"
 #include "server/json/records.h"
 #include "server/json/requests.h"
+#include "server/json/translation.h"
+#include "server/json/workers.h"
 
 namespace dripfeed::http {
 
@@ -74,6 +77,20 @@ Response get_receipt_text(const Call& call) {
     return *count;
   };
   return response;
+}
+
+Response explain_receipt(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  app::Application& app = call.api.application();
+  const auto receipt = app::lift(app.store().receipts().get(*id));
+  if (!receipt) return problem_response(receipt.error());
+  const auto of = app::load_value_case(app.store(), app.documents(), *receipt);
+  if (!of) return problem_response(of.error());
+  const auto changes = call.api.workers().explain(
+      of->order, waiter_of(call, "explain", fmt::format("receipt/{}", *id), receipt->of.machine));
+  if (!changes) return problem_response(changes.error());
+  return json_response(200, json::received_values(*changes, of->stored));
 }
 
 Response accept_receipt(const Call& call) {

@@ -206,6 +206,17 @@ Reply restart(const Work& work) {
   return reply;
 }
 
+Reply explain(const Work& work) {
+  const app::ValueOrder order{.work = read_family(work.package.head.at("family"), work.package),
+                              .stored = work.text("stored"),
+                              .received = work.text("received")};
+  const auto done = app::explain_values(order, work.documents);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(value_changes(*done));
+  return reply;
+}
+
 Reply index(const Work& work) {
   const auto done = app::digest_programs(read_digest_orders(work.package.head.at("orders"), work.package));
   if (!done) return std::unexpected(done.error());
@@ -224,7 +235,8 @@ constexpr KindRow kKinds[] = {{"check", check},       {"render", render},
                               {"compare", compare},   {"index", index},
                               {"diagnose", diagnose}, {"convert", convert},
                               {"path", path},         {"restart", restart},
-                              {"rewrite", rewrite},   {"statistics", figures_of_text}};
+                              {"rewrite", rewrite},   {"statistics", figures_of_text},
+                              {"explain", explain}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {
   const Work work{.package = package,

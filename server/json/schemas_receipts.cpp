@@ -24,6 +24,25 @@ Schema likeness() {
                  {"difference", or_null(text("the first one, as a sentence"))}});
 }
 
+Schema received_values() {
+  return object("which values of a part make its family give a received text",
+                {{"program", integer("id of the stored program of the same name")},
+                 {"revision", integer("of its text, the newest")},
+                 {"family", text("from which that was rendered")},
+                 {"part", or_null(text("whose values it has; null: of none"))},
+                 {"part_revision", or_null(integer("of the part's values"))},
+                 {"explains_all", flag("rendered with these values, every number is the received one")},
+                 {"why_not", or_null(text("why not; null: they explain all"))},
+                 {"values", list_of(object("a parameter with another value", {{"name", text("of the parameter")},
+                                                                              {"before", text("with its unit")},
+                                                                              {"after", text("with its unit")}}),
+                                    "in the family's order")},
+                 {"rest", list_of(object("a line that they do not explain", {{"line", integer("of the received text")},
+                                                                             {"stored", text("the line there")},
+                                                                             {"received", text("the line")}}),
+                                  "20 at most")}});
+}
+
 Schema receipt() {
   return object("a program that a control punched",
                 {{"id", integer("of the receipt")},
@@ -64,6 +83,8 @@ Schema operator_request() {
 
 }  // namespace
 
-Schemas receipt_schemas() { return {{"Receipt", receipt()}, {"OperatorRequest", operator_request()}}; }
+Schemas receipt_schemas() {
+  return {{"Receipt", receipt()}, {"ReceivedValues", received_values()}, {"OperatorRequest", operator_request()}};
+}
 
 }  // namespace dripfeed::json

@@ -48,6 +48,11 @@ constexpr std::array kRows = {
     Row{"no_such_backup", "there is no backup {name}"},
     Row{"store_has_faults", "the store has {count} faults and no backup was made; the first: {subject}: {why}"},
     Row{"store_cannot_be_read", "the store cannot be read: {why}"},
+    // receipts
+    Row{"quarantine_not_compared", "a receipt in quarantine is not compared"},
+    Row{"no_program_of_name", "no stored program has the name {name}"},
+    Row{"not_rendered", "program {name} was not rendered from a family"},
+    Row{"too_long_for_values", "the program is too long for its values to be looked for"},
     // lines
     Row{"block_torn_here", "a block broke off on this line"},
     Row{"line_tested", "the line is being tested by {name}"},

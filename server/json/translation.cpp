@@ -43,4 +43,28 @@ std::string rewritten(const app::Rewritten& rewritten) {
                {"refused", std::move(refused)}});
 }
 
+std::string value_changes(const app::ValueChanges& changes) {
+  Document values = Document::array();
+  for (const app::ChangedValue& one : changes.values)
+    values.push_back({{"name", one.name}, {"before", one.before}, {"after", one.after}});
+  Document rest = Document::array();
+  for (const app::LeftOver& one : changes.rest)
+    rest.push_back({{"line", one.line}, {"stored", one.stored}, {"received", one.received}});
+  return dump({{"explains_all", changes.explains_all},
+               {"why_not", text_or_null(changes.why_not)},
+               {"values", std::move(values)},
+               {"rest", std::move(rest)}});
+}
+
+std::string received_values(std::string_view changes, const store::ProgramRevision& stored) {
+  Document document = Document::parse(changes);
+  const store::Origin& origin = stored.origin;
+  document["program"] = stored.program;
+  document["revision"] = stored.revision;
+  document["family"] = origin.family;
+  document["part"] = text_or_null(origin.part);
+  document["part_revision"] = id_or_null(origin.part_revision);
+  return dump(document);
+}
+
 }  // namespace dripfeed::json

@@ -1,4 +1,4 @@
-// A translated or rewritten text as JSON.
+// A translated or rewritten text, and what was changed in one, as JSON.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 #include "dialects/text/source.h"
 #include "server/app/library/rewriting.h"
 #include "server/app/library/translation.h"
+#include "server/app/library/value_case.h"
 
 namespace dripfeed::json {
 
@@ -17,5 +18,9 @@ std::string translation(const app::Translation& translation, compile::ConvertMod
 
 // {"text","numbers","references","assumptions","refused"}: for the API, and for `dripfeed renumber --json`.
 std::string rewritten(const app::Rewritten& rewritten);
+
+// {"explains_all","why_not","values","rest"}, and the same with the part that the values are of.
+std::string value_changes(const app::ValueChanges& changes);
+std::string received_values(std::string_view changes, const store::ProgramRevision& stored);
 
 }  // namespace dripfeed::json

@@ -215,6 +215,18 @@ app::Result<std::string> DocumentWorkers::rewrite(const app::RewriteOrder& order
   return std::move(reply->texts.at(0));
 }
 
+app::Result<std::string> DocumentWorkers::explain(const app::ValueOrder& order, const app::Waiter& waiter) {
+  WorkPackage request;
+  request.head = {{"kind", "explain"},
+                  {"seconds", seconds_.load()},
+                  {"family", write_family(order.work, request)},
+                  {"stored", request.add(order.stored)},
+                  {"received", request.add(order.received)}};
+  auto reply = ask(workplace_, request, seconds_.load(), waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return std::move(reply->texts.at(0));
+}
+
 app::Result<std::string> DocumentWorkers::of_text(std::string_view kind, const app::DiagnoseOrder& order,
                                                   const app::Waiter& waiter) {
   WorkPackage request;

@@ -15,6 +15,7 @@
 #include "server/app/library/compare.h"
 #include "server/app/library/rewriting.h"
 #include "server/app/library/translation.h"
+#include "server/app/library/value_changes.h"
 #include "server/app/shop/called_programs.h"
 
 namespace dripfeed::json {
@@ -59,6 +60,9 @@ class DocumentWorkers final : public app::Workers {
 
   // The document of json::tool_path.
   app::Result<std::string> path(const app::DiagnoseOrder& order, const app::Waiter& waiter);
+
+  // The document of json::value_changes.
+  app::Result<std::string> explain(const app::ValueOrder& order, const app::Waiter& waiter);
 
   // The document of json::statistics.
   app::Result<std::string> statistics(const app::DiagnoseOrder& order, const app::Waiter& waiter);

@@ -108,6 +108,7 @@ def rows(made):
         ("GET", "/api/v1/receipts", "viewer", {}, None, {"ready": "received"}),
         ("GET", "/api/v1/receipts/{id}", "viewer", {"id": "receipt"}, None, {}),
         ("GET", "/api/v1/receipts/{id}/text", "viewer", {"id": "receipt"}, None, {}),
+        ("POST", "/api/v1/receipts/{id}/explain", "programmer", {"id": "rendered_receipt"}, {}, {"ready": "sent_back"}),
         ("POST", "/api/v1/receipts/{id}/accept", "programmer", {"id": "receipt"}, {}, {}),
         ("POST", "/api/v1/receipts/{id}/discard", "approver", {"id": "torn_receipt"}, {"reason": "torn"}, {}),
         ("GET", "/api/v1/requests", "viewer", {}, None, {}),
@@ -162,7 +163,7 @@ ON_ONE_MACHINE = {
     ("POST", "/api/v1/render"), ("POST", "/api/v1/preview"), ("POST", "/api/v1/checks"), ("POST", "/api/v1/checks/{id}/waivers"),
     ("POST", "/api/v1/accuracy"), ("POST", "/api/v1/gouge"), ("POST", "/api/v1/timing"), ("POST", "/api/v1/sweep"),
     ("POST", "/api/v1/releases"), ("POST", "/api/v1/releases/{id}/transitions"), ("POST", "/api/v1/releases/{id}/restart-preview"),
-    ("POST", "/api/v1/releases/{id}/restarts"), ("POST", "/api/v1/receipts/{id}/accept"), ("POST", "/api/v1/receipts/{id}/discard"),
+    ("POST", "/api/v1/releases/{id}/restarts"), ("POST", "/api/v1/receipts/{id}/accept"), ("POST", "/api/v1/receipts/{id}/discard"), ("POST", "/api/v1/receipts/{id}/explain"),
     ("POST", "/api/v1/alarms/{id}/shelve"), ("POST", "/api/v1/alarms/{id}/unshelve"), ("POST", "/api/v1/alarms/{id}/acknowledge"),
     ("POST", "/api/v1/jobs"), ("POST", "/api/v1/jobs/{id}/move"), ("POST", "/api/v1/jobs/{id}/arm"), ("POST", "/api/v1/jobs/{id}/resume"),
     ("POST", "/api/v1/jobs/{id}/cancel"),
@@ -203,6 +204,15 @@ class Stage:
 
     def backed_up(self):
         self.made["backup"] = self.client.get("/backups")["items"][0]["name"]
+
+    def sent_back(self):
+        """The control sends the rendered program as it has it."""
+        rendered = next(one for one in self.client.get("/programs?part=R-1")["items"])
+        text = self.client.call("GET", f"/programs/{rendered['id']}/text").body
+        self.idle()
+        before = len(self.client.get("/receipts")["items"])
+        self.control.say(b"\x12" + text.replace(b"\r", b"") + b"\x14")
+        self.made["rendered_receipt"] = shop.wait_for("a receipt", lambda: (lambda rows: rows[0]["id"] if len(rows) > before else None)(self.client.get("/receipts")["items"]))
 
     def olga(self):
         """The viewer is a person from now on."""

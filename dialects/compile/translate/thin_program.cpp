@@ -169,8 +169,8 @@ bool has_text_argument(const ir::Program& program, const ir::Call& call) {
 // a feed of its own.
 bool looks_at_each_block(const ir::Program& program) {
   using enum ir::StatementKind;
-  constexpr std::array kKinds = {go_to, return_to, modal_call, repeat_section, execute_text, procedure};
-  const auto leads = [&](const ir::Statement& s) { return std::ranges::find(kKinds, s.kind) != kKinds.end(); };
+  constexpr std::array kLeading = {go_to, return_to, modal_call, repeat_section, execute_text, procedure};
+  const auto leads = [&](const ir::Statement& s) { return std::ranges::find(kLeading, s.kind) != kLeading.end(); };
   const auto names = [&](const ir::Call& call) {
     return call.start != ir::ExpressionId::none || call.name == ir::StringId::none || has_text_argument(program, call);
   };

@@ -325,9 +325,41 @@ async function part(page) {
   await page.getByRole('button', { name: 'Make the part' }).click();
   await at(page, '#/parts/R-7');
   expect((await rig.call('GET', '/parts/R-7')).body.values.angle_step === '1 deg', 'a plain number is in the unit of its field');
+  const region = page.getByRole('region', { name: 'Feasible region' });
+  await region.getByRole('button', { name: 'Compute it' }).click();
+  await region.getByText(/The defaults pass on/).waitFor({ timeout: 120_000 });
+  await region.locator('[data-parameter="roll_length"] svg').waitFor();
+  await page.getByLabel(/length of the barrel/).fill('995');
+  await region.getByText('995 does not pass').waitFor();
+  await accessible(page, 'the feasible region');
+  await region.scrollIntoViewIfNeeded();
+  await shot(page, 'region');
+  await page.getByLabel(/length of the barrel/).fill('');
   await page.getByRole('button', { name: 'Render for this machine' }).click();
-  await page.getByRole('status').getByRole('link').click();
+  await page.getByRole('status').getByRole('link', { name: /./ }).first().click();
   await editor(page).waitFor();
+}
+
+// What was changed at the control comes back, and is the part's: its values, not only its text.
+async function sentBack(page) {
+  await rig.machine('sends-back', { jobs: 0 });
+  await rig.call('POST', '/parts', { number: 'R-8', family: 'hyperbolic-roll', values: { angle_step: '4 deg' } });
+  const { body } = await rig.call('POST', '/render', { part: 'R-8', machine: 'sends-back', mode: 'macro', delivery: 'memory', name: 'O0808' });
+  const text = await rig.text(`/programs/${body.program}/text`);
+  await rig.punch('sends-back', text.replace('=196.(', '=188.5('));
+  await signIn(page, url, tokens.programmer);
+  await page.goto(`${url}/#/received`);
+  await page.getByRole('row').filter({ hasText: 'O0808' }).getByRole('button', { name: /^Accept/ }).click();
+  await dialog(page).getByText('the family gives exactly what was received').waitFor();
+  await dialog(page).getByText('196 mm').waitFor();
+  await dialog(page).getByText('Compare with revision 1').click();
+  await dialog(page).getByRole('region', { name: 'Changed lines' }).waitFor();
+  await accessible(page, 'values that came back');
+  await shot(page, 'received-values');
+  await dialog(page).getByRole('button', { name: 'Save these values in part R-8' }).click();
+  await dialog(page).getByRole('link', { name: /Part R-8 has them/ }).waitFor();
+  const now = (await rig.call('GET', '/parts/R-8')).body;
+  expect(now.values.roll_length === '188.5 mm' && now.values.angle_step === '4 deg' && now.revision === 2, 'the part has the value, and keeps its others');
 }
 
 const kLoop = '%\nO0710 (PASSES)\nG21 G17 G90 G94 G54\nT5 M6\nM3 S800\nG0 X0 Y0 Z5.\n#101=0\nWHILE[#101LT3]DO1\nG1 Z[-#101] F100.\nX[10.+#101]\nG0 X0\n#101=#101+1\nEND1\nG0 Z50.\nM30\n%\n';
@@ -448,6 +480,7 @@ async function everyLook(page) {
 await main([
   ['a programmer: upload, find, file, mend, conflict, compare, hand in', () => withPage(kDesk, day)],
   ['a part by its values', () => withPage(kDesk, part)],
+  ['what a control sends back', () => withPage(kDesk, sentBack)],
   ['a translation', () => withPage(kDesk, translation)],
   ['a dump', () => withPage(kDesk, dump)],
   ['a viewer', () => withPage(kDesk, viewer)],

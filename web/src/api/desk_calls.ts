@@ -18,6 +18,7 @@ import type {
   Program,
   ProgramRevision,
   ProgramUses,
+  ReceivedValues,
   Release,
   ReleaseMove,
   Rendered,
@@ -26,7 +27,7 @@ import type {
   RestartPreview,
   SearchResult,
   SplitProgram,
-  Statistics,
+  Statistics, SweepFigures,
   ToolPath,
   Verdict,
   VerdictSummary,
@@ -34,6 +35,7 @@ import type {
 
 const enc = encodeURIComponent;
 const kWorkMs = 120_000; // a check may wait for others
+const kSweepMs = 10 * kWorkMs; // as many checks as the server lets it make
 const kTextMs = 300_000;
 
 // What is empty is not asked for.
@@ -140,6 +142,9 @@ export const deskCalls = {
     request<Part>('PUT', `/parts/${enc(number)}`, { body: { values }, ifMatch: base, key }),
   preview: (family: string, values: Record<string, string>, machine: string, delivery: Delivery) =>
     request<Preview>('POST', '/preview', { body: { family, values, machine, delivery }, timeoutMs: kWorkMs }),
+  explainReceipt: (id: number) => request<ReceivedValues>('POST', `/receipts/${id}/explain`, { timeoutMs: kWorkMs }),
+  sweep: (family: string, values: Record<string, string>, machine: string, delivery: Delivery) =>
+    request<SweepFigures>('POST', '/sweep', { body: { family, values, machine, delivery }, timeoutMs: kSweepMs }),
   render: (part: string, machine: string, delivery: Delivery, key: string) =>
     request<Rendered>('POST', '/render', { body: { part, machine, delivery }, key, timeoutMs: kWorkMs }),
 };

@@ -46,6 +46,9 @@ export type Receipt = Schemas['Receipt'];
 export type ReceiptState = Receipt['state'];
 export type StoredLikeness = NonNullable<Receipt['stored']>;
 
+export type ReceivedValues = Schemas['ReceivedValues'];
+export type SweepFigures = Schemas['SweepFigures'];
+
 export type StoreRoom = Schemas['StoreRoom'];
 export type StoreVerification = Schemas['StoreVerification'];
 export type Backup = Schemas['Backup'];

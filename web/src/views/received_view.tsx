@@ -12,6 +12,7 @@ import { Badge } from '../parts/badge';
 import { OrderDialog, showDialog } from '../parts/dialog';
 import { Empty } from '../parts/empty';
 import { Failure } from '../parts/failure';
+import { lazyView } from '../parts/lazy';
 import { Table } from '../parts/table';
 import { atLeast } from '../rules/roles';
 import { bestRole, isLive, receiptNews, roleOn } from '../state/shop';
@@ -154,6 +155,8 @@ function Decision({ receipt, order, done }: { receipt: Receipt; order: 'accept' 
   );
 }
 
+const Differences = lazyView(() => import('./received/differences').then((half) => half.Differences));
+
 const kMostShown = 20_000; // characters
 
 // The text of a receipt; of a broken one what can be read, in the code that it came in.
@@ -175,6 +178,7 @@ function ReceiptText({ receipt, shown }: { receipt: Receipt; shown: () => void }
           {text.length > kMostShown && `\n${t('received.cut', { rest: text.length - kMostShown })}`}
         </pre>
       )}
+      {text !== null && receipt.stored && !receipt.stored.same && <Differences receipt={receipt} text={text} />}
     </>
   );
 }

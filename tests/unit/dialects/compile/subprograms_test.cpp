@@ -152,7 +152,7 @@ TEST(Subprograms, OfSinumerikNeedToSayTheirDistanceMode) {
   EXPECT_NE(complaints(open).find("absolute or incremental is not known here"), std::string::npos) << complaints(open);
   EXPECT_TRUE(text::has_error(open.diagnostics));
   const ConvertResult stated = turned("G90 DIAMON G1 X10 F0.2\nM17\n", "sinumerik-840d", "fanuc");
-  EXPECT_FALSE(text::has_error(stated.diagnostics)) << complaints(messages_of);
+  EXPECT_FALSE(text::has_error(stated.diagnostics)) << complaints(stated);
 }
 
 TEST(Subprograms, RunByThemselvesReportWhatIsAssumed) {

@@ -90,7 +90,7 @@ TEST(Router, FindsTheRowOfAPath) {
   EXPECT_EQ(match(Method::put, "/a/1%2F2/b/3").parameters, (Path{"1/2", "3"}));
 }
 
-TEST(Router, APathThatIsNotThereIsToldFromAMethodThatIsNot) {
+TEST(Router, APathThatIsNotThereDiffersFromAMethodThatIsNot) {
   for (const char* text : {"/job", "/jobs/", "/jobs//arm", "/jobs/7/arm/x", "/Jobs", "/jobs/7/", "//jobs", "/a/1/b"}) {
     const Match none = match(Method::get, text);
     EXPECT_EQ(none.route, nullptr) << text;
@@ -157,7 +157,7 @@ TEST(Routes, ARoleOnOneMachineReachesWhatActsOnMachines) {
     EXPECT_EQ(reached(Method::post, pattern), Right::viewer) << pattern;
 }
 
-// Nobody describes a body or an answer by a name that openapi.json has no schema for.
+// No route describes a body or an answer by a name that openapi.json has no schema for.
 TEST(Routes, EveryBodyAndAnswerHasASchema) {
   std::set<std::string, std::less<>> names;
   for (const json::NamedSchema& one : json::all_schemas()) names.insert(one.name);

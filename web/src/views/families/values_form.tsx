@@ -8,6 +8,7 @@ import { Failure } from '../../parts/failure';
 import { boundsOf, givenValues, grouped, isList, parameterOf, type Values } from '../../rules/part_values';
 import { loader } from '../../state/loader';
 import { Preview } from './preview';
+import { Region } from './region';
 
 interface Props {
   family: Family;
@@ -79,6 +80,7 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
           isShown={(failure) => faultsOf(failure, family.parameters).size > 0}
         />
       )}
+      {may && <Region family={family} values={typed} />}
     </div>
   );
 }
