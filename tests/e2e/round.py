@@ -1,4 +1,5 @@
-"""A person's round in the browser against the real server: the demo shop runs, and round.mjs arms a job on the page and sees it through."""
+"""A person's round in the browser against the real server: the demo shop runs, round.mjs arms a job on the page and sees it through, and tour.mjs
+takes the guided tour of what the demo has."""
 
 import os
 import pathlib
@@ -18,9 +19,10 @@ def main():
         try:
             shop.wait_for("the demo's address", lambda: demo.stdout.readline().startswith("Arm a queued job"), 60)
             token = (data / "first-token").read_text().strip()
-            walk = subprocess.run(["node", str(ROOT / "tests/e2e/web/round.mjs")], timeout=200,
-                                  env={**os.environ, "DRIPFEED_URL": f"http://127.0.0.1:{port}", "DRIPFEED_TOKEN": token})
-            expect(walk.returncode == 0, f"the round ended with {walk.returncode}")
+            for name in ("tour.mjs", "round.mjs"):
+                walk = subprocess.run(["node", str(ROOT / "tests/e2e/web" / name)], timeout=200,
+                                      env={**os.environ, "DRIPFEED_URL": f"http://127.0.0.1:{port}", "DRIPFEED_TOKEN": token})
+                expect(walk.returncode == 0, f"{name} ended with {walk.returncode}")
         finally:
             demo.send_signal(signal.SIGTERM)
             demo.wait(20)

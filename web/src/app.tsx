@@ -10,6 +10,7 @@ import { lazyView } from './parts/lazy';
 import { deskView, forgetAddress, rememberedScroll, route, type Route, type ViewName } from './router';
 import { loader } from './state/loader';
 import { connection, loaded, loadError, person, programName, session } from './state/shop';
+import { tourStep } from './state/tour';
 import { AlarmsView } from './views/alarms/alarms_view';
 import { asking } from './views/alarms/tray';
 import { FloorView } from './views/floor/floor_view';
@@ -47,6 +48,7 @@ function Desk() {
   return (
     <div class={`desk${isAlone ? ' desk-alone' : ''}${connection.value.phase === 'lost' ? ' stale' : ''}`} data-view={view}>
       <Header />
+      {tourStep.value !== null && loaded.value && <Tour />}
       <main ref={main} id="main" class="main">
         <PrintHead />
         <ErrorBoundary where={address}>{loaded.value ? <View here={route.value} /> : <Loading />}</ErrorBoundary>
@@ -69,6 +71,7 @@ const Loading = () => (
   </p>
 );
 
+const Tour = lazyView(() => import('./views/tour').then((one) => one.Tour));
 const DeskHalf = lazyView(() => import('./views/desk').then((half) => half.DeskHalf));
 
 function View({ here }: { here: Route }) {

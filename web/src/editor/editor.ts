@@ -113,7 +113,8 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
         look,
         keymap.of([...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
         EditorState.phrases.of(options.phrases),
-        EditorView.contentAttributes.of({ 'aria-label': options.label, spellcheck: 'false', autocapitalize: 'off', autocorrect: 'off' }),
+        // The keyboard reaches a text that is only read, too, and scrolls it.
+        EditorView.contentAttributes.of({ tabindex: '0', 'aria-label': options.label, spellcheck: 'false', autocapitalize: 'off', autocorrect: 'off' }),
         writable.of(readOnly(options.readOnly)),
         listener,
       ],

@@ -8,6 +8,7 @@ import { hrefs, route, type ViewName } from '../router';
 import { atLeast } from '../rules/roles';
 import { loader } from '../state/loader';
 import { connection, loaded, loadError, person } from '../state/shop';
+import { setTour } from '../state/tour';
 import { AlarmBell } from './alarms/tray';
 
 const kPlaces: { views: ViewName[]; href: string; label: string; from?: Role }[] = [
@@ -51,6 +52,11 @@ export function Header() {
   );
 }
 
+function takeTour(event: Event): void {
+  if (event.currentTarget instanceof Element) event.currentTarget.closest('details')?.removeAttribute('open');
+  setTour(0);
+}
+
 function skipToMain(event: Event): void {
   event.preventDefault();
   document.querySelector<HTMLElement>('main h1')?.focus();
@@ -75,6 +81,9 @@ function Person() {
             ))}
           </select>
         </label>
+        <button type="button" class="button" onClick={takeTour}>
+          {t('nav.tour')}
+        </button>
         <button type="button" class="button" onClick={() => void loader.signOut().catch(() => setError(true))}>
           {t('session.sign_out')}
         </button>

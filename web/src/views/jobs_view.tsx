@@ -7,10 +7,12 @@ import { t } from '../i18n/i18n';
 import { CancelDialog, programText } from '../orders/dialogs';
 import { Badge } from '../parts/badge';
 import { minutes, seconds } from '../parts/clock';
+import { CsvButton } from '../parts/csv_button';
 import { showDialog } from '../parts/dialog';
 import { Empty } from '../parts/empty';
 import { Failure } from '../parts/failure';
 import { Table } from '../parts/table';
+import { isoTime, type CsvColumn } from '../rules/csv';
 import { atLeast } from '../rules/roles';
 import { hrefs } from '../router';
 import { bestRole, isLive, isLost, jobsNewestFirst, olderJobs } from '../state/shop';
@@ -28,7 +30,7 @@ export function JobsView() {
     <>
       <h1 tabIndex={-1}>{t('nav.jobs')}</h1>
       <p class="lead">
-        <a href={hrefs.history}>{t('jobs.history')}</a>
+        <a href={hrefs.history}>{t('jobs.history')}</a> <CsvButton name="jobs" columns={kCsv} rows={jobs} />
       </p>
       {jobs.length === 0 ? (
         <Empty
@@ -86,6 +88,19 @@ export function JobsView() {
     </>
   );
 }
+
+const kCsv: CsvColumn<Job>[] = [
+  { head: 'job', of: ({ id }) => id },
+  { head: 'state', of: ({ state }) => state },
+  { head: 'program', of: programText },
+  { head: 'revision', of: ({ revision }) => revision },
+  { head: 'machine', of: ({ machine }) => machine },
+  { head: 'bytes', of: ({ bytes }) => bytes },
+  { head: 'created', of: ({ created_at_ms }) => isoTime(created_at_ms) },
+  { head: 'started', of: ({ started_at_ms }) => isoTime(started_at_ms) },
+  { head: 'ended', of: ({ ended_at_ms }) => isoTime(ended_at_ms) },
+  { head: 'reason', of: ({ reason }) => reason },
+];
 
 // Who feeds stands at the machine: there are its orders. Here a job is only taken out of the queue.
 const RowOrders = ({ job }: { job: Job }) =>

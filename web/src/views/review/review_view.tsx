@@ -6,12 +6,14 @@ import type { Release } from '../../api/types';
 import { dateTime } from '../../format/times';
 import { deliveryText, releaseText } from '../../format/words';
 import { t } from '../../i18n/i18n';
+import { CsvButton } from '../../parts/csv_button';
 import { Empty } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
 import { minutes } from '../../parts/clock';
+import { isoTime, type CsvColumn } from '../../rules/csv';
 import { hindranceOf, isUnderReview, verdictOf } from '../../rules/releases';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
@@ -33,7 +35,9 @@ export function ReviewView() {
   return (
     <>
       <h1 tabIndex={-1}>{t('nav.review')}</h1>
-      <p class="lead">{t('review.lead')}</p>
+      <p class="lead">
+        {t('review.lead')} <CsvButton name="review" columns={kCsv} rows={waiting} />
+      </p>
       <Failure error={error} />
       {asked && mine.length === 0 && <Empty>{t('review.none')}</Empty>}
       {mine.length > 0 && <Waiting label={t('review.mine')} rows={mine} />}
@@ -46,6 +50,18 @@ export function ReviewView() {
     </>
   );
 }
+
+const kCsv: CsvColumn<Release>[] = [
+  { head: 'release', of: ({ id }) => id },
+  { head: 'program', of: ({ program }) => programName(program) ?? program },
+  { head: 'revision', of: ({ revision }) => revision },
+  { head: 'machine', of: ({ machine }) => machine },
+  { head: 'delivery', of: ({ delivery }) => delivery },
+  { head: 'state', of: ({ state }) => state },
+  { head: 'transfers', of: ({ transfers_done }) => transfers_done },
+  { head: 'by', of: ({ created_by }) => created_by },
+  { head: 'changed', of: ({ changed_at_ms }) => isoTime(changed_at_ms) },
+];
 
 const Waiting = ({ label, rows }: { label: string; rows: readonly Release[] }) => (
   <Table
