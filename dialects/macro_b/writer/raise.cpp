@@ -142,6 +142,8 @@ class StatementRaiser {
   void alarm(const ir::Statement& s) {
     ir::Message& message = program_.messages[s.payload];
     const ExpressionId number = message.number;
+    if (number != ExpressionId::none && program_.at(number).op == ir::Operator::string)
+      return blocks_.cannot(s, "a text as the number of an alarm");
     if (!same_dialect_ && number != ExpressionId::none && program_.at(number).op == ir::Operator::constant) {
       const double value = program_.at(number).value;
       const double own = value >= kForeignAlarms ? std::fmod(value - kForeignAlarms, kHighestAlarm) : value;

@@ -120,5 +120,15 @@ TEST(ForeignWords, ABlockSkipInsideABlockIsNotMovedToItsStart) {
   EXPECT_TRUE(kept.text.contains("X1. /2 Y3.") || text::has_error(kept.diagnostics)) << kept.text;
 }
 
+// The number of an alarm is a number: a text in its place is refused, not printed.
+TEST(ForeignWords, AnAlarmWhoseNumberIsATextIsRefused) {
+  for (const std::string& to : dialect_names()) {
+    if (to == "sinumerik-840d") continue;
+    const ConvertResult result = translated("G17 G710 G90 G94\nSETAL(\"A\")\nM30\n", "sinumerik-840d", to);
+    EXPECT_TRUE(text::has_error(result.diagnostics)) << to << result.text;
+    EXPECT_NE(complaints(result).find("a text as the number of an alarm"), std::string::npos) << complaints(result);
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
