@@ -32,11 +32,30 @@ constexpr std::int16_t drill_argument(DrillCycle cycle, std::int16_t along = 0) 
   return static_cast<std::int16_t>(static_cast<std::int16_t>(cycle) + along);
 }
 
-// Of Function::repetitive_cycle, whose argument is the last digit of G70 to G76: those up to G73 follow a shape, which
+// Argument of Function::turning_cycle: one pass each block. The codes are those of G-code system A.
+enum class TurningCycle : std::int16_t { along_z, thread, along_x, count_ };  // G90, G92, G94
+
+// Argument of Function::repetitive_cycle: many passes by one or two blocks. Those up to `pattern` follow a shape, which
 // is blocks of the program.
-inline constexpr std::int16_t kPatternRepeat = 3;
+enum class RepetitiveCycle : std::int16_t {
+  finish,         // G70
+  rough_along_z,  // G71
+  rough_along_x,  // G72
+  pattern,        // G73: the shape again and again
+  peck_z,         // G74
+  peck_x,         // G75
+  thread,         // G76
+  count_,
+};
+
+constexpr std::int16_t argument_of(TurningCycle cycle) { return static_cast<std::int16_t>(cycle); }
+constexpr std::int16_t argument_of(RepetitiveCycle cycle) { return static_cast<std::int16_t>(cycle); }
+
+constexpr bool is_cycle(const Code& code, RepetitiveCycle cycle) {
+  return code.function == Function::repetitive_cycle && code.argument == argument_of(cycle);
+}
 constexpr bool follows_shape(const Code& code) {
-  return code.function == Function::repetitive_cycle && code.argument <= kPatternRepeat;
+  return code.function == Function::repetitive_cycle && code.argument <= argument_of(RepetitiveCycle::pattern);
 }
 
 }  // namespace dripfeed::ir

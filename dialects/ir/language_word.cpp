@@ -95,6 +95,7 @@ static_assert(kDrilling.size() == static_cast<std::size_t>(DrillCycle::count_));
 
 constexpr std::array kTurning =
     std::to_array<std::string_view>({"turning cycle along Z", "thread cycle", "turning cycle along X"});
+static_assert(kTurning.size() == static_cast<std::size_t>(TurningCycle::count_));
 
 constexpr std::array kRepetitive = std::to_array<std::string_view>({
     "finishing of a shape",
@@ -105,6 +106,7 @@ constexpr std::array kRepetitive = std::to_array<std::string_view>({
     "grooving along X",
     "thread in several passes",
 });
+static_assert(kRepetitive.size() == static_cast<std::size_t>(RepetitiveCycle::count_));
 
 constexpr std::int16_t kEachAlong = kDrillAlongZ;
 

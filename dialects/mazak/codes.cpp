@@ -12,11 +12,14 @@ namespace dripfeed::mazak {
 
 namespace {
 
+using ir::argument_of;
 using ir::CodeRow;
 using ir::drill_argument;
 using ir::DrillCycle;
 using ir::Function;
 using ir::ModalGroup;
+using ir::RepetitiveCycle;
+using ir::TurningCycle;
 
 constexpr std::string_view kList = "Mazak EIA/ISO programming manual, G code list";
 
@@ -70,16 +73,16 @@ constexpr auto kMillTurn = std::to_array<CodeRow>({
     {"G50", 500, Function::set_coordinates, 0, ModalGroup::non_modal, kList},
     {"G122.1", 1221, Function::diameter_off, 0, ModalGroup::diameter, kList},
     {"G123.1", 1231, Function::diameter_on, 0, ModalGroup::diameter, kList},
-    {"G270", 2700, Function::repetitive_cycle, 0, ModalGroup::non_modal, kList},
-    {"G271", 2710, Function::repetitive_cycle, 1, ModalGroup::non_modal, kList},
-    {"G272", 2720, Function::repetitive_cycle, 2, ModalGroup::non_modal, kList},
-    {"G273", 2730, Function::repetitive_cycle, 3, ModalGroup::non_modal, kList},
-    {"G274", 2740, Function::repetitive_cycle, 4, ModalGroup::non_modal, kList},
-    {"G275", 2750, Function::repetitive_cycle, 5, ModalGroup::non_modal, kList},
-    {"G276", 2760, Function::repetitive_cycle, 6, ModalGroup::non_modal, kList},
-    {"G290", 2900, Function::turning_cycle, 0, ModalGroup::motion, kList},
-    {"G292", 2920, Function::turning_cycle, 1, ModalGroup::motion, kList},
-    {"G294", 2940, Function::turning_cycle, 2, ModalGroup::motion, kList},
+    {"G270", 2700, Function::repetitive_cycle, argument_of(RepetitiveCycle::finish), ModalGroup::non_modal, kList},
+    {"G271", 2710, Function::repetitive_cycle, argument_of(RepetitiveCycle::rough_along_z), ModalGroup::non_modal, kList},
+    {"G272", 2720, Function::repetitive_cycle, argument_of(RepetitiveCycle::rough_along_x), ModalGroup::non_modal, kList},
+    {"G273", 2730, Function::repetitive_cycle, argument_of(RepetitiveCycle::pattern), ModalGroup::non_modal, kList},
+    {"G274", 2740, Function::repetitive_cycle, argument_of(RepetitiveCycle::peck_z), ModalGroup::non_modal, kList},
+    {"G275", 2750, Function::repetitive_cycle, argument_of(RepetitiveCycle::peck_x), ModalGroup::non_modal, kList},
+    {"G276", 2760, Function::repetitive_cycle, argument_of(RepetitiveCycle::thread), ModalGroup::non_modal, kList},
+    {"G290", 2900, Function::turning_cycle, argument_of(TurningCycle::along_z), ModalGroup::motion, kList},
+    {"G292", 2920, Function::turning_cycle, argument_of(TurningCycle::thread), ModalGroup::motion, kList},
+    {"G294", 2940, Function::turning_cycle, argument_of(TurningCycle::along_x), ModalGroup::motion, kList},
 });
 // clang-format on
 

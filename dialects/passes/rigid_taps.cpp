@@ -260,12 +260,22 @@ bool is_written_rigid(std::string_view written) {
 
 bool feeds_taps_by_lead(const ir::Control& control) { return form_of(control) == Form::comma_r; }
 
+namespace {
+
+// Its name in the control's table: the code beside the usual one, with a digit after the point.
+std::string_view rigid_name(const ir::Control& to, const ir::Code& tap) {
+  const auto row = std::ranges::find_if(to.g_codes, [&](const ir::CodeRow& r) {
+    return r.function == Function::drill && r.argument == tap.argument && r.number10 % 10 != 0;
+  });
+  return row == to.g_codes.end() ? std::string_view() : row->name;
+}
+
+}  // namespace
+
 void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::vector<ir::Word>& words, Rewrite& out) {
   const Form form = form_of(to);
-  if (form == Form::own_code)
-    tap.name = program.strings.add(cycle_of(tap) == DrillCycle::tap_left ? "G84.3"
-                                   : tap.argument >= ir::kDrillAlongX    ? "G88.2"
-                                                                         : "G84.2");
+  const std::string_view own = form == Form::own_code ? rigid_name(to, tap) : std::string_view();
+  if (!own.empty()) tap.name = program.strings.add(own);
   if (form == Form::comma_r) {
     ir::Word one;
     one.address = Address::rounding;

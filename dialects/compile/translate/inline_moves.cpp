@@ -12,6 +12,7 @@
 
 #include "dialects/compile/dialect/motion_codes.h"
 #include "dialects/compile/plain/lost_writes.h"
+#include "dialects/ir/cycle.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -62,7 +63,7 @@ ir::FeedMode feed_mode_of(Function f) {
 bool compensates(const ir::Program& program, const ir::Statement& s, std::span<const ir::Motion> motions) {
   const bool follows = s.kind == StatementKind::block &&
                        std::ranges::any_of(program.codes_of(program.blocks[s.payload]), [](const ir::Code& c) {
-                         return c.function == Function::repetitive_cycle && c.argument == 0;
+                         return ir::is_cycle(c, ir::RepetitiveCycle::finish);
                        });
   return !follows && std::ranges::any_of(motions, [](const ir::Motion& m) {
     return ir::is_move(m.kind) && m.comp != ir::CompSide::off;

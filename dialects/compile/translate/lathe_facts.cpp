@@ -20,7 +20,6 @@ using ir::Address;
 using ir::Function;
 using ir::StatementKind;
 
-constexpr std::int16_t kThreadCycle = 6;        // G76
 constexpr double kCountedFeedsPerUnit = 100.0;  // F20 is 0.2 mm per turn
 
 class NoSink final : public ir::MotionSink {
@@ -227,7 +226,8 @@ std::optional<LatheFacts::Repeated> LatheFacts::repeat(std::uint32_t statement, 
   const bool moves = std::ranges::any_of(
       program_.words_of(block), [&](const ir::Word& w) { return turning_axis(w.address, control_).has_value(); });
   if (!moves) return out;
-  const auto data = data_before(statement, code->argument == kThreadCycle ? Mode::thread_data : Mode::peck_data);
+  const auto data =
+      data_before(statement, ir::is_cycle(*code, ir::RepetitiveCycle::thread) ? Mode::thread_data : Mode::peck_data);
   if (!data) return std::nullopt;
   modal->repetitive = *data;
   const double mm = out.inch ? 25.4 : 1.0;

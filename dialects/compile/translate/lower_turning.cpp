@@ -36,8 +36,8 @@ using ir::Function;
 using ir::Operator;
 using ir::StatementKind;
 
-constexpr std::int16_t kThread = 1;  // arguments of turning_cycle
-constexpr std::int16_t kAlongX = 2;
+constexpr std::int16_t kThread = ir::argument_of(ir::TurningCycle::thread);
+constexpr std::int16_t kAlongX = ir::argument_of(ir::TurningCycle::along_x);
 constexpr std::size_t kMostMoves = 20'000;
 
 bool has_row(const ir::Control& control, Function function) {

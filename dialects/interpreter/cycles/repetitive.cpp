@@ -239,7 +239,8 @@ void keep_data(const Words& words, RepetitiveCycle cycle, Repetitive& data) {
       if (words.has(Address::q)) data.least_cut_mm = words.counted(Address::q);
       if (words.has(Address::r)) data.allowance_mm = std::abs(words.length(Address::r));
       return;
-    case RepetitiveCycle::finish: return;
+    case RepetitiveCycle::finish:
+    case RepetitiveCycle::count_: return;
   }
 }
 

@@ -14,8 +14,7 @@
 
 namespace dripfeed::interpreter {
 
-// The cycles by the numbers that they have in G-code system A, less 70.
-enum class RepetitiveCycle : std::uint8_t { finish, rough_along_z, rough_along_x, pattern, peck_z, peck_x, thread };
+using ir::RepetitiveCycle;
 
 // Takes the words of a block with such a code; cuts where the cycle needs no shape. BlockResult::needs_shape says that
 // the cycle in ModalState::repetitive is to follow.

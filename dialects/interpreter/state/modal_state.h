@@ -109,7 +109,7 @@ struct Drilling {
 };
 
 // The single turning cycle in effect and its words.
-enum class TurningCycle : std::uint8_t { along_z, thread, along_x };  // G90, G92, G94
+using ir::TurningCycle;
 struct Turning {
   bool active = false;
   TurningCycle cycle = TurningCycle::along_z;

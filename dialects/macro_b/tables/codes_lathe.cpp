@@ -10,11 +10,14 @@ namespace dripfeed::macro_b {
 
 namespace {
 
+using ir::argument_of;
 using ir::CodeRow;
 using ir::drill_argument;
 using ir::DrillCycle;
 using ir::Function;
 using ir::ModalGroup;
+using ir::RepetitiveCycle;
+using ir::TurningCycle;
 
 constexpr std::string_view kList = "0i-F B-64604EN-1, G code list; Mazak and Mitsubishi lathe lists alike";
 
@@ -46,27 +49,27 @@ constexpr auto kLathe = std::to_array<CodeRow>({
 constexpr auto kSystemA = std::to_array<CodeRow>({
     {"G32", 320, Function::thread, 0, ModalGroup::motion, kList},
     {"G50", 500, Function::set_coordinates, 0, ModalGroup::non_modal, kList},
-    {"G90", 900, Function::turning_cycle, 0, ModalGroup::motion, kList},
-    {"G92", 920, Function::turning_cycle, 1, ModalGroup::motion, kList},
-    {"G94", 940, Function::turning_cycle, 2, ModalGroup::motion, kList},
+    {"G90", 900, Function::turning_cycle, argument_of(TurningCycle::along_z), ModalGroup::motion, kList},
+    {"G92", 920, Function::turning_cycle, argument_of(TurningCycle::thread), ModalGroup::motion, kList},
+    {"G94", 940, Function::turning_cycle, argument_of(TurningCycle::along_x), ModalGroup::motion, kList},
     {"G98", 980, Function::feed_per_min, 0, ModalGroup::feed, kList},
     {"G99", 990, Function::feed_per_rev, 0, ModalGroup::feed, kList},
 });
 constexpr auto kSystemsAB = std::to_array<CodeRow>({
     {"G20", 200, Function::unit_inch, 0, ModalGroup::unit, kList},
     {"G21", 210, Function::unit_mm, 0, ModalGroup::unit, kList},
-    {"G70", 700, Function::repetitive_cycle, 0, ModalGroup::non_modal, kList},
-    {"G71", 710, Function::repetitive_cycle, 1, ModalGroup::non_modal, kList},
-    {"G72", 720, Function::repetitive_cycle, 2, ModalGroup::non_modal, kList},
-    {"G73", 730, Function::repetitive_cycle, 3, ModalGroup::non_modal, kList},
-    {"G74", 740, Function::repetitive_cycle, 4, ModalGroup::non_modal, kList},
-    {"G75", 750, Function::repetitive_cycle, 5, ModalGroup::non_modal, kList},
-    {"G76", 760, Function::repetitive_cycle, 6, ModalGroup::non_modal, kList},
+    {"G70", 700, Function::repetitive_cycle, argument_of(RepetitiveCycle::finish), ModalGroup::non_modal, kList},
+    {"G71", 710, Function::repetitive_cycle, argument_of(RepetitiveCycle::rough_along_z), ModalGroup::non_modal, kList},
+    {"G72", 720, Function::repetitive_cycle, argument_of(RepetitiveCycle::rough_along_x), ModalGroup::non_modal, kList},
+    {"G73", 730, Function::repetitive_cycle, argument_of(RepetitiveCycle::pattern), ModalGroup::non_modal, kList},
+    {"G74", 740, Function::repetitive_cycle, argument_of(RepetitiveCycle::peck_z), ModalGroup::non_modal, kList},
+    {"G75", 750, Function::repetitive_cycle, argument_of(RepetitiveCycle::peck_x), ModalGroup::non_modal, kList},
+    {"G76", 760, Function::repetitive_cycle, argument_of(RepetitiveCycle::thread), ModalGroup::non_modal, kList},
 });
 constexpr auto kSystemB = std::to_array<CodeRow>({
-    {"G77", 770, Function::turning_cycle, 0, ModalGroup::motion, kList},
-    {"G78", 780, Function::turning_cycle, 1, ModalGroup::motion, kList},
-    {"G79", 790, Function::turning_cycle, 2, ModalGroup::motion, kList},
+    {"G77", 770, Function::turning_cycle, argument_of(TurningCycle::along_z), ModalGroup::motion, kList},
+    {"G78", 780, Function::turning_cycle, argument_of(TurningCycle::thread), ModalGroup::motion, kList},
+    {"G79", 790, Function::turning_cycle, argument_of(TurningCycle::along_x), ModalGroup::motion, kList},
 });
 constexpr auto kSystemsBC = std::to_array<CodeRow>({
     {"G33", 330, Function::thread, 0, ModalGroup::motion, kList},
@@ -82,18 +85,18 @@ constexpr auto kSystemsBC = std::to_array<CodeRow>({
     {"G99", 990, Function::return_to_r, 0, ModalGroup::return_level, kList},
 });
 constexpr auto kSystemC = std::to_array<CodeRow>({
-    {"G20", 200, Function::turning_cycle, 0, ModalGroup::motion, kList},
-    {"G21", 210, Function::turning_cycle, 1, ModalGroup::motion, kList},
-    {"G24", 240, Function::turning_cycle, 2, ModalGroup::motion, kList},
+    {"G20", 200, Function::turning_cycle, argument_of(TurningCycle::along_z), ModalGroup::motion, kList},
+    {"G21", 210, Function::turning_cycle, argument_of(TurningCycle::thread), ModalGroup::motion, kList},
+    {"G24", 240, Function::turning_cycle, argument_of(TurningCycle::along_x), ModalGroup::motion, kList},
     {"G70", 700, Function::unit_inch, 0, ModalGroup::unit, kList},
     {"G71", 710, Function::unit_mm, 0, ModalGroup::unit, kList},
-    {"G72", 720, Function::repetitive_cycle, 0, ModalGroup::non_modal, kList},
-    {"G73", 730, Function::repetitive_cycle, 1, ModalGroup::non_modal, kList},
-    {"G74", 740, Function::repetitive_cycle, 2, ModalGroup::non_modal, kList},
-    {"G75", 750, Function::repetitive_cycle, 3, ModalGroup::non_modal, kList},
-    {"G76", 760, Function::repetitive_cycle, 4, ModalGroup::non_modal, kList},
-    {"G77", 770, Function::repetitive_cycle, 5, ModalGroup::non_modal, kList},
-    {"G78", 780, Function::repetitive_cycle, 6, ModalGroup::non_modal, kList},
+    {"G72", 720, Function::repetitive_cycle, argument_of(RepetitiveCycle::finish), ModalGroup::non_modal, kList},
+    {"G73", 730, Function::repetitive_cycle, argument_of(RepetitiveCycle::rough_along_z), ModalGroup::non_modal, kList},
+    {"G74", 740, Function::repetitive_cycle, argument_of(RepetitiveCycle::rough_along_x), ModalGroup::non_modal, kList},
+    {"G75", 750, Function::repetitive_cycle, argument_of(RepetitiveCycle::pattern), ModalGroup::non_modal, kList},
+    {"G76", 760, Function::repetitive_cycle, argument_of(RepetitiveCycle::peck_z), ModalGroup::non_modal, kList},
+    {"G77", 770, Function::repetitive_cycle, argument_of(RepetitiveCycle::peck_x), ModalGroup::non_modal, kList},
+    {"G78", 780, Function::repetitive_cycle, argument_of(RepetitiveCycle::thread), ModalGroup::non_modal, kList},
 });
 // clang-format on
 

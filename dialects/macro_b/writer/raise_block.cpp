@@ -138,7 +138,7 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
     traits.tool_change |= c.function == Function::tool_change;
     traits.drills |= c.function == Function::drill;
     traits.repeats |= c.function == Function::repetitive_cycle;
-    traits.counts_passes |= c.function == Function::repetitive_cycle && c.argument == ir::kPatternRepeat;
+    traits.counts_passes |= ir::is_cycle(c, ir::RepetitiveCycle::pattern);
     traits.changes_lead |= c.function == Function::thread_changing;
     traits.threads |= c.function == Function::thread || c.function == Function::thread_changing;
     if (c.function == Function::hole_pattern) traits.pattern = c.argument;
