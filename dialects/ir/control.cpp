@@ -19,6 +19,15 @@ std::string_view alarm_of(const Control& control, text::DiagnosticId id, AlarmDe
   return detail == AlarmDetail::none ? std::string_view() : alarm_of(control, id);
 }
 
+std::string_view name_of_system(const Control& control, SystemValue value) {
+  const auto row = std::ranges::find(control.system_variables, value, &SystemVariableRow::kind);
+  return row == control.system_variables.end() ? std::string_view() : row->name;
+}
+
+SystemUse use_of_system(const Control& control, std::uint32_t row) {
+  return row < control.system_variables.size() ? control.system_variables[row].use : SystemUse::other;
+}
+
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number) {
   const auto range = std::ranges::find_if(control.variables, [&](const VariableRange& r) {
     return r.bank == bank && r.first <= number && number <= r.last;

@@ -70,7 +70,14 @@ enum class SystemValue : std::uint8_t {
   total_frame,          // the settable one and the programmable one in it
   call_argument,        // of the last macro call; SystemVariableRow::first is the number of its local variable
   call_argument_given,  // … 1 when it was given
+  parameter_given,      // whether the program's parameter of that number was given
   changing,             // the control, the PLC or time changes it: what a program wrote is not what it reads
+};
+// What programs write one for.
+enum class SystemUse : std::uint8_t {
+  other,
+  memory,  // the program's own numbers, as in a common variable
+  output,  // to the PLC, the machine or its outputs
 };
 struct SystemVariableRow {
   std::string_view name;    // "$P_EP"; empty for numbered ones
@@ -81,6 +88,7 @@ struct SystemVariableRow {
   std::string_view reference;
   bool inert = false;                 // writing it neither moves nor changes what is modelled
   std::uint32_t extended_offset = 0;  // of work_offset_value: `first` is of this P of G54.1; 0: of no such
+  SystemUse use = SystemUse::other;
 };
 
 // Which of several alarms that a control has for one diagnostic.
@@ -236,6 +244,10 @@ std::string name_of_machine_function(int number);
 // Whether an M function of the machine is known to move no axis and to change nothing that is modelled: M29 of rigid
 // tapping, and those that the profile lists.
 bool is_known_machine_function(const Control& control, int number);
+// How the control spells the system variable with that value; empty when it has none, or only a number.
+std::string_view name_of_system(const Control& control, SystemValue value);
+// What the system variable with that row is written for.
+SystemUse use_of_system(const Control& control, std::uint32_t row);
 // The range that holds the variable; nullptr when the control has no such variable.
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number);
 // Whether a machine may have that variable although the control's usual ranges have not: by an option, or made by the

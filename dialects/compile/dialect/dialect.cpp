@@ -8,12 +8,17 @@
 #include "dialects/compile/dialect/readers.h"
 #include "dialects/fanuc/fanuc.h"
 #include "dialects/haas/haas.h"
+#include "dialects/haas/marks.h"
 #include "dialects/linuxcnc/linuxcnc.h"
 #include "dialects/macro_b/tables/language_words.h"
+#include "dialects/macro_b/tables/marks.h"
+#include "dialects/mazak/marks.h"
 #include "dialects/mazak/mazak.h"
+#include "dialects/mitsubishi/marks.h"
 #include "dialects/mitsubishi/mitsubishi.h"
 #include "dialects/sinumerik/sinumerik.h"
 #include "dialects/sinumerik/tables/language_words.h"
+#include "dialects/sinumerik/tables/marks.h"
 #include "dialects/text/upper_case.h"
 
 namespace dripfeed::compile {
@@ -63,51 +68,16 @@ constexpr Dialect kLinuxCnc = {"linuxcnc",
                                nullptr,
                                no_words};
 
-// What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.
-struct Mark {
-  std::string_view text;
-  bool at_start;
-  std::string_view dialect;
-};
 constexpr std::string_view kFanuc = "fanuc";
 constexpr std::string_view kSinumerik = "sinumerik-840d";
-constexpr auto kMarks = std::to_array<Mark>({
-    {"(", true, kFanuc},          {"%_N_", true, kSinumerik},
-    {";", true, kSinumerik},      {"DEF ", true, kSinumerik},
-    {"PROC ", true, kSinumerik},  {"EXTERN ", true, kSinumerik},
-    {"MSG(", true, kSinumerik},   {"MSG (", true, kSinumerik},
-    {"ENDIF", true, kSinumerik},  {"ENDWHILE", true, kSinumerik},
-    {"ENDFOR", true, kSinumerik}, {"GOTOF", false, kSinumerik},
-    {"GOTOB", false, kSinumerik}, {"$P_", false, kSinumerik},
-    {"$A", false, kSinumerik},    {"CR=", false, kSinumerik},
-    {"LIMS=", false, kSinumerik}, {"DIAM", false, kSinumerik},
-    {"G500", false, kSinumerik},  {"T=\"", false, kSinumerik},
-    {"=AC(", false, kSinumerik},  {"=IC(", false, kSinumerik},
-    {"SUPA", false, kSinumerik},  {"CYCLE8", false, kSinumerik},
-    {"X=", false, kSinumerik},    {"Y=", false, kSinumerik},
-    {"Z=", false, kSinumerik},    {"#", false, kFanuc},
-    {"M98", false, kFanuc},       {"M99", false, kFanuc},
-    {"G65", false, kFanuc},       {"G43", false, kFanuc},
-    {"G28", false, kFanuc},
-});
 
-// Among the controls that read as Fanuc's do: what only one of the others has, in code or as its name in a comment.
-constexpr std::string_view kHaas = "haas";
-constexpr std::string_view kMazak = "mazak";
-constexpr std::string_view kMitsubishi = "mitsubishi-m80";
-constexpr auto kFamilyMarks = std::to_array<Mark>({
-    {"G154", false, kHaas},          {"G187", false, kHaas},
-    {"G103 P", false, kHaas},        {"M97 P", false, kHaas},
-    {"HAAS", false, kHaas},          {"G52.5", false, kMazak},
-    {"G53.5", false, kMazak},        {"G68.5", false, kMazak},
-    {"G122.1", false, kMazak},       {"G123.1", false, kMazak},
-    {"G270 ", false, kMazak},        {"G271 ", false, kMazak},
-    {"G276 ", false, kMazak},        {"#70001", false, kMazak},
-    {"#70002", false, kMazak},       {"#70003", false, kMazak},
-    {"MAZAK", false, kMazak},        {"INTEGREX", false, kMazak},
-    {"G31.1", false, kMitsubishi},   {"G31.2", false, kMitsubishi},
-    {"#100100", false, kMitsubishi}, {"MITSUBISHI", false, kMitsubishi},
-});
+// Among the controls that read as Fanuc's do.
+struct FamilyMarks {
+  std::span<const ir::DialectMark> (*marks)();
+  std::string_view dialect;
+};
+constexpr FamilyMarks kFamily[] = {
+    {haas::marks, "haas"}, {mazak::marks, "mazak"}, {mitsubishi::marks, "mitsubishi-m80"}};
 constexpr std::uint32_t kLinesLookedAt = 5000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -129,18 +99,17 @@ std::string_view by_numbered_head(std::string_view line) {
   return line[0] == 'R' && end != std::string_view::npos && line[end] == '=' ? kSinumerik : std::string_view();
 }
 
-// Endings of names that one control's files have.
-struct Ending {
-  std::string_view text;
+struct Endings {
+  std::span<const std::string_view> (*endings)();
   std::string_view dialect;
 };
-constexpr Ending kEndings[] = {
-    {".MPF", kSinumerik}, {".SPF", kSinumerik}, {"_MPF", kSinumerik}, {"_SPF", kSinumerik}, {".EIA", kMazak}};
+constexpr Endings kEndings[] = {{sinumerik::file_endings, kSinumerik}, {mazak::file_endings, "mazak"}};
 
 std::string_view dialect_of_name(std::string_view name) {
   const std::string capitals = text::upper_case(name);
-  for (const Ending& ending : kEndings)
-    if (capitals.ends_with(ending.text)) return ending.dialect;
+  for (const Endings& of : kEndings)
+    for (const std::string_view ending : of.endings())
+      if (capitals.ends_with(ending)) return of.dialect;
   return {};
 }
 
@@ -149,17 +118,20 @@ std::string_view dialect_of_line(std::string_view line) {
   const std::string_view block = without_number(line);
   const std::string capitals = text::upper_case(block);
   if (const std::string_view by_head = by_numbered_head(capitals); !by_head.empty()) return by_head;
-  for (const Mark& mark : kMarks) {
-    if (mark.at_start ? capitals.starts_with(mark.text) : block.contains(mark.text)) return mark.dialect;
-  }
-  return {};
+  const auto begins = [&](const ir::DialectMark& mark) { return mark.at_start && capitals.starts_with(mark.text); };
+  const auto holds = [&](const ir::DialectMark& mark) { return !mark.at_start && block.contains(mark.text); };
+  if (std::ranges::any_of(macro_b::marks(), begins)) return kFanuc;
+  if (std::ranges::any_of(sinumerik::marks(), begins) || std::ranges::any_of(sinumerik::marks(), holds))
+    return kSinumerik;
+  return std::ranges::any_of(macro_b::marks(), holds) ? kFanuc : std::string_view();
 }
 
 std::string_view dialect_of_family(const text::Source& source) {
   const std::uint32_t lines = std::min<std::uint32_t>(static_cast<std::uint32_t>(source.line_count()), kLinesLookedAt);
   for (std::uint32_t line = 1; line <= lines; ++line) {
-    for (const Mark& mark : kFamilyMarks)
-      if (source.line(line).contains(mark.text)) return mark.dialect;
+    for (const FamilyMarks& of : kFamily)
+      for (const ir::DialectMark& mark : of.marks())
+        if (source.line(line).contains(mark.text)) return of.dialect;
   }
   return kFanuc;
 }

@@ -25,11 +25,6 @@ text::Diagnostic cannot_write(passes::Refusal what, text::Span span) {
 
 std::string_view bank_name(Bank bank) { return bank == Bank::hash ? "#" : bank == Bank::r ? "R" : "$"; }
 
-// Markers and parameters that a program keeps its own numbers in, as it does in R.
-bool is_channel_memory(std::string_view name) {
-  return name.starts_with("$AC_MARKER") || name.starts_with("$AC_PARAM") || name.starts_with("$AC_TIMER");
-}
-
 std::string key_of(const ir::Program& program, const ir::Variable& v) {
   switch (v.bank) {
     case Bank::hash:
@@ -64,7 +59,7 @@ std::optional<OutsideWrite> outside_write(const ir::Program& program, const ir::
     const bool in_table = v.number < control.system_variables.size();
     // Its shift is in the positions.
     if (in_table && control.system_variables[v.number].kind == ir::SystemValue::programmable_frame) return std::nullopt;
-    out.is_shared = is_channel_memory(out.variable);
+    out.is_shared = ir::use_of_system(control, v.number) == ir::SystemUse::memory;
   }
   return out;
 }

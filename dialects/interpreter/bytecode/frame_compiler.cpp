@@ -9,7 +9,7 @@ using ir::SystemValue;
 using ir::ValueType;
 using text::DiagnosticId;
 
-// $P_UIFR[n,X,TR] is a number of the control's memory like others; all else that names a frame is one.
+// A part of a settable frame is a number of the control's memory like others; all else that names a frame is one.
 std::optional<SystemValue> VariableCompiler::frame_kind(const ir::Variable& variable) const {
   if (variable.bank != Bank::system || variable.name == ir::StringId::none || variable.number == 0) return std::nullopt;
   const auto rows = builder_.context().control.system_variables;
@@ -62,7 +62,8 @@ Value VariableCompiler::load_frame(const ir::Variable& variable, SystemValue kin
 
 void VariableCompiler::store_frame(const ir::Variable& target, SystemValue kind, const Value& value, text::Span span) {
   if (kind == SystemValue::total_frame) {
-    failure(span, DiagnosticId::variable_write_protected, {"$P_ACTFRAME"});
+    failure(span, DiagnosticId::variable_write_protected,
+            {std::string(builder_.context().control.system_variables[target.number].name)});
     return;
   }
   const bool numbered = kind == SystemValue::settable_frame;

@@ -167,10 +167,12 @@ Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
   return {to, ValueType::real, std::nullopt};
 }
 
-// $P_SUBPAR[n]: whether the n-th parameter of this program was given.
+// Whether the n-th parameter of this program was given.
 std::optional<Value> VariableCompiler::load_given(const ir::Variable& variable, Operand target) {
-  if (variable.bank != Bank::system || variable.name == ir::StringId::none) return std::nullopt;
-  if (builder_.source().strings.at(variable.name) != "$P_SUBPAR") return std::nullopt;
+  const auto rows = builder_.context().control.system_variables;
+  const bool has_row =
+      variable.bank == Bank::system && variable.name != ir::StringId::none && variable.number < rows.size();
+  if (!has_row || rows[variable.number].kind != ir::SystemValue::parameter_given) return std::nullopt;
   const ir::Expression* number = builder_.find(variable.index);
   if (number == nullptr || number->op != ir::Operator::constant || number->value < 1.0) return std::nullopt;
   const Operand to = target == Operand::none ? builder_.take() : target;

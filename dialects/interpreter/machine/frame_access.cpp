@@ -126,10 +126,10 @@ bool FrameAccess::store(const Instruction& i) {
     base_waits_ = true;
   } else if (const auto number = small_number(storage_.reg(i.b)); !number.has_value()) {
     settable_.clear();
-    shared_.forget(shared_.id_of("$P_UIFR"));
+    shared_.forget(shared_.id_of(name_));
   } else {
     const auto index = static_cast<std::uint32_t>(*number);
-    shared_.forget(shared_.id_of("$P_UIFR"), index);
+    shared_.forget(shared_.id_of(name_), index);
     settable_.erase(index);
     half_known_.erase(index);
     if (value != nullptr)

@@ -16,8 +16,10 @@ namespace dripfeed::interpreter {
 
 class FrameAccess {
  public:
-  FrameAccess(const BlockRules& rules, Storage& storage, SharedData& shared, ModalState& state, RunReport& report)
-      : rules_(rules), storage_(storage), shared_(shared), state_(state), report_(report) {}
+  // `name`: of the settable frames, as the control spells it. All must outlive it.
+  FrameAccess(const BlockRules& rules, std::string_view name, Storage& storage, SharedData& shared, ModalState& state,
+              RunReport& report)
+      : rules_(rules), name_(name), storage_(storage), shared_(shared), state_(state), report_(report) {}
 
   // One of the frame opcodes; false when the run has ended.
   bool execute(const Instruction& i);
@@ -45,6 +47,7 @@ class FrameAccess {
   void set_programmable(const FrameValue& value);
 
   const BlockRules& rules_;
+  std::string_view name_;
   Storage& storage_;
   SharedData& shared_;
   ModalState& state_;

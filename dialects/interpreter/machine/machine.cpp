@@ -57,7 +57,7 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       report_(control, options.limits, names_, out_),
       stack_(context_, programs_, storage_, rules_, state_, out_, report_),
       access_(control, arithmetic_, variables_, storage_, shared_, state_, report_),
-      frames_(rules_, storage_, shared_, state_, report_),
+      frames_(rules_, ir::name_of_system(control, ir::SystemValue::settable_frame), storage_, shared_, state_, report_),
       blocks_(control, rules_, arithmetic_, storage_, access_, shared_, frames_, state_, out_, report_),
       strings_(control, storage_, access_, shared_, report_),
       shared_access_(control, storage_, access_, shared_, frames_, state_, report_),

@@ -154,11 +154,12 @@ void Machine::name_input(const ir::Program& source, const ir::Variable& variable
   report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
 }
 
-// "$AA_MW[X]": where a probe touches in the next measuring move.
+// Where a probe touches in the next measuring move: the variable's name and its axis, "NAME[X]".
 bool Machine::set_touch(const InitialValue& value) {
-  constexpr std::string_view kHead = "$AA_MW[";
-  if (!value.name.starts_with(kHead) || value.name.size() != kHead.size() + 2) return false;
-  const std::size_t place = ir::kAxisLetters.find(value.name[kHead.size()]);
+  const std::string head = std::string(ir::name_of_system(control_, ir::SystemValue::skip_position)) + "[";
+  const bool names_axis = head.size() > 1 && value.name.starts_with(head) && value.name.size() == head.size() + 2;
+  if (!names_axis) return false;
+  const std::size_t place = ir::kAxisLetters.find(value.name[head.size()]);
   if (place >= ir::kAxisCount) return false;
   state_.touch[place] = value.value;
   state_.touch_known |= static_cast<std::uint16_t>(1U << place);

@@ -162,6 +162,7 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::total_frame:
     case ir::SystemValue::call_argument:
     case ir::SystemValue::call_argument_given:
+    case ir::SystemValue::parameter_given:
     case ir::SystemValue::machine_position:
     case ir::SystemValue::work_offset_value:
     case ir::SystemValue::comp_number:
@@ -221,6 +222,7 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::total_frame:
     case SystemValue::call_argument:
     case SystemValue::call_argument_given:
+    case SystemValue::parameter_given:
     case SystemValue::work_offset_value:
     case SystemValue::block_number:
     case SystemValue::program_number:

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -211,7 +210,6 @@ class Flattener {
     const ir::Expression old = program_.at(id);
     if (old.op == Operator::variable) {
       ir::Variable v = program_.at(old.variable);
-      if (is_pi(v)) return program_.add_constant(std::numbers::pi, old.span);
       if (v.index != ExpressionId::none) v.index = rewritten(v.index, in_word);
       if (v.index2 != ExpressionId::none) v.index2 = rewritten(v.index2, in_word);
       program_.variables[static_cast<std::uint32_t>(old.variable)] = v;
@@ -244,11 +242,6 @@ class Flattener {
     out_.emit_assign(program_.add(truth), program_.add_constant(0.0));
     assign_if(parts_within(id, deepest() - 1), truth, program_.add_constant(1.0));
     return program_.add_variable(truth);
-  }
-
-  [[nodiscard]] bool is_pi(const ir::Variable& v) const {
-    return v.bank == ir::Bank::system && v.number < from_.system_variables.size() &&
-           from_.system_variables[v.number].name == "$PI";
   }
 
   // ROUND[x*1000]/1000 is how ROUND of an address is kept; the printer says it as such again.

@@ -14,6 +14,7 @@ namespace dripfeed::sinumerik {
 namespace {
 
 using enum ir::SystemValue;
+using enum ir::SystemUse;
 
 // clang-format off
 constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
@@ -43,7 +44,7 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$P_PROG", 0, 0, not_modelled, false, "LIS1, program names by level"},
   {"$P_STACK", 0, 0, not_modelled, false, "LIS1, program level"},
   {"$P_PROGPATH", 0, 0, not_modelled, false, "LIS1, program path"},
-  {"$P_SUBPAR", 0, 0, not_modelled, false, "LIS1, whether a parameter was passed"},
+  {"$P_SUBPAR", 0, 0, parameter_given, false, "LIS1, whether a parameter was passed"},
   {"$P_AXN1", 0, 0, constant, false, "LIS1, first geometry axis"},
   {"$P_AXN2", 1, 1, constant, false, "LIS1, second geometry axis"},
   {"$P_AXN3", 2, 2, constant, false, "LIS1, third geometry axis"},
@@ -59,10 +60,10 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$AA_MM", 0, 0, not_modelled, false, "LIS1, measured position in machine coordinates"},
   {"$AA_S", 0, 0, not_modelled, false, "LIS1, actual spindle speed"},
   {"$AC_MEA", 0, 0, not_modelled, false, "LIS1, probe has switched"},
-  {"$AC_TIMER", 0, 0, changing, true, "LIS1, timer in seconds"},
+  {"$AC_TIMER", 0, 0, changing, true, "LIS1, timer in seconds", false, 0, memory},
   {"$AC_TIME", 0, 0, changing, false, "LIS1, time since block start"},
-  {"$AC_MARKER", 0, 0, not_modelled, true, "LIS1, marker"},
-  {"$AC_PARAM", 0, 0, not_modelled, true, "LIS1, parameter of synchronized actions"},
+  {"$AC_MARKER", 0, 0, not_modelled, true, "LIS1, marker", false, 0, memory},
+  {"$AC_PARAM", 0, 0, not_modelled, true, "LIS1, parameter of synchronized actions", false, 0, memory},
   {"$AC_TOTAL_PARTS", 0, 0, changing, true, "LIS1, part counter"},
   {"$AC_REQUIRED_PARTS", 0, 0, not_modelled, true, "LIS1, part counter"},
   {"$AC_ACTUAL_PARTS", 0, 0, changing, true, "LIS1, part counter"},
@@ -117,13 +118,13 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$C_Z_PROG", 26, 26, call_argument_given, false, "Function Manual ISO Dialects, macro programs"},
   // inputs, outputs, PLC, clock
   {"$A_IN", 0, 0, not_modelled, false, "LIS1, digital input"},
-  {"$A_OUT", 0, 0, not_modelled, true, "LIS1, digital output"},
+  {"$A_OUT", 0, 0, not_modelled, true, "LIS1, digital output", false, 0, output},
   {"$A_INA", 0, 0, not_modelled, false, "LIS1, analog input"},
-  {"$A_OUTA", 0, 0, not_modelled, true, "LIS1, analog output"},
-  {"$A_DBB", 0, 0, changing, true, "LIS1, byte shared with the PLC"},
-  {"$A_DBW", 0, 0, changing, true, "LIS1, word shared with the PLC"},
-  {"$A_DBD", 0, 0, changing, true, "LIS1, double word shared with the PLC"},
-  {"$A_DBR", 0, 0, changing, true, "LIS1, real shared with the PLC"},
+  {"$A_OUTA", 0, 0, not_modelled, true, "LIS1, analog output", false, 0, output},
+  {"$A_DBB", 0, 0, changing, true, "LIS1, byte shared with the PLC", false, 0, output},
+  {"$A_DBW", 0, 0, changing, true, "LIS1, word shared with the PLC", false, 0, output},
+  {"$A_DBD", 0, 0, changing, true, "LIS1, double word shared with the PLC", false, 0, output},
+  {"$A_DBR", 0, 0, changing, true, "LIS1, real shared with the PLC", false, 0, output},
   {"$A_YEAR", 0, 0, not_modelled, false, "LIS1, clock"},
   {"$A_MONTH", 0, 0, not_modelled, false, "LIS1, clock"},
   {"$A_DAY", 0, 0, not_modelled, false, "LIS1, clock"},

@@ -21,7 +21,6 @@ struct NumberRange {
 // Signals to the PMC, and the relays of a Haas under their old and new numbers. A control that lacks some of them says
 // so in its own table of variables.
 constexpr NumberRange kNumbers[] = {{1100, 1155}, {12000, 12255}};
-constexpr std::string_view kNames[] = {"$A_OUT", "$A_DB"};  // … $A_OUTA, $A_DBB and so on
 
 // Empty when the variable is no output.
 std::string output_name(const ir::Program& program, const ir::Control& control, const ir::Variable& v) {
@@ -32,9 +31,8 @@ std::string output_name(const ir::Program& program, const ir::Control& control, 
     return known && is_output ? fmt::format("#{}", v.number) : std::string();
   }
   if (v.bank != ir::Bank::system || v.name == ir::StringId::none) return {};
-  const std::string_view name = program.strings.at(v.name);
-  const bool is_output = std::ranges::any_of(kNames, [&](std::string_view begin) { return name.starts_with(begin); });
-  return is_output ? std::string(name) : std::string();
+  const bool is_output = ir::use_of_system(control, v.number) == ir::SystemUse::output;
+  return is_output ? std::string(program.strings.at(v.name)) : std::string();
 }
 
 // H of a control without numbered variables; elsewhere it is a length or an increment.
