@@ -21,7 +21,11 @@ double of_increments(double count, const ir::Semantics& semantics, bool inch) {
 
 BlockValues::BlockValues(const ir::Program& of, const ir::Block& block, bool with_rest)
     : program(of), codes(of.codes_of(block)), words(of.words_of(block)) {
-  if (with_rest || block.rest_level == 0) return;
+  if (!with_rest && block.rest_level != 0) leave_out_rest(block);
+  for (const ir::Word& word : words) addresses_.set(static_cast<std::size_t>(word.address));
+}
+
+void BlockValues::leave_out_rest(const ir::Block& block) {
   const auto stands_in_rest = [&block](const auto& item) { return ir::in_rest(block, item.span); };
   codes = codes.first(static_cast<std::size_t>(std::ranges::find_if(codes, stands_in_rest) - codes.begin()));
   words = words.first(static_cast<std::size_t>(std::ranges::find_if(words, stands_in_rest) - words.begin()));
@@ -37,6 +41,7 @@ bool BlockValues::has_computed_code(char letter) const {
 }
 
 const ir::Word* BlockValues::word(ir::Address address) const {
+  if (!addresses_.test(static_cast<std::size_t>(address))) return nullptr;
   const ir::Word* found = nullptr;
   for (const ir::Word& word : words)
     if (word.address == address) found = &word;

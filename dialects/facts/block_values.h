@@ -2,6 +2,7 @@
 // give.
 #pragma once
 
+#include <bitset>
 #include <optional>
 #include <span>
 
@@ -38,6 +39,11 @@ struct BlockValues {
   const ir::Program& program;
   std::span<const ir::Code> codes;
   std::span<const ir::Word> words;
+
+ private:
+  void leave_out_rest(const ir::Block& block);
+
+  std::bitset<static_cast<std::size_t>(ir::Address::count_)> addresses_;  // of `words`: most are not there
 };
 
 }  // namespace dripfeed::facts

@@ -9,6 +9,7 @@
 
 #include "dialects/facts/axis_words.h"
 #include "dialects/facts/block_values.h"
+#include "dialects/facts/called_cycle_effects.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/drill_effects.h"
 #include "dialects/facts/kept_words.h"
@@ -70,8 +71,21 @@ bool may_change_lead(Known<Setting> motion) {
   return motion.may_be({.function = Function::thread_changing});
 }
 
-// G70.
-bool is_finishing(const ir::Code& code) { return code.function == Function::repetitive_cycle && code.argument == 0; }
+bool is_finishing(const ir::Code& code) { return ir::is_cycle(code, ir::RepetitiveCycle::finish); }
+
+// What moves may change.
+void forget_moves(std::uint32_t statement, Facts& facts) {
+  facts.forget_positions(statement);
+  facts[Mode::spindle].forget(statement);
+  for (const Kept word : {Kept::feed, Kept::speed}) facts[word].forget(statement);
+}
+
+// Nothing counts as left to the state of the machine.
+void take_as_stated(Facts& facts) {
+  for (Known<Setting>& mode : facts.modes) mode.at_power_on = false;
+  for (Known<double>& number : facts.numbers) number.at_power_on = false;
+  for (Known<Written>& word : facts.kept) word.at_power_on = false;
+}
 
 }  // namespace
 
@@ -138,6 +152,7 @@ struct Effects::Walk {
     if (is_finishing(code)) forget_what_shapes_set();
     if (code.function == Function::repetitive_cycle && !ir::follows_shape(code)) take_cycle_data(code);
     if (shifts(code)) take_shift(code);
+    if (may_turn_spindle(code)) facts[Mode::spindle].forget(statement);
     if (!mode) return;
     switch (*mode) {
       case Mode::motion: set(Mode::cycle, Function::cycle_off); break;
@@ -175,6 +190,12 @@ struct Effects::Walk {
   void lose_positions() {
     facts.forget_positions(statement);
     facts[Kept::initial].forget(statement);
+  }
+
+  // The machine builder's functions may, and what is not read.
+  [[nodiscard]] bool may_turn_spindle(const ir::Code& code) const {
+    return code.function == Function::not_modelled ||
+           (code.function == Function::machine_function && !ir::is_known_machine_function(of.control_, code.argument));
   }
 
   static bool shifts(const ir::Code& code) {
@@ -227,9 +248,8 @@ struct Effects::Walk {
 
   // G74 to G76 without an end point.
   void take_cycle_data(const ir::Code& code) {
-    constexpr std::int16_t kThread = 6;
     if (std::ranges::any_of(values.words, [this](const ir::Word& word) { return positions.turns(word); })) return;
-    set(code.argument == kThread ? Mode::thread_data : Mode::peck_data, code.function,
+    set(ir::is_cycle(code, ir::RepetitiveCycle::thread) ? Mode::thread_data : Mode::peck_data, code.function,
         static_cast<std::int32_t>(statement));
   }
   void begin_turning_cycle() {
@@ -263,12 +283,24 @@ struct Effects::Walk {
     facts[Mode::hole_end].forget(statement);
   }
 
+  // With G50 and G92 S is the limit of the spindle.
+  void take_speed() {
+    if (const ir::Word* limit = values.word(Address::spindle_limit); limit != nullptr)
+      facts[Kept::spindle_limit].set(written(*limit, values), statement);
+    const ir::Word* speed = values.word(Address::s);
+    if (speed == nullptr) return;
+    if (values.has_code(Function::set_coordinates))
+      return facts[Kept::spindle_limit].set(written(*speed, values), statement);
+    if (speed->extension > 1) return facts[Kept::speed].forget(statement);  // of another spindle
+    facts[Kept::speed].set(written(*speed, values), statement);
+    if (facts[Mode::surface_speed].may_be({.function = Function::surface_speed_on}))
+      facts[Kept::surface_speed].set(written(*speed, values), statement);
+  }
+
   void take_feed_and_speed() {
     // F and S of a dwell are times.
     if (values.has_code(Function::dwell) && !of.control_.semantics.dwell_p_is_ms) return;
-    if (const ir::Word* speed = values.word(Address::s);
-        speed != nullptr && !values.has_code(Function::set_coordinates))
-      facts[Kept::speed].set(written(*speed, values), statement);
+    take_speed();
     const ir::Word* feed = values.word(Address::f);
     if (feed == nullptr) return;
     // With G34 and G35 of SINUMERIK it is the change of the lead.
@@ -292,9 +324,11 @@ void Effects::block(std::uint32_t statement, Facts& facts) const {
 
 void Effects::apply(std::uint32_t statement, Facts& facts) const {
   const ir::Statement& s = program_.statements[statement];
-  const std::optional<Facts> left_out =
+  std::optional<Facts> left_out =
       s.skip_level != 0 || may_be_left_out_[statement] ? std::optional(facts) : std::nullopt;
   carry_out(statement, facts);
+  // What a block states counts as stated for the blocks of the same switch: an operator who skips it skips them.
+  if (left_out && s.skip_level != 0) take_as_stated(*left_out);
   if (left_out) facts.join(*left_out);
 }
 
@@ -302,12 +336,7 @@ void Effects::carry_out(std::uint32_t statement, Facts& facts) const {
   const ir::Statement& s = program_.statements[statement];
   switch (s.kind) {
     case StatementKind::block: block(statement, facts); break;
-    case StatementKind::native:
-      if (!program_.natives[s.payload].effects_known)
-        facts.forget_all(statement);
-      else if (program_.natives[s.payload].moves)
-        facts.forget_positions(statement);
-      break;
+    case StatementKind::native: native(statement, facts); break;
     case StatementKind::repeat_section:
     case StatementKind::execute_text: facts.forget_all(statement); break;
     case StatementKind::call:
@@ -315,13 +344,11 @@ void Effects::carry_out(std::uint32_t statement, Facts& facts) const {
         facts.forget_all(statement);
         break;
       }
-      facts.forget_positions(statement);
-      facts[Mode::spindle].forget(statement);
+      CalledCycleEffects{program_, control_, statement, facts}.run();
+      // Its own moves are followed by what is called modally, too.
+      if (!facts[Mode::modal_call].is({}) && moving(s) == Moving::no) forget_moves(statement, facts);
       break;
-    case StatementKind::modal_call:
-      facts[Mode::modal_call].set(
-          {.function = Function::machine_function, .argument = static_cast<std::int32_t>(statement)}, statement);
-      break;
+    case StatementKind::modal_call: set_modal_call(statement, facts); break;
     case StatementKind::modal_call_end: facts[Mode::modal_call].set({}, statement); break;
     case StatementKind::assign:
       if (may_be_system_variable(program_.at(program_.assigns[s.payload].target), control_))
@@ -334,6 +361,24 @@ void Effects::carry_out(std::uint32_t statement, Facts& facts) const {
       break;
     default: break;
   }
+}
+
+void Effects::native(std::uint32_t statement, Facts& facts) const {
+  const ir::Statement& s = program_.statements[statement];
+  const ir::Native& native = program_.natives[s.payload];
+  if (!native.effects_known)
+    facts.forget_all(statement);
+  else if (native.moves)
+    facts.forget_positions(statement);
+  // A cycle that is not read stands after its modal call in the same line.
+  const bool is_modal = statement > 0 && program_.statements[statement - 1].kind == StatementKind::modal_call_end &&
+                        program_.statements[statement - 1].line == s.line;
+  if (is_modal && !native.effects_known) set_modal_call(statement, facts);
+}
+
+void Effects::set_modal_call(std::uint32_t statement, Facts& facts) {
+  facts[Mode::modal_call].set(
+      {.function = Function::machine_function, .argument = static_cast<std::int32_t>(statement)}, statement);
 }
 
 FactSet Effects::touched(std::uint32_t statement) const {
@@ -349,16 +394,22 @@ FactSet Effects::touched(std::uint32_t statement) const {
 }
 
 // A row or a circle of holes moves to each of them.
-bool Effects::may_move(const ir::Statement& s) const {
+Moving Effects::moving(const ir::Statement& s) const {
   if (s.kind == StatementKind::call) {
-    constexpr ir::CalledSort kPatterns[] = {ir::CalledSort::holes_in_row, ir::CalledSort::holes_on_circle,
-                                            ir::CalledSort::holes_anywhere};
-    return std::ranges::any_of(kPatterns,
-                               [&](ir::CalledSort sort) { return ir::is_called(program_.calls[s.payload], sort); });
+    const ir::Call& call = program_.calls[s.payload];
+    const bool is_pattern =
+        ir::is_called(call, ir::CalledSort::holes_in_row) || ir::is_called(call, ir::CalledSort::holes_on_circle);
+    if (!is_pattern && !ir::is_called(call, ir::CalledSort::holes_anywhere)) return Moving::no;
+    const bool has_holes = is_pattern && s.skip_level == 0 &&
+                           ir::number_of(program_, call, ir::CycleValue::pattern_count).value_or(0.0) >= 1.0;
+    return has_holes ? Moving::yes : Moving::perhaps;
   }
-  if (s.kind != StatementKind::block) return false;
+  if (s.kind != StatementKind::block) return Moving::no;
   const ir::Block& block = program_.blocks[s.payload];
-  return block.word_count != 0 || block.code_count != 0;
+  if (block.word_count == 0 && block.code_count == 0) return Moving::no;
+  const bool moves = s.skip_level == 0 && block.rest_level == 0 && !has_own_words(program_, block) &&
+                     std::ranges::any_of(program_.words_of(block), ir::is_axis, &ir::Word::address);
+  return moves ? Moving::yes : Moving::perhaps;
 }
 
 }  // namespace dripfeed::facts

@@ -20,6 +20,8 @@ FactSet differing(const Facts& a, const Facts& b);
 // must name the tool of a text that leaves M6 to a parameter of the machine (MD22550) or to what it calls.
 enum class ToolChange : std::uint8_t { as_the_control, as_the_text };
 
+enum class Moving : std::uint8_t { no, perhaps, yes };
+
 class Effects {
  public:
   // Both must outlive it.
@@ -31,13 +33,15 @@ class Effects {
   void carry_out(std::uint32_t statement, Facts& facts) const;
   // Everything that the statement may set or change, whatever holds before it.
   [[nodiscard]] FactSet touched(std::uint32_t statement) const;
-  // Whether the block may move, by its words, in a way that a modal call follows.
-  [[nodiscard]] bool may_move(const ir::Statement& statement) const;
+  // Whether it moves so that what is called modally follows.
+  [[nodiscard]] Moving moving(const ir::Statement& statement) const;
   [[nodiscard]] bool tool_comes_by_t() const { return tool_at_once_; }
 
  private:
   struct Walk;  // one block
   void block(std::uint32_t statement, Facts& facts) const;
+  void native(std::uint32_t statement, Facts& facts) const;
+  static void set_modal_call(std::uint32_t statement, Facts& facts);
 
   const ir::Program& program_;
   const ir::Control& control_;

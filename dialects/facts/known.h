@@ -22,13 +22,24 @@ struct Known {
   std::uint32_t other_origin = kNobody;
   // On some path a statement may have changed it, and nobody knows to what; kPowerOn: nobody knows how it begins.
   std::uint32_t changer = kNobody;
-  bool inherited = false;  // on some path it is what a caller outside of the text has set
-  bool more = false;       // paths bring a third value
+  bool inherited = false;    // on some path it is what a caller outside of the text has set
+  bool more = false;         // paths bring a third value
+  bool at_power_on = false;  // on some path nothing has stated it: it is as the control begins
 
   void set(const T& to, std::uint32_t by) { *this = Known{.value = to, .origin = by}; }
   void forget(std::uint32_t by) {
-    if (changer == kNobody) changer = by;
+    if (changer == kNobody || changer == kPowerOn) changer = by;
   }
+  void begin(const T& with) {
+    set(with, kPowerOn);
+    at_power_on = true;
+  }
+  void begin_unknown() {
+    forget(kPowerOn);
+    at_power_on = true;
+  }
+  // On some path it is as the control begins, and nothing unknown may have stated it since.
+  [[nodiscard]] bool may_be_unstated() const { return at_power_on && (changer == kNobody || changer == kPowerOn); }
   // All paths of the text agree; what `changer` did is not looked at.
   [[nodiscard]] bool agrees() const { return origin != kNobody && other_origin == kNobody && !inherited; }
   [[nodiscard]] bool is_certain() const { return agrees() && changer == kNobody; }
@@ -55,6 +66,7 @@ struct Known {
     if (with.other_origin != kNobody) take(with.other, with.other_origin);
     inherited |= with.inherited;
     more |= with.more;
+    at_power_on |= with.at_power_on;
     if (changer == kNobody) changer = with.changer;
     return *this != old;
   }

@@ -68,9 +68,17 @@ constexpr FunctionRow kFunctions[] = {
     {Function::polar_words_off, Mode::letters, "no polar words"},
 };
 
+// By function: its row, one more than its index; 0 for functions without one. Asked for each code of each block.
+constexpr auto kRowOfFunction = [] {
+  std::array<std::uint8_t, static_cast<std::size_t>(Function::count_)> rows{};
+  for (std::size_t i = 0; i < std::size(kFunctions); ++i)
+    rows[static_cast<std::size_t>(kFunctions[i].function)] = static_cast<std::uint8_t>(i + 1);
+  return rows;
+}();
+
 const FunctionRow* row_of(Function function) {
-  const auto* const row = std::ranges::find(kFunctions, function, &FunctionRow::function);
-  return row == std::end(kFunctions) ? nullptr : row;
+  const std::uint8_t row = kRowOfFunction[static_cast<std::size_t>(function)];
+  return row == 0 ? nullptr : &kFunctions[row - 1];
 }
 
 // Of codes that the control knows and nobody here interprets: what they take the place of.

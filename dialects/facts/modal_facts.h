@@ -73,10 +73,11 @@ struct Written {
 
 // Words that stay in effect. `next_tool` is T, `tool` the one in the spindle (of T0101 the tool's number). `edge` is D
 // where it selects an edge of the tool, not stated since the tool came in otherwise; G43 and G44 state one, too.
-// `next_edge` is the D in the block of T. `feed` and `speed` are F and S, 0 before the first one. A turning cycle keeps
-// the ends of its block, as numbers of the program's coordinates, and its taper; a drilling cycle Z, R, Q, P, I and J.
-// `initial` is the level where that one began: a number, or the name by which the tool was sent there. `at_x` to `at_z`
-// are such names, where an axis stands at what a variable alone says.
+// `next_edge` is the D in the block of T. `feed` and `speed` are F and S, 0 before the first one; `surface_speed` is
+// the S that constant surface speed has, `spindle_limit` the highest speed that a program states for it. A turning
+// cycle keeps the ends of its block, as numbers of the program's coordinates, and its taper; a drilling cycle Z, R, Q,
+// P, I and J. `initial` is the level where that one began: a number, or the name by which the tool was sent there.
+// `at_x` to `at_z` are such names, where an axis stands at what a variable alone says.
 enum class Kept : std::uint8_t {
   next_tool,
   tool,
@@ -84,6 +85,8 @@ enum class Kept : std::uint8_t {
   edge,
   feed,
   speed,
+  surface_speed,
+  spindle_limit,
   turn_x,
   turn_z,
   turn_taper,

@@ -6,6 +6,7 @@
 #include "dialects/facts/axis_words.h"
 #include "dialects/facts/drill_effects.h"
 #include "dialects/ir/axis_letters.h"
+#include "dialects/ir/cycle.h"
 
 namespace dripfeed::facts {
 
@@ -82,8 +83,7 @@ void PositionEffects::take_drilling() {
 
 // A turning cycle ends where it began.
 void PositionEffects::take_turning_words(std::int32_t cycle) {
-  constexpr std::int32_t kAlongX = 2;
-  const Address old_taper = cycle == kAlongX ? Address::k : Address::i;
+  const Address old_taper = cycle == ir::argument_of(ir::TurningCycle::along_x) ? Address::k : Address::i;
   for (const ir::Word& word : values.words) {
     if (word.address == Address::r || word.address == old_taper)
       keep(Kept::turn_taper, coordinate(word, Number::x), word);

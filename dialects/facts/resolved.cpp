@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/facts/called_cycle_effects.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/kept_words.h"
 #include "dialects/ir/sections.h"
@@ -39,6 +40,9 @@ void overwrite(Facts& facts, const FactSet& which, const Facts& with) {
 void forget(Facts& facts, const FactSet& which, std::uint32_t changer) {
   for (std::size_t i = 0; i < kModes; ++i)
     if (which[i]) facts.modes[i].forget(changer);
+  // By a program of this text these may be on, and positions are other ones then.
+  for (const Mode mode : {Mode::letters, Mode::transformation})
+    if (which[index_of(mode)]) facts[mode].more = true;
   for (std::size_t i = 0; i < kNumbers; ++i)
     if (which[kModes + i]) facts.numbers[i].forget(changer);
   for (std::size_t i = 0; i < kKept; ++i)
@@ -65,6 +69,7 @@ Resolved::Resolved(const ir::Program& program, const ir::Control& control, ToolC
 // --- the answers
 
 const Facts* Resolved::before(std::uint32_t statement) const {
+  if (statement == cursor_) return &cursor_facts_;
   const auto after = std::ranges::upper_bound(leaders_, statement);
   if (after == leaders_.begin()) return nullptr;
   const auto leader = static_cast<std::size_t>(after - leaders_.begin()) - 1;
@@ -204,26 +209,27 @@ Facts Resolved::start_of(const Part& part) const {
     if (inherits)
       facts.modes[m].inherited = true;
     else if (begin.function == Function::none && std::ranges::find(kMayBeOff, static_cast<Mode>(m)) == kMayBeOff.end())
-      facts.modes[m].forget(kPowerOn);
+      facts.modes[m].begin_unknown();
     else
-      facts.modes[m].set(begin, kPowerOn);
+      facts.modes[m].begin(begin);
   }
   const auto begin = [inherits](auto& all) {
     for (auto& fact : all) {
       fact.inherited = inherits;
-      if (!inherits) fact.forget(kPowerOn);
+      if (!inherits) fact.begin_unknown();
     }
   };
   begin(facts.numbers);
   begin(facts.kept);
   if (!inherits) {
-    for (const Number shift : {Number::shift_x, Number::shift_y, Number::shift_z}) facts[shift].set(0.0, kPowerOn);
-    for (const Kept word : {Kept::feed, Kept::speed}) facts[word].set({.is_number = true}, kPowerOn);
+    for (const Number shift : {Number::shift_x, Number::shift_y, Number::shift_z}) facts[shift].begin(0.0);
+    for (const Kept word : {Kept::feed, Kept::speed, Kept::surface_speed, Kept::spindle_limit})
+      facts[word].begin({.is_number = true});
   }
   // These, left on by a caller outside of the text, are not looked for.
   for (const Mode mode : {Mode::modal_call, Mode::transformation, Mode::letters}) {
     facts[mode] = {};
-    facts[mode].set(power_on(mode, control_), kPowerOn);
+    facts[mode].begin(power_on(mode, control_));
   }
   for (const ir::CodeRow& row : control_.caller_modes) {
     ir::Code code;
@@ -260,6 +266,8 @@ void Resolved::flow() {
 void Resolved::run_from(std::uint32_t leader) {
   const auto count = static_cast<std::uint32_t>(program_.statements.size());
   const auto index = static_cast<std::size_t>(std::ranges::lower_bound(leaders_, leader) - leaders_.begin());
+  const std::uint32_t end = index + 1 < leaders_.size() ? leaders_[index + 1] : count;
+  if (end == leader || leads_nowhere(leader, end - 1)) return;
   Facts facts = *at_leaders_[index];
   for (std::uint32_t i = leader; i < count; ++i) {
     if (!step(i, facts)) return;
@@ -269,6 +277,13 @@ void Resolved::run_from(std::uint32_t leader) {
     for (const std::uint32_t to : std::vector(next)) go_on(i, to, facts);
     return;
   }
+}
+
+// Nothing asks for the state after the last statement of such a stretch: most programs are one.
+bool Resolved::leads_nowhere(std::uint32_t from, std::uint32_t last) const {
+  const StatementKind kind = program_.statements[last].kind;
+  if (kind != StatementKind::program_end || part_of_call_[from] != ir::kNoIndex) return false;
+  return shapes_.empty() && !parts_[part_at(last)].is_called && program_.statements[last].skip_level == 0;
 }
 
 // A cycle runs its shape in what it finds; after roughing, what held before it does again.
@@ -351,14 +366,16 @@ void Resolved::enter_callers_at_labels(std::uint32_t statement, const Part& part
 // Each block that moves calls what a modal call in effect names.
 void Resolved::step_over_modal_calls(std::uint32_t statement, Facts& facts) const {
   const Known<Setting> called = facts[Mode::modal_call];
-  if (!effects_.may_move(program_.statements[statement])) return;
+  const Moving moving = effects_.moving(program_.statements[statement]);
+  if (moving == Moving::no) return;
   const auto call = [&](const Setting& setting) {
     if (setting.function == Function::none) return;
     const auto caller = static_cast<std::uint32_t>(setting.argument);
     if (part_of_call_[caller] != ir::kNoIndex) return forget(facts, parts_[part_of_call_[caller]].touched, caller);
-    if (!is_standard_cycle(program_, program_.statements[caller])) return facts.forget_all(caller);
-    facts.forget_positions(caller);
-    facts[Mode::spindle].forget(caller);
+    const ir::Statement& s = program_.statements[caller];
+    if (!is_call(s.kind) || !is_standard_cycle(program_, s)) return facts.forget_all(caller);
+    // Where paths disagree about the call, another may be made, or none.
+    CalledCycleEffects{program_, control_, caller, facts}.at_position(moving == Moving::yes && called.is_certain());
   };
   if (called.more) facts.forget_all(called.other_origin);
   if (called.origin != kNobody) call(called.value);

@@ -75,6 +75,7 @@ class Resolved {
   std::vector<std::uint32_t> leaders_;            // in order
   std::vector<std::optional<Facts>> at_leaders_;  // beside them
   std::vector<std::uint32_t> work_;               // leaders
+  [[nodiscard]] bool leads_nowhere(std::uint32_t from, std::uint32_t last) const;
   // Where before() stands.
   mutable std::uint32_t cursor_ = ir::kNoIndex;
   mutable Facts cursor_facts_;

@@ -16,6 +16,15 @@ ExpressionId value_of(const Program& program, const Call& call, CycleValue value
   return place < given.size() ? given[place].value : ExpressionId::none;
 }
 
+std::optional<double> number_of(const Program& program, const Call& call, CycleValue value) {
+  const ExpressionId id = value_of(program, call, value);
+  if (id == ExpressionId::none) return std::nullopt;
+  const Expression& e = program.at(id);
+  if (e.op == Operator::constant) return e.value;
+  const bool is_negative = e.op == Operator::negate && program.at(e.a).op == Operator::constant;
+  return is_negative ? std::optional(-program.at(e.a).value) : std::nullopt;
+}
+
 std::span<const Argument> arguments_after(const Program& program, const Call& call, CycleValue value) {
   const std::span<const Argument> given = program.arguments_of(call);
   const std::size_t place = place_of(*call.cycle, value);

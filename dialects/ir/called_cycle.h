@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -80,6 +81,8 @@ inline constexpr std::size_t kNoPlace = SIZE_MAX;
 std::size_t place_of(const CalledCycle& cycle, CycleValue value);
 // The call's value; none where it is left out, or where the cycle has none. `call.cycle` must not be null.
 ExpressionId value_of(const Program& program, const Call& call, CycleValue value);
+// … where it is a number, with or without sign.
+std::optional<double> number_of(const Program& program, const Call& call, CycleValue value);
 // What comes after that value.
 std::span<const Argument> arguments_after(const Program& program, const Call& call, CycleValue value);
 

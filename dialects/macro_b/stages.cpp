@@ -25,14 +25,13 @@ namespace {
 
 void check_in_effect(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
                      const Section& section, Findings& findings) {
-  StatementCheck modes = modes_check(program, control, facts, section, findings);
-  StatementCheck axes = axes_check(program, control, facts, findings);
-  StatementCheck order = order_check(program, control, facts, section, findings);
-  for (std::uint32_t i = section.first; i < section.last; ++i) {
-    modes(i);
-    axes(i);
-    order(i);
-  }
+  StatementCheck checks[] = {modes_check(program, control, facts, section, findings),
+                             axes_check(program, control, facts, findings),
+                             order_check(program, control, facts, section, findings),
+                             measuring_check(program, control, facts, section, findings),
+                             cycles_check(program, control, facts, section, findings)};
+  for (std::uint32_t i = section.first; i < section.last; ++i)
+    for (StatementCheck& each : checks) each(i);
 }
 
 }  // namespace
@@ -50,8 +49,6 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
     check_loops(program, control, section, findings);
     check_jumps(program, section, findings);
     check_in_effect(program, control, facts, section, findings);
-    check_measuring(program, control, section, findings);
-    check_cycles(program, control, section, findings);
   }
   if (!grammar.condition_blocks) check_condition_blocks(program, findings);
   if (delivery == ir::Delivery::drip) check_drip(program, control, grammar, findings);

@@ -39,17 +39,18 @@ StatementCheck order_check(const ir::Program& program, const ir::Control& contro
 // How many axes a block moves, and which of them a plane, an arc or a code by number may have.
 StatementCheck axes_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
                           Findings& findings);
+// Drilling and turning cycles: pecks, taps, and the shapes that they name.
+StatementCheck cycles_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                            const Section& section, Findings& findings);
+// Moves that a signal ends: measuring a tool, and skipping.
+StatementCheck measuring_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                               const Section& section, Findings& findings);
 
 // Tape marks, program number, program end, block length.
 void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
                  Findings& findings);
 // What a control does not take while it is fed.
 void check_drip(const ir::Program& program, const ir::Control& control, const Grammar& grammar, Findings& findings);
-// Drilling and turning cycles: pecks, taps, and the shapes that they name.
-void check_cycles(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
-// Moves that a signal ends: measuring a tool, and skipping.
-void check_measuring(const ir::Program& program, const ir::Control& control, const Section& section,
-                     Findings& findings);
 // Codes and blocks that are not interpreted here, each name once.
 void check_not_interpreted(const ir::Program& program, const ir::Control& control, Findings& findings);
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "dialects/facts/in_effect.h"
 #include "dialects/ir/axis_letters.h"
-#include "dialects/macro_b/validator/in_effect.h"
 #include "dialects/macro_b/validator/validate.h"
 #include "dialects/text/number.h"
 
@@ -15,6 +15,7 @@ namespace dripfeed::macro_b {
 
 namespace {
 
+using facts::State;
 using ir::Address;
 using ir::Function;
 using ir::ModalGroup;
@@ -148,7 +149,7 @@ class AxesCheck {
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
-  InEffect in_effect_;
+  facts::InEffect in_effect_;
   Function plane_ = Function::none;  // none: not known
   std::string_view plane_written_;
   bool arc_ = false;

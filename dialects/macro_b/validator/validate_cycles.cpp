@@ -1,5 +1,5 @@
-// Cycles as far as the text tells: pecks without a depth, taps without a speed, shapes that are not there or cannot be
-// cut. The blocks are looked at in the order of the text; what a call, a jump or a label may have set is not asked for.
+// Cycles: pecks without a depth and taps without a speed, which all paths to them lack; shapes that are not there or
+// cannot be cut.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/facts/in_effect.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/macro_b/validator/validate.h"
 #include "dialects/text/number.h"
@@ -15,6 +16,7 @@ namespace dripfeed::macro_b {
 
 namespace {
 
+using facts::Kept;
 using ir::Address;
 using ir::DrillCycle;
 using ir::Function;
@@ -31,51 +33,44 @@ bool is_tap(DrillCycle cycle) { return cycle == DrillCycle::tap_right || cycle =
 
 class CycleCheck {
  public:
-  CycleCheck(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings)
+  CycleCheck(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+             const Section& section, Findings& findings)
       : program_(program),
         control_(control),
-        section_(section),
         findings_(findings),
         labels_(program, section),
-        ways_in_(program, section) {
-    if (section.is_subprogram) depth_known_ = speed_known_ = true;  // its caller may have said them
-  }
+        in_effect_(program, facts, !section.is_subprogram) {}
 
-  void run() {
-    for (std::uint32_t i = section_.first; i < section_.last; ++i) {
-      const ir::Statement& s = program_.statements[i];
-      if (ways_in_.at(i)) depth_known_ = speed_known_ = true;
-      if (s.kind == StatementKind::block)
-        block(i);
-      else if (s.kind == StatementKind::call || s.kind == StatementKind::go_to || s.kind == StatementKind::native)
-        depth_known_ = speed_known_ = true;
-    }
-  }
-
- private:
-  void block(std::uint32_t at) {
-    const ir::Block& block = program_.blocks[program_.statements[at].payload];
+  void statement(std::uint32_t at) {
+    const ir::Statement& s = program_.statements[at];
+    if (s.kind != StatementKind::block) return;
+    const ir::Block& block = program_.blocks[s.payload];
     const auto words = program_.words_of(block);
-    speed_known_ |= find_word(words, Address::s) != nullptr;
     for (const ir::Code& code : program_.codes_of(block)) {
-      if (code.number != ir::ExpressionId::none) depth_known_ = speed_known_ = true;
-      const bool ends = code.function == Function::cycle_off || code.group == ir::ModalGroup::motion;
-      if (ends && !section_.is_subprogram) depth_known_ = false;
-      if (code.function == Function::drill) drill(code, words);
+      if (code.function == Function::drill) drill(at, code, words);
       if (ir::follows_shape(code)) shape(at, code, words);
     }
   }
 
-  void drill(const ir::Code& code, std::span<const ir::Word> words) {
+ private:
+  void drill(std::uint32_t at, const ir::Code& code, std::span<const ir::Word> words) {
+    in_effect_.at(at);
     const auto cycle = static_cast<DrillCycle>(code.argument % ir::kDrillAlongZ);
-    depth_known_ |= find_word(words, Address::q) != nullptr;
-    if (is_peck(cycle) && !depth_known_ && control_.semantics.pecks_need_depth)
+    if (is_peck(cycle) && control_.semantics.pecks_need_depth && lacks_depth(words))
       findings_.add(peck_without_depth, code.span);
-    if (!is_tap(cycle) || speed_known_) return;
+    const bool lacks_speed = in_effect_.lacks(Kept::speed) && find_word(words, Address::s) == nullptr;
+    if (!is_tap(cycle) || !lacks_speed || speed_told_) return;
     text::Diagnostic* finding =
         findings_.add(tap_without_speed, code.span, {std::string(text_of(program_, code.span))});
     if (finding != nullptr && finding->alarm.empty()) finding->severity = text::Severity::warning;
-    speed_known_ = true;
+    speed_told_ = true;
+  }
+
+  // Q stays from one cycle to the next until G80 or a motion code ends them.
+  [[nodiscard]] bool lacks_depth(std::span<const ir::Word> words) const {
+    if (find_word(words, Address::q) != nullptr) return false;
+    const std::optional<facts::Setting> before = in_effect_.certain(facts::Mode::cycle);
+    return before && (before->function != Function::drill || in_effect_.lacks(Kept::drill_peck));
   }
 
   [[nodiscard]] std::optional<std::uint32_t> number_of(const ir::Word* word) const {
@@ -89,7 +84,7 @@ class CycleCheck {
   void shape(std::uint32_t at, const ir::Code& code, std::span<const ir::Word> words) {
     pass(code, words);
     if ((find_word(words, Address::p) == nullptr) != (find_word(words, Address::q) == nullptr) ||
-        (code.argument == 0 && find_word(words, Address::p) == nullptr))
+        (ir::is_cycle(code, ir::RepetitiveCycle::finish) && find_word(words, Address::p) == nullptr))
       findings_.add(cycle_shape_invalid, code.span, {"its first (P) or its last block (Q) is not named"},
                     ir::AlarmDetail::no_shape);
     const auto first = number_of(find_word(words, Address::p));
@@ -118,7 +113,8 @@ class CycleCheck {
   // The first of two blocks: G71 U(depth), G72 W(depth), G73 R(passes).
   void pass(const ir::Code& code, std::span<const ir::Word> words) {
     constexpr Address kPass[] = {Address::other, Address::u, Address::w, Address::r};
-    const ir::Word* depth = code.argument == 0 ? nullptr : find_word(words, kPass[code.argument]);
+    const ir::Word* depth =
+        ir::is_cycle(code, ir::RepetitiveCycle::finish) ? nullptr : find_word(words, kPass[code.argument]);
     if (depth == nullptr || find_word(words, Address::p) != nullptr || depth->value == ir::ExpressionId::none) return;
     const ir::Expression& value = program_.at(depth->value);
     if (value.op == ir::Operator::constant && value.value <= 0.0)
@@ -166,19 +162,19 @@ class CycleCheck {
 
   const ir::Program& program_;
   const ir::Control& control_;
-  const Section& section_;
   Findings& findings_;
   LabelIndex labels_;
-  WaysIn ways_in_;
-  bool depth_known_ = false;      // Q, since the last cycle ended
-  bool speed_known_ = false;      // S
+  facts::InEffect in_effect_;
+  bool speed_told_ = false;
   std::set<std::uint32_t> told_;  // block numbers
 };
 
 }  // namespace
 
-void check_cycles(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
-  CycleCheck(program, control, section, findings).run();
+StatementCheck cycles_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                            const Section& section, Findings& findings) {
+  return
+      [check = CycleCheck(program, control, facts, section, findings)](std::uint32_t i) mutable { check.statement(i); };
 }
 
 }  // namespace dripfeed::macro_b

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "dialects/facts/in_effect.h"
 #include "dialects/macro_b/validator/validate.h"
 
 namespace dripfeed::macro_b {
@@ -16,23 +17,23 @@ using enum text::DiagnosticId;
 
 class MeasuringCheck {
  public:
-  MeasuringCheck(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings)
-      : program_(program), control_(control), findings_(findings), number_known_(section.is_subprogram) {}
+  MeasuringCheck(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                 const Section& section, Findings& findings)
+      : program_(program), control_(control), findings_(findings), in_effect_(program, facts, !section.is_subprogram) {}
 
-  void statement(const ir::Statement& s) {
-    if (s.kind == StatementKind::block) block(program_.blocks[s.payload]);
-    number_known_ |= s.kind == StatementKind::call || s.kind == StatementKind::native || s.kind == StatementKind::go_to;
+  void statement(std::uint32_t at) {
+    const ir::Statement& s = program_.statements[at];
+    if (s.kind != StatementKind::block) return;
+    const ir::Block& block = program_.blocks[s.payload];
+    for (const ir::Code& code : program_.codes_of(block)) {
+      if (code.function == Function::skip_move) feed_of_skip(block);
+      if (code.function != Function::measure_tool) continue;
+      in_effect_.at(at);
+      measuring(code, block);
+    }
   }
 
  private:
-  void block(const ir::Block& block) {
-    for (const ir::Code& code : program_.codes_of(block)) {
-      if (code.function == Function::skip_move) feed_of_skip(block);
-      if (code.function == Function::measure_tool) measuring(code, block);
-    }
-    number_known_ |= find(block, kNumber) != nullptr;
-  }
-
   // The signal never comes to a tool that does not move.
   void feed_of_skip(const ir::Block& block) {
     const ir::Word* feed = find(block, Address::f);
@@ -50,7 +51,7 @@ class MeasuringCheck {
       if (const ir::Word* word = find(block, address); word != nullptr && !is_axis(control_, address))
         return add(code, std::string(text_of(program_, word->span)) + " stands in its block",
                    ir::AlarmDetail::beside_tool);
-    if (!number_known_ && control_.kind == ir::MachineKind::mill)
+    if (in_effect_.lacks(facts::Number::length_number) && control_.kind == ir::MachineKind::mill)
       add(code, "no offset number (H) stands before it", ir::AlarmDetail::without_offset);
   }
 
@@ -64,19 +65,19 @@ class MeasuringCheck {
     return word == words.end() ? nullptr : &*word;
   }
 
-  static constexpr Address kNumber = Address::h;
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
-  bool number_known_;
+  facts::InEffect in_effect_;
 };
 
 }  // namespace
 
-void check_measuring(const ir::Program& program, const ir::Control& control, const Section& section,
-                     Findings& findings) {
-  MeasuringCheck check(program, control, section, findings);
-  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(program.statements[i]);
+StatementCheck measuring_check(const ir::Program& program, const ir::Control& control, const facts::Resolved& facts,
+                               const Section& section, Findings& findings) {
+  return [check = MeasuringCheck(program, control, facts, section, findings)](std::uint32_t i) mutable {
+    check.statement(i);
+  };
 }
 
 }  // namespace dripfeed::macro_b

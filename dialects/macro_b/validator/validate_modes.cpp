@@ -1,12 +1,13 @@
-// What the machine's power-on state would decide. The blocks are looked at in the order of the text: what is stated
-// further up counts as stated, and after a call or a block that is not understood everything does.
+// What the machine's power-on state would decide: on some path to the block nothing has stated it. After a call of
+// another program, or a block that is not understood, anything may be stated.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 
+#include "dialects/facts/in_effect.h"
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
-#include "dialects/macro_b/validator/in_effect.h"
 #include "dialects/macro_b/validator/validate.h"
 #include "dialects/text/number.h"
 
@@ -14,6 +15,8 @@ namespace dripfeed::macro_b {
 
 namespace {
 
+using facts::Kept;
+using facts::Mode;
 using ir::Address;
 using ir::Function;
 using ir::ModalGroup;
@@ -26,10 +29,10 @@ bool is_cut(Function f) {
 }
 
 // Controls that have alarms of their own for the feed of a tap and the lead of a thread.
-ir::AlarmDetail detail_of(const ir::Code& code) {
-  if (code.function == Function::thread || code.function == Function::thread_changing) return ir::AlarmDetail::thread;
-  if (code.function != Function::drill) return ir::AlarmDetail::none;
-  const auto cycle = static_cast<ir::DrillCycle>(code.argument % ir::kDrillAlongZ);
+ir::AlarmDetail detail_of(const facts::Setting& cut) {
+  if (cut.function == Function::thread || cut.function == Function::thread_changing) return ir::AlarmDetail::thread;
+  if (cut.function != Function::drill) return ir::AlarmDetail::none;
+  const auto cycle = static_cast<ir::DrillCycle>(cut.argument % ir::kDrillAlongZ);
   const bool taps = cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left;
   return taps ? ir::AlarmDetail::tap : ir::AlarmDetail::none;
 }
@@ -43,28 +46,19 @@ class ModeCheck {
         in_effect_(program, facts),
         has_distance_codes_(std::ranges::any_of(
             control.g_codes, [](const ir::CodeRow& r) { return r.function == Function::incremental; })),
+        has_planes_(control.kind == ir::MachineKind::mill),
         confirmed_(control.from_profile && control.semantics.power_on_known) {}
 
   void statement(std::uint32_t at) {
     const ir::Statement& s = program_.statements[at];
-    if (s.kind == StatementKind::block) {
-      load(at);
-      block(program_.blocks[s.payload], s.span);
-    }
-    const bool unknown = s.kind == StatementKind::native && !program_.natives[s.payload].effects_known;
-    if (unknown || s.kind == StatementKind::call) assume_all();
+    if (s.kind != StatementKind::block) return;
+    in_effect_.at(at);
+    block(program_.blocks[s.payload], s.span);
   }
 
  private:
   [[nodiscard]] bool has_word(const ir::Block& block, Address address) const {
     return std::ranges::find(program_.words_of(block), address, &ir::Word::address) != program_.words_of(block).end();
-  }
-  void assume_all() { unit_ = distance_ = plane_ = feed_mode_ = motion_ = feed_ = limit_ = true; }
-
-  void load(std::uint32_t at) {
-    in_effect_.at(at);
-    const std::optional<facts::Setting> feed = in_effect_.certain(facts::Mode::feed);
-    inverse_time_ = feed && feed->function == Function::feed_inverse_time;
   }
 
   void block(const ir::Block& block, text::Span span) {
@@ -73,7 +67,7 @@ class ModeCheck {
     bool computed = false;
     bool needs_plane = false;
     for (const ir::Code& code : program_.codes_of(block)) {
-      take(code);
+      in_effect_.take(code);
       speed_limit(code, block);
       const bool once = code.group == ModalGroup::non_modal && code.function != Function::machine_coordinates &&
                         code.function != Function::exact_stop_once && code.function != Function::no_effect;
@@ -87,59 +81,64 @@ class ModeCheck {
       needs_plane |= code.function == Function::arc_cw || code.function == Function::arc_ccw ||
                      code.function == Function::comp_left || code.function == Function::comp_right;
     }
-    if (computed) return assume_all();  // G#1 may be any of them
-    if (needs_plane) open(plane_, plane_not_stated, span, {});
-    feed_word(block);
+    if (computed) return;  // G#1 may be any of them
+    if (needs_plane && has_planes_) open(Mode::plane, plane_not_stated, span, {});
+    if (const ir::Word* feed = find_word(block, Address::f); feed != nullptr)
+      open(Mode::feed, feed_mode_not_stated, feed->span, {std::string(text_of(program_, feed->span))});
     if (own_words) return;
     const std::string axes = axes_of(block);
     if (axes.empty()) return;
-    open(unit_, unit_not_stated, span, {});
-    if (has_distance_codes_) open(distance_, distance_mode_not_stated, span, {});
+    open(Mode::unit, unit_not_stated, span, {});
+    if (has_distance_codes_) open(Mode::distance, distance_mode_not_stated, span, {});
     if (by_reference) return;
-    open(motion_, motion_without_code, span, {axes});
-    if (cutting_ && inverse_time_ && !has_word(block, Address::f))
+    if (in_effect_.may_be_unstated(Mode::cycle)) open(Mode::motion, motion_without_code, span, {axes});
+    feed(block, span);
+  }
+
+  // What moves the block, where all paths agree and the text states it.
+  [[nodiscard]] std::optional<facts::Setting> cut() const {
+    const std::optional<facts::Setting> cycle = in_effect_.stated(Mode::cycle);
+    if (cycle && cycle->function == Function::drill) return cycle;
+    const std::optional<facts::Setting> motion = in_effect_.stated(Mode::motion);
+    const bool is_plain = in_effect_.beside(Mode::cycle, Function::cycle_off) == facts::State::off;
+    return is_plain && motion && is_cut(motion->function) ? motion : std::nullopt;
+  }
+
+  void feed(const ir::Block& block, text::Span span) {
+    const std::optional<facts::Setting> cuts = cut();
+    if (!cuts || has_word(block, Address::f)) return;
+    const std::optional<facts::Setting> mode = in_effect_.certain(Mode::feed);
+    if (mode && mode->function == Function::feed_inverse_time)  // F counts in its own block only
       findings_.add(no_feed, span, {}, ir::AlarmDetail::inverse_time);
-    if (cutting_ && !feed_ && in_effect_.lacks_feed()) {
-      findings_.add(no_feed, span, {}, cut_);
-      feed_ = true;
-    }
+    if (feed_told_ || !in_effect_.lacks(Kept::feed)) return;
+    findings_.add(no_feed, span, {}, detail_of(*cuts));
+    feed_told_ = true;
   }
 
   // With a named machine its highest speed is known, and the run looks at it.
   void speed_limit(const ir::Code& code, const ir::Block& block) {
-    limit_ |= code.function == Function::set_coordinates && has_word(block, Address::s);
-    if (code.function != Function::surface_speed_on || control_.kind != ir::MachineKind::lathe) return;
-    if (!limit_ && !control_.from_profile)
-      findings_.add(surface_speed_without_limit, code.span,
-                    {control_.g_system == ir::GSystem::a ? "no G50 S" : "no G92 S"});
-    limit_ = true;
+    if (code.function != Function::surface_speed_on || control_.kind != ir::MachineKind::lathe || limit_told_) return;
+    const bool limits_here =
+        has_word(block, Address::s) && std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
+          return c.function == Function::set_coordinates;
+        });
+    if (limits_here || !in_effect_.lacks(Kept::spindle_limit) || control_.from_profile) return;
+    findings_.add(surface_speed_without_limit, code.span,
+                  {control_.g_system == ir::GSystem::a ? "no G50 S" : "no G92 S"});
+    limit_told_ = true;
   }
 
-  void take(const ir::Code& code) {
-    if (code.group == ModalGroup::motion || code.group == ModalGroup::cycle) {
-      motion_ |= code.function != Function::cycle_off;
-      cutting_ = is_cut(code.function);
-      cut_ = detail_of(code);
-    }
-    unit_ |= code.group == ModalGroup::unit;
-    distance_ |= code.group == ModalGroup::distance;
-    feed_mode_ |= code.group == ModalGroup::feed;
-    if (code.group == ModalGroup::feed) inverse_time_ = code.function == Function::feed_inverse_time;
-    plane_ |= code.group == ModalGroup::plane;
-  }
-
-  void feed_word(const ir::Block& block) {
+  [[nodiscard]] const ir::Word* find_word(const ir::Block& block, Address address) const {
     const auto words = program_.words_of(block);
-    const auto feed = std::ranges::find(words, Address::f, &ir::Word::address);
-    if (feed == words.end()) return;
-    feed_ = true;
-    open(feed_mode_, feed_mode_not_stated, feed->span, {std::string(text_of(program_, feed->span))});
+    const auto word = std::ranges::find(words, address, &ir::Word::address);
+    return word == words.end() ? nullptr : &*word;
   }
 
-  // Told once: from then on it counts as stated.
-  void open(bool& stated, text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
-    if (stated) return;
-    stated = true;
+  // Reported once.
+  void open(Mode mode, text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
+    bool& told = told_[facts::index_of(mode)];
+    if (told || !in_effect_.may_be_unstated(mode)) return;
+    told = true;
     findings_.add_open(id, span, std::move(arguments), confirmed_);
   }
 
@@ -156,19 +155,13 @@ class ModeCheck {
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
-  InEffect in_effect_;
+  facts::InEffect in_effect_;
   bool has_distance_codes_;
+  bool has_planes_;  // a lathe's is always ZX
   bool confirmed_;
-  bool unit_ = false;
-  bool distance_ = false;
-  bool plane_ = control_.kind != ir::MachineKind::mill;  // a lathe's is always ZX
-  bool feed_mode_ = false;
-  bool motion_ = false;
-  bool feed_ = false;
-  bool limit_ = false;  // of the spindle, for constant surface speed
-  bool cutting_ = false;
-  ir::AlarmDetail cut_ = ir::AlarmDetail::none;  // what it is that cuts
-  bool inverse_time_ = false;                    // F counts in its own block only
+  std::array<bool, facts::kModes> told_{};
+  bool feed_told_ = false;
+  bool limit_told_ = false;
 };
 
 }  // namespace

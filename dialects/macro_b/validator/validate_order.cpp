@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
+#include "dialects/facts/in_effect.h"
 #include "dialects/facts/transformation.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/reader/lower.h"
-#include "dialects/macro_b/validator/in_effect.h"
 #include "dialects/macro_b/validator/tap_order.h"
 #include "dialects/macro_b/validator/validate.h"
 
@@ -19,6 +19,7 @@ namespace dripfeed::macro_b {
 
 namespace {
 
+using facts::State;
 using ir::Function;
 using ir::StatementKind;
 using enum text::DiagnosticId;
@@ -315,7 +316,7 @@ class OrderCheck {
   const ir::Control& control_;
   Findings& findings_;
   WaysIn ways_in_;
-  InEffect in_effect_;
+  facts::InEffect in_effect_;
   TapOrder taps_;
   bool has_lathe_corners_;
   // At the start nothing is in effect.

@@ -1,8 +1,7 @@
-// Where a walk over a program with drilling cycles stands: what is known of the machine there, and what is reported
-// about it. It follows the order of the text; what the paths to a place say otherwise is settled where a hole needs it.
+// Where a walk over a program with drilling cycles stands: what facts know of the machine there, and what is reported
+// about it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "dialects/facts/resolved.h"
+#include "dialects/ir/called_pattern.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/passes/refusal.h"
@@ -20,25 +20,18 @@
 
 namespace dripfeed::macro_b {
 
-// Feed and spindle.
+// Feed and spindle; nothing is known of a speed that follows the diameter.
 struct Turning {
   std::optional<ir::Function> feed_mode;
   std::optional<double> feed;
   std::optional<double> speed;
   std::optional<ir::Function> spindle;
 
-  // A tap may be written by its feed, and feed and speed again after it.
+  // A tap may be stated by its feed, and feed and speed again after it.
   [[nodiscard]] bool is_known() const {
     const bool by_path = feed_mode == ir::Function::feed_per_min || feed_mode == ir::Function::feed_per_rev;
     return by_path && feed.has_value() && speed.has_value();
   }
-};
-
-// What is not known where paths meet or something runs that is not followed.
-struct DrillState {
-  std::optional<double> height;                   // along Z
-  std::array<std::optional<double>, 2> in_plane;  // X and Y
-  Turning turning;
 };
 
 class DrillPlace {
@@ -48,17 +41,26 @@ class DrillPlace {
 
   // On to the statement, the next one of the text.
   void move_to(std::uint32_t index);
-  // What the block here does.
+  // The block here has been made, but no hole of a modal call.
   void take_block();
-  void forget() { state = {}; }
 
   [[nodiscard]] std::uint32_t index() const { return index_; }
   [[nodiscard]] const ir::Statement& statement() const { return program_.statements[index_]; }
-  [[nodiscard]] ir::Function plane() const { return plane_; }
-  [[nodiscard]] std::optional<ir::Function> motion() const { return motion_; }
-  // As all paths here have it; where they differ that is reported and the text's order holds.
+  // As the paths here have it; where they disagree, one of them.
+  [[nodiscard]] ir::Function plane() const;
+  [[nodiscard]] std::optional<ir::Function> motion() const;
+  // Nothing where it is not known.
+  [[nodiscard]] std::optional<double> height() const { return height_; }  // along Z
+  [[nodiscard]] std::optional<ir::PlanePoint> in_plane() const;           // X and Y
+  [[nodiscard]] const Turning& turning() const { return turning_; }
+  // Where the statement's holes that are written so far have left the tool along Z, and how the spindle turns after
+  // them.
+  void leave_at(std::optional<double> height) { height_ = height; }
+  void leave_turning(std::optional<ir::Function> spindle) { turning_.spindle = spindle; }
+
+  // Reported where the paths here disagree about it.
   void state_plane();
-  // G90 or G91 where all paths here have the one that the text's order does not, and the block does not say it.
+  // G90 or G91 where all paths here have the one that the text's order does not, and the block does not state it.
   std::optional<ir::Function> state_distance();
 
   // The other control has no counterpart for it.
@@ -67,29 +69,23 @@ class DrillPlace {
   void warn(passes::Refusal what);
   std::vector<text::Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
 
-  DrillState state;  // who writes a hole says here what it leaves
-
  private:
+  void load();
   // What a caller or a called program may have set is taken as it is here, and reported.
   bool is_known(std::string_view what, const facts::Known<facts::Setting>& fact);
-  // Nothing where the paths differ.
-  [[nodiscard]] std::optional<bool> is_incremental(std::span<const ir::Code> codes) const;
-  void take_code(const ir::Code& code);
-  void take_position(const ir::Block& block);
-  void lose_position();
-  void take_turning(const ir::Block& block);
+  [[nodiscard]] std::optional<double> number(facts::Kept word) const;
 
   const ir::Program& program_;
   const ir::Control& to_;
-  std::vector<bool> is_target_;  // of a jump
-  facts::Resolved modes_;
+  facts::Resolved facts_;
+  std::optional<facts::Facts> here_;             // nothing: no path leads there
   std::set<std::pair<std::string, bool>> reported_;  // and whether it was an error
   std::vector<text::Diagnostic> diagnostics_;
   std::uint32_t index_ = 0;
-  ir::Function plane_;
-  bool incremental_;
-  std::optional<ir::Function> motion_;
-  bool in_cycle_ = false;  // by its code, of a program's other language: where it leaves the tool is not followed
+  ir::Function power_on_plane_;
+  bool incremental_;  // in the order of the text, as who prints it follows it
+  std::optional<double> height_;
+  Turning turning_;
 };
 
 }  // namespace dripfeed::macro_b

@@ -36,21 +36,21 @@ bool drills_by_cycle(const Hole& hole) {
 
 bool HoleWriter::fits_modal_cycle(const Hole& hole) const {
   if (!hole.constant || to_.kind != ir::MachineKind::mill || place_.plane() != Function::plane_xy) return false;
-  if (hole.lead != 0.0 && !place_.state.turning.is_known()) return false;
-  if (hole.floats && !cutting_direction(hole)) return false;
+  if (hole.lead != 0.0 && !place_.turning().is_known()) return false;
+  if (hole.floats && !cutting_way(hole)) return false;
   if (hole.feed_in != 0.0 || hole.feed_out != 0.0 || hole.spindle != 0) return false;
   const double back = *number(hole.back);
   const double level = *number(hole.level);
   if (*number(hole.depth) >= level) return false;
-  return back == level || place_.state.height == back;
+  return back == level || place_.height() == back;
 }
 
 bool HoleWriter::has_moves(const Hole& hole) {
-  if (hole.floats && !cutting_direction(hole)) {
+  if (hole.floats && !cutting_way(hole)) {
     place_.cannot(passes::not_known(hole.name + " where it is not known how the spindle turns"));
     return false;
   }
-  if (hole.lead != 0.0 && !place_.state.turning.is_known()) {
+  if (hole.lead != 0.0 && !place_.turning().is_known()) {
     place_.cannot(passes::not_known(hole.name + " after a feed or speed that is not known"));
     return false;
   }
@@ -72,22 +72,20 @@ void HoleWriter::write_hole(const Hole& hole) {
 void HoleWriter::end_hole(const Hole& hole) {
   turn_again(hole);
   motion_again(true);
-  place_.state.height = number(hole.back);
+  place_.leave_at(number(hole.back));
 }
 
 void HoleWriter::end_modal(const Hole& hole) {
   emit_code(Function::cycle_off);
   emit_code(Function::rapid);
   turn_again(hole);
-  std::optional<double>& height = place_.state.height;
-  if (height != number(hole.back)) height.reset();  // as a hole was drilled or not
 }
 
 // `modal`: the holes follow (K0); otherwise one is drilled here. `to_level`: it ends there (G99).
 void HoleWriter::write_cycle(const Hole& hole, bool modal, bool to_level) {
   state_distance();
   DrillCycle cycle = hole.cycle;
-  if (hole.floats && cutting_direction(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
+  if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
   if (hole.breaks_chips) {
     cycle = DrillCycle::chip_break;
     place_.warn("the retract between the pecks at the feed, which G73 makes at rapid,");
@@ -106,7 +104,7 @@ void HoleWriter::write_cycle(const Hole& hole, bool modal, bool to_level) {
 }
 
 void HoleWriter::add_tap(const Hole& hole, ir::Code& drill, std::vector<ir::Word>& words) {
-  const Turning& turning = place_.state.turning;
+  const Turning& turning = place_.turning();
   const bool per_turn = turning.feed_mode == Function::feed_per_rev;
   if (hole.floats) {
     words.push_back(word(Address::f, constant(per_turn ? hole.lead : hole.lead * *turning.speed)));
@@ -121,16 +119,16 @@ void HoleWriter::add_tap(const Hole& hole, ir::Code& drill, std::vector<ir::Word
 // Speed and feed were the tap's own there; they are modal here.
 void HoleWriter::turn_again(const Hole& hole) {
   if (hole.lead == 0.0 && !hole.floats) return;
-  Turning& turning = place_.state.turning;
+  const Turning& turning = place_.turning();
   const Function after = way_of(hole.after);
-  turning.spindle = hole.after == 5 ? std::nullopt : std::optional(after);
+  place_.leave_turning(hole.after == 5 ? std::nullopt : std::optional(after));
   if (hole.lead == 0.0) return emit_code(after);
   out_.emit_block({code(after)}, {word(Address::s, whole(*turning.speed)), word(Address::f, constant(*turning.feed))});
 }
 
-std::optional<Function> HoleWriter::cutting_direction(const Hole& hole) const {
+std::optional<Function> HoleWriter::cutting_way(const Hole& hole) const {
   if (hole.reversed != 0) return hole.reversed == 4 ? Function::spindle_cw : Function::spindle_ccw;
-  return place_.state.turning.spindle;
+  return place_.turning().spindle;
 }
 
 // --- by moves
@@ -142,12 +140,12 @@ void HoleWriter::write_moves(const Hole& hole) {
   cut(hole, axes.normal);
   draw_out(hole, axes);
   motion_again(false);
-  place_.state.height = number(hole.back);
+  place_.leave_at(number(hole.back));
 }
 
 // Where the initial level of G98 is no RTP, it ends at the level, and goes on to RTP.
 void HoleWriter::write_by_cycle(const Hole& hole) {
-  if (number(hole.back) && place_.state.height == number(hole.back)) return write_hole(hole);
+  if (number(hole.back) && place_.height() == number(hole.back)) return write_hole(hole);
   write_cycle(hole, false, true);
   emit_code(Function::cycle_off);
   out_.emit_block({code(Function::rapid)}, {absolute(Address::z, hole.back)});
@@ -156,7 +154,7 @@ void HoleWriter::write_by_cycle(const Hole& hole) {
 
 void HoleWriter::cut(const Hole& hole, Address axis) {
   if (hole.spindle != 0) {
-    place_.state.turning.spindle.reset();  // it ends stopped
+    place_.leave_turning(std::nullopt);  // it ends stopped
     emit_code(way_of(hole.spindle));
   }
   out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.level)});
@@ -209,11 +207,7 @@ void HoleWriter::motion_again(bool always) {
 
 void HoleWriter::emit_code(Function function) { out_.emit_block({code(function)}, {}); }
 
-// It stays in effect.
-ir::Word HoleWriter::feed(double value) {
-  place_.state.turning.feed = value;
-  return word(Address::f, constant(value));
-}
+ir::Word HoleWriter::feed(double value) { return word(Address::f, constant(value)); }
 
 ir::Word HoleWriter::absolute(Address address, ExpressionId value) {
   ir::Word w = word(address, value);

@@ -5,21 +5,20 @@
 //   MCALL                        G80
 //
 // Otherwise each position is followed by its moves: rapid to RFP+SDIS, feed to DP, dwell, back. Pecks are left to G83
-// and G73, after a rapid to RTP, which is then their initial level: from above it lies on the path, and from below the
+// and G73, behind a rapid to RTP, which is then their initial level: from above it lies on the way, and from below the
 // tool leaves the hole to there anyway. Boring that only a modal cycle has, and levels whose side is not known, are
-// reported as errors.
+// told as errors.
 #include "dialects/macro_b/writer/raise_drilling.h"
 
 #include <algorithm>
-#include <cmath>
 #include <expected>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "dialects/facts/axis_words.h"
 #include "dialects/ir/called_cycle.h"
+#include "dialects/ir/called_pattern.h"
 #include "dialects/macro_b/writer/called_hole.h"
 #include "dialects/macro_b/writer/drill_place.h"
 #include "dialects/macro_b/writer/drill_region.h"
@@ -33,12 +32,10 @@ namespace {
 
 using ir::Address;
 using ir::CalledSort;
-using ir::CycleValue;
 using ir::Function;
 using ir::StatementKind;
 
 constexpr double kMostHoles = 200.0;
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 class Drilling {
  public:
@@ -66,23 +63,17 @@ class Drilling {
       case StatementKind::modal_call_end: return end();
       case StatementKind::call: return call();
       case StatementKind::block: return block();
-      case StatementKind::native: return keep_unknown();
       default: return out_.keep();
     }
   }
-  void keep_unknown() {
-    place_.forget();
-    out_.keep();
-  }
-
   // --- calls
 
   void begin() {
     close();
     const ir::Call& call = program_.calls[place_.statement().payload];
-    if (!is_drilling_cycle(call)) return keep_unknown();
+    if (!is_drilling_cycle(call)) return out_.keep();
     const std::optional<Hole> hole = hole_of(call);
-    if (!hole) return;  // reported
+    if (!hole) return;  // told
     if (calls_in_region(program_, place_.index()))
       return place_.cannot(passes::of_call("a call of another program after MCALL"));
     if (jumps_across_region(program_, place_.index(), jumps_))
@@ -107,14 +98,14 @@ class Drilling {
     const ir::Call& call = program_.calls[place_.statement().payload];
     if (ir::is_called(call, CalledSort::holes_in_row) || ir::is_called(call, CalledSort::holes_on_circle))
       return pattern(call);
-    if (!is_drilling_cycle(call)) return keep_unknown();
+    if (!is_drilling_cycle(call)) return out_.keep();
     const std::optional<Hole> hole = hole_of(call);
-    if (!hole) return;  // reported
+    if (!hole) return;  // told
     if (holes_.fits_modal_cycle(*hole)) return holes_.write_hole(*hole);
     if (holes_.has_moves(*hole)) holes_.write_moves(*hole);
   }
 
-  // Nothing when it cannot be written here, which is reported.
+  // Nothing when it cannot be said here, which is told.
   std::optional<Hole> hole_of(const ir::Call& call) {
     place_.state_plane();
     std::expected<Hole, std::string> hole = called_hole(program_, call);
@@ -142,68 +133,23 @@ class Drilling {
   }
 
   // A row or a circle of holes: positions in rapid.
-  struct Pattern {
-    double first, second, angle, start, step, radius, count;
-  };
-
   void pattern(const ir::Call& call) {
     const std::string name(program_.strings.at(call.name));
     place_.state_plane();
     if (place_.plane() != Function::plane_xy) return place_.cannot(name + " in another plane than G17");
     holes_.state_distance();
-    std::optional<Pattern> found = pattern_of(call);
-    if (!found) return place_.cannot(passes::computed(name + " with computed arguments"));
-    Pattern& p = *found;
-    if (p.count < 1.0 || p.count > kMostHoles) return place_.cannot(name + " with that number of holes");
-    const bool on_circle = call.cycle->sort == CalledSort::holes_on_circle;
-    if (!on_circle && p.count > 1.0 && !begin_nearer(p))
-      return place_.cannot(passes::not_known(name + " from a place that is not known here"));
-    const double step = p.step == 0.0 ? 360.0 / p.count : p.step;
-    for (int n = 0; n < p.count; ++n) {
-      const double angle = (on_circle ? p.angle + n * step : p.angle) * kRadiansPerDegree;
-      const double radius = on_circle ? p.radius : p.start + n * p.step;
-      position(p.first + radius * std::cos(angle), p.second + radius * std::sin(angle));
-    }
+    const std::optional<ir::CalledPattern> pattern = ir::called_pattern(program_, call);
+    if (!pattern) return place_.cannot(passes::computed(name + " with computed arguments"));
+    if (pattern->count < 1.0 || pattern->count > kMostHoles) return place_.cannot(name + " with that number of holes");
+    const auto points = ir::holes_of(*pattern, place_.in_plane());
+    if (!points) return place_.cannot(passes::not_known(name + " from a place that is not known here"));
+    for (const ir::PlanePoint& point : *points) position(point);
     if (!is_cycle_) holes_.motion_again(false);
   }
 
-  // Nothing where a value is computed; what is left out is 0.
-  [[nodiscard]] std::optional<Pattern> pattern_of(const ir::Call& call) const {
-    bool known = true;
-    const auto number = [&](CycleValue which) {
-      const ir::ExpressionId id = ir::value_of(program_, call, which);
-      const std::optional<double> value = id == ir::ExpressionId::none ? 0.0 : constant_value(program_, id);
-      known &= value.has_value();
-      return value.value_or(0.0);
-    };
-    const Pattern found = {.first = number(CycleValue::pattern_first),
-                           .second = number(CycleValue::pattern_second),
-                           .angle = number(CycleValue::pattern_angle),
-                           .start = number(CycleValue::pattern_start),
-                           .step = number(CycleValue::pattern_step),
-                           .radius = number(CycleValue::pattern_radius),
-                           .count = number(CycleValue::pattern_count)};
-    return known ? std::optional(found) : std::nullopt;
-  }
-
-  // A row begins with its last hole where that one is nearer. False where the place of the tool is not known.
-  bool begin_nearer(Pattern& row) {
-    const auto [x, y] = place_.state.in_plane;
-    if (!x || !y) return false;
-    const double angle = row.angle * kRadiansPerDegree;
-    const double last = row.start + (row.count - 1.0) * row.step;
-    const auto distance = [&](double along) {
-      return std::hypot(*x - row.first - along * std::cos(angle), *y - row.second - along * std::sin(angle));
-    };
-    if (distance(last) >= distance(row.start)) return true;
-    row.start = last;
-    row.step = -row.step;
-    return true;
-  }
-
-  void position(double x, double y) {
-    place_.state.in_plane = {x, y};
-    const std::vector<ir::Word> words = {holes_.absolute(Address::x, x), holes_.absolute(Address::y, y)};
+  void position(const ir::PlanePoint& point) {
+    const std::vector<ir::Word> words = {holes_.absolute(Address::x, point.first),
+                                         holes_.absolute(Address::y, point.second)};
     if (is_cycle_) return out_.emit_block({}, words);
     ir::Code rapid;
     rapid.function = Function::rapid;

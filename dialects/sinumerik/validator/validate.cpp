@@ -37,6 +37,19 @@ bool may_have_caller(const ir::Program& program) {
   return true;
 }
 
+namespace {
+
+void check_in_effect(const Check& check) {
+  // A text that leaves M6 to a parameter of the machine (MD22550) changes tools by T.
+  const facts::Resolved facts(check.program, check.control, facts::ToolChange::as_the_text);
+  StatementCheck checks[] = {modal_state_check(check, facts), tools_check(check, facts),
+                             compensation_check(check, facts), leftovers_check(check, facts)};
+  for (std::uint32_t i = 0; i < check.program.statements.size(); ++i)
+    for (StatementCheck& each : checks) each(i);
+}
+
+}  // namespace
+
 std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery) {
   std::vector<text::Diagnostic> found;
   const Check check{program, control, delivery, found};
@@ -47,18 +60,16 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_names(check);
   check_values(check);
   check_blocks(check);
-  check_modal_state(check);
   check_limits(check);
   check_calls(check);
-  check_tools(check);
   check_ranges(check);
   check_definitions(check);
-  check_order(check);
+  check_machine_functions(check);
   check_symbols(check);
   check_words(check);
   check_cycles(check);
   check_interpreted(check);
-  check_leftovers(check);
+  check_in_effect(check);
   keep_one_per_name(program, found);
   std::ranges::sort(found, {}, [](const text::Diagnostic& d) { return std::tuple(d.span.begin, d.id, d.span.end); });
   return found;

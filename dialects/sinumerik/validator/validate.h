@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/ir/stage.h"
@@ -42,17 +44,24 @@ void check_delivery(const Check& check);     // validate_delivery.cpp
 void check_names(const Check& check);        // validate_names.cpp
 void check_values(const Check& check);       // validate_values.cpp
 void check_blocks(const Check& check);       // validate_blocks.cpp
-void check_modal_state(const Check& check);  // validate_state.cpp
 void check_limits(const Check& check);       // validate_limits.cpp
 void check_calls(const Check& check);        // validate_calls.cpp
-void check_tools(const Check& check);        // validate_tools.cpp
 void check_ranges(const Check& check);       // validate_ranges.cpp
 void check_definitions(const Check& check);  // validate_definitions.cpp
-void check_order(const Check& check);        // validate_modes.cpp
 void check_symbols(const Check& check);      // validate_symbols.cpp
 void check_cycles(const Check& check);       // validate_cycles.cpp
 void check_words(const Check& check);        // validate_words.cpp
 void check_interpreted(const Check& check);  // validate_interpreted.cpp
-void check_leftovers(const Check& check);    // validate_leftovers.cpp
+
+// M functions that the machine's list does not have.
+void check_machine_functions(const Check& check);  // validate_modes.cpp
+
+// Checks that ask what is in effect. They are called for each statement in turn, one after the other, so that facts
+// walks over the text once for all of them. What they are made from must outlive them.
+using StatementCheck = std::move_only_function<void(std::uint32_t statement)>;
+StatementCheck modal_state_check(const Check& check, const facts::Resolved& facts);   // validate_state.cpp
+StatementCheck tools_check(const Check& check, const facts::Resolved& facts);         // validate_tools.cpp
+StatementCheck compensation_check(const Check& check, const facts::Resolved& facts);  // validate_modes.cpp
+StatementCheck leftovers_check(const Check& check, const facts::Resolved& facts);     // validate_leftovers.cpp
 
 }  // namespace dripfeed::sinumerik

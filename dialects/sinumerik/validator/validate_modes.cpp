@@ -1,45 +1,47 @@
-// Compensation in the order of the text: it starts and ends on a straight move and keeps its plane. At the start of a
-// subprogram, behind a label, a jump, a call or a native statement of unknown effect nothing is taken for certain. And
-// M functions that the machine's list does not have.
+// Compensation: it starts and ends on a straight move and keeps its plane. What is in effect is known on all paths;
+// what waits for the next move is looked at in the order of the text, and given up after a label, a jump, a call or a
+// native statement of unknown effect. And M functions that the machine's list does not have.
 #include <algorithm>
 
+#include "dialects/facts/calls.h"
+#include "dialects/facts/in_effect.h"
 #include "dialects/sinumerik/validator/validate.h"
 
 namespace dripfeed::sinumerik {
 
 namespace {
 
+using facts::Mode;
 using ir::Function;
 using ir::StatementKind;
 using text::DiagnosticId;
 
 class Compensation {
  public:
-  explicit Compensation(const Check& check) : check_(check) {}
+  Compensation(const Check& check, const facts::Resolved& facts)
+      : check_(check),
+        in_effect_(check.program, facts, !may_have_caller(check.program)),
+        moved_(may_have_caller(check.program)) {}
 
-  void run() {
-    if (may_have_caller(check_.program)) forget();
-    for (const ir::Statement& s : check_.program.statements) {
-      const bool others = s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
-                          s.kind == StatementKind::go_to || ir::is_structure(s.kind) ||
-                          (s.kind == StatementKind::native && !check_.program.natives[s.payload].effects_known);
-      if (others || s.is_label) forget();
-      const bool still = s.kind == StatementKind::assign || s.kind == StatementKind::message ||
-                         (s.kind == StatementKind::block && !block(check_.block_of(s)));
-      if (still) without_move(s);
-    }
+  void statement(std::uint32_t at) {
+    const ir::Statement& s = check_.program.statements[at];
+    const bool others = facts::is_call(s.kind) || s.kind == StatementKind::go_to || ir::is_structure(s.kind) ||
+                        (s.kind == StatementKind::native && !check_.program.natives[s.payload].effects_known);
+    if (others || s.is_label) forget();
+    const bool still = s.kind == StatementKind::assign || s.kind == StatementKind::message;
+    if (!still && s.kind != StatementKind::block) return;
+    in_effect_.at(at);
+    if (still || !block(check_.block_of(s))) without_move(s);
   }
 
  private:
-  enum class State : std::uint8_t { off, on, uncertain };
+  using State = facts::State;
 
+  // What waits for the next move is not looked for on another path.
   void forget() {
-    state_ = State::uncertain;
     changes_ = {};
-    arc_known_ = false;
     without_moves_ = 0;
     moved_ = true;
-    plane_ = Function::none;
   }
 
   // Whether it moves an axis.
@@ -59,14 +61,21 @@ class Compensation {
     tangent(block, moves);
     if (moves) without_moves_ = 0;
     if (!moves || changes_.empty()) return moves;
-    if (arc_ && arc_known_) {
-      const bool ends = state_ == State::off;
+    if (is_arc()) {
+      const bool ends = compensation() == State::off;
       const auto detail = ends ? ir::AlarmDetail::ends : ir::AlarmDetail::none;
       check_.report(DiagnosticId::comp_started_by_arc, changes_, {ends ? "ends" : "starts"}).alarm =
           ir::alarm_of(check_.control, DiagnosticId::comp_started_by_arc, detail);
     }
     changes_ = {};
     return true;
+  }
+
+  [[nodiscard]] State compensation() const { return in_effect_.beside(Mode::compensation, Function::comp_off); }
+  [[nodiscard]] bool is_arc() const {
+    constexpr Function kArcs[] = {Function::arc_cw, Function::arc_ccw, Function::arc_via, Function::arc_tangent};
+    const std::optional<facts::Setting> motion = in_effect_.stated(Mode::motion);
+    return motion && std::ranges::find(kArcs, motion->function) != std::end(kArcs);
   }
 
   // CT before anything has moved has no direction to go on in (14045).
@@ -84,7 +93,7 @@ class Compensation {
   // How many blocks without a move it looks over is a machine datum (MD20250), 3 as delivered; so a warning.
   void without_move(const ir::Statement& s) {
     constexpr std::uint32_t kMostWithoutMove = 3;
-    if (state_ != State::on || s.line == without_line_) return;
+    if (compensation() != State::on || s.line == without_line_) return;
     without_line_ = s.line;
     if (++without_moves_ != kMostWithoutMove + 1) return;
     text::Diagnostic& d = check_.report(
@@ -95,35 +104,25 @@ class Compensation {
   }
 
   void take(const ir::Code& code) {
-    const Function f = code.function;
-    if (code.group == ir::ModalGroup::motion) {
-      arc_ = f == Function::arc_cw || f == Function::arc_ccw || f == Function::arc_via || f == Function::arc_tangent;
-      arc_known_ = true;
-    }
-    if (code.group == ir::ModalGroup::plane) plane(code);
-    if (f != Function::comp_left && f != Function::comp_right && f != Function::comp_off) return;
-    const State wanted = f == Function::comp_off ? State::off : State::on;
-    changes_ = state_ != State::uncertain && state_ != wanted ? code.span : text::Span{};
-    state_ = wanted;
-  }
-
-  void plane(const ir::Code& code) {
-    const bool changes = plane_ != Function::none && plane_ != code.function;
-    if (changes && state_ == State::on)
+    const std::optional<facts::Setting> plane = in_effect_.stated(Mode::plane);
+    const State before = compensation();
+    in_effect_.take(code);
+    const bool changes_plane = code.group == ir::ModalGroup::plane && plane && plane->function != code.function;
+    if (changes_plane && before == State::on)
       check_.report(DiagnosticId::plane_changed_in_comp, code.span, {std::string(check_.text_of(code.span))});
-    plane_ = code.function;
+    if (facts::mode_of(code) != Mode::compensation) return;
+    changes_ = before != State::uncertain && before != compensation() ? code.span : text::Span{};
   }
 
   const Check& check_;
-  State state_ = State::off;
+  facts::InEffect in_effect_;
   text::Span changes_;  // G40, G41 or G42 that waits for its move
-  bool arc_ = false;    // the motion code
-  bool arc_known_ = false;
-  Function plane_ = Function::none;
-  bool moved_ = false;
+  bool moved_;
   std::uint32_t without_moves_ = 0;  // blocks since the last one that moves
   std::uint32_t without_line_ = 0;
 };
+
+}  // namespace
 
 void check_machine_functions(const Check& check) {
   const auto& list = check.control.machine_functions;
@@ -135,11 +134,8 @@ void check_machine_functions(const Check& check) {
   }
 }
 
-}  // namespace
-
-void check_order(const Check& check) {
-  Compensation(check).run();
-  check_machine_functions(check);
+StatementCheck compensation_check(const Check& check, const facts::Resolved& facts) {
+  return [compensation = Compensation(check, facts)](std::uint32_t i) mutable { compensation.statement(i); };
 }
 
 }  // namespace dripfeed::sinumerik

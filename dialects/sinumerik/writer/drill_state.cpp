@@ -2,6 +2,8 @@
 // passes::make_modes_explicit() has looked through the calls for these, and has said them where the text would mislead.
 #include "dialects/sinumerik/writer/drill_state.h"
 
+#include "dialects/facts/spindle.h"
+
 namespace dripfeed::sinumerik {
 
 namespace {
@@ -72,7 +74,8 @@ DrillState drill_state(const ir::Program& program, const facts::Facts& facts) {
   state.initial = level_of(program, facts[Kept::initial]);
   state.motion = certain(facts[Mode::motion]);
   state.plane = agreed(facts[Mode::plane]);
-  state.spindle = certain(facts[Mode::spindle]);
+  const std::optional<Function> spindle = facts::stated_spindle(program, facts);
+  state.spindle = {spindle.value_or(Function::none), spindle.has_value()};
   state.feed_mode = certain(facts[Mode::feed]);
   return state;
 }

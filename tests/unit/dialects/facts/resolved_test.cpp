@@ -5,6 +5,7 @@
 #include "dialects/facts/facts.h"
 #include "dialects/ir/sections.h"
 #include "tests/support/program_builder.h"
+#include "tests/unit/dialects/facts/mill.h"
 
 namespace dripfeed::facts {
 namespace {
@@ -13,13 +14,6 @@ using ir::Address;
 using ir::Function;
 using ir::ModalGroup;
 using Builder = dripfeed::test::ProgramBuilder;
-
-ir::Control mill() {
-  ir::Control control;
-  control.axes = "XYZ";
-  control.semantics.power_on_known = true;
-  return control;
-}
 
 // Names the program that the statements from `first` on are.
 void section(Builder& b, std::string_view name, std::uint32_t first) {
@@ -124,6 +118,27 @@ TEST(Resolved, AProgramThatIsNotInTheTextMayChangeEverything) {
   EXPECT_EQ(after[Mode::motion].changer, 1U);
   EXPECT_FALSE(after[Number::x].is_certain());
   EXPECT_TRUE((*resolved.before(3))[Mode::distance].is({.function = Function::absolute}));
+}
+
+TEST(Resolved, AfterAModalMacroThatLeavesPolarWordsOnALetterIsNoPosition) {
+  Builder b;
+  const std::uint32_t main = next(b);
+  b.block({{Function::linear, 0, ModalGroup::motion}, {Function::absolute, 0, ModalGroup::distance}});
+  b.call(ir::CallKind::subprogram, "O2");
+  b.program().statements.back().kind = ir::StatementKind::modal_call;
+  b.block({}, {{Address::x, 1.0}});
+  b.add(ir::StatementKind::modal_call_end);
+  b.block({}, {{Address::x, 2.0}});
+  b.end();
+  section(b, "O1", main);
+  const std::uint32_t sub = next(b);
+  b.block({{Function::polar_words_on, 0, ModalGroup::other}});
+  b.back();
+  section(b, "O2", sub);
+  const ir::Program& program = b.build();
+  const ir::Control control = mill();
+  const Resolved resolved(program, control);
+  EXPECT_FALSE((*resolved.before(5))[Number::x].is_certain());
 }
 
 TEST(Resolved, PositionsAreFollowedBeforeAndAfterATransformation) {
