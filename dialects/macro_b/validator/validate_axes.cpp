@@ -41,40 +41,34 @@ class AxesCheck {
   void statement(std::uint32_t at) {
     const ir::Statement& s = program_.statements[at];
     if (s.kind != StatementKind::block) return;
-    load(at);
+    in_effect_.at(at);
     block(program_.blocks[s.payload], s.span);
   }
 
  private:
-  // What the block finds in effect; its codes change it.
-  void load(std::uint32_t at) {
-    in_effect_.at(at);
-    const std::optional<facts::Setting> plane = in_effect_.stated(facts::Mode::plane);
-    plane_ = plane ? plane->function : Function::none;
-    plane_written_ = in_effect_.written(facts::Mode::plane);
-    const std::optional<facts::Setting> motion = in_effect_.certain(facts::Mode::motion);
-    arc_ = motion && (motion->function == Function::arc_cw || motion->function == Function::arc_ccw) &&
-           in_effect_.beside(facts::Mode::cycle, Function::cycle_off) == State::off;
-  }
-
   void block(const ir::Block& block, text::Span span) {
     bool own_words = false;
     for (const ir::Code& code : program_.codes_of(block)) {
       if (code.number != ir::ExpressionId::none) return;
       own_words |= code.group == ModalGroup::frame || (code.group == ModalGroup::non_modal && !moves(code.function));
-      if (code.group == ModalGroup::motion)
-        arc_ = code.function == Function::arc_cw || code.function == Function::arc_ccw;
-      if (code.group == ModalGroup::cycle) arc_ = false;
-      if (code.group == ModalGroup::plane) {
-        plane_ = code.function;
-        plane_written_ = text_of(program_, code.span);
-        one_of_each_direction(block);
-      }
+      in_effect_.take(code);
+      if (code.group == ModalGroup::plane) one_of_each_direction(block);
       if (code.function == Function::surface_speed_on) surface_axis(block);
     }
     if (own_words) return;
     at_once(block, span);
-    if (arc_ && plane_ != Function::none) in_plane(block);
+    if (has_centre(block) && is_arc()) in_plane(block);
+  }
+
+  // The block's codes have taken effect. A motion code ends a cycle.
+  [[nodiscard]] bool is_arc() const {
+    const std::optional<facts::Setting> motion = in_effect_.certain(facts::Mode::motion);
+    const bool is_arc = motion && (motion->function == Function::arc_cw || motion->function == Function::arc_ccw);
+    return is_arc && (in_effect_.is_stated_here(facts::Mode::motion) ||
+                      in_effect_.beside(facts::Mode::cycle, Function::cycle_off) == State::off);
+  }
+  [[nodiscard]] bool has_centre(const ir::Block& block) const {
+    return std::ranges::any_of(kAxes, [&](const AxisRow& row) { return find(block, row.center) != nullptr; });
   }
 
   static bool moves(Function f) {
@@ -100,14 +94,16 @@ class AxesCheck {
   // G17 G02 X10. Z-5. I5. K0.: a centre and an end on the axis that the plane does not have, and none on one that it
   // has. A helix names both axes of the plane, or neither's partner by K.
   void in_plane(const ir::Block& block) {
-    const std::size_t out = outside(plane_);
+    const std::optional<facts::Setting> plane = in_effect_.stated(facts::Mode::plane);
+    if (!plane) return;
+    const std::size_t out = outside(plane->function);
     const auto names_axis = [&](const AxisRow& row) { return find(block, row.axis) || named_by_increment(block, row); };
     const ir::Word* wrong = find(block, kAxes[out].axis);
     if (wrong == nullptr || find(block, kAxes[out].center) == nullptr) return;
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
       if (i == out || names_axis(kAxes[i]) || find(block, kAxes[i].center) != nullptr) continue;
       findings_.add(axis_not_in_plane, wrong->span,
-                    {std::string(1, letter_of(wrong->address)), std::string(plane_written_)});
+                    {std::string(1, letter_of(wrong->address)), std::string(in_effect_.written(facts::Mode::plane))});
       return;
     }
   }
@@ -150,9 +146,6 @@ class AxesCheck {
   const ir::Control& control_;
   Findings& findings_;
   facts::InEffect in_effect_;
-  Function plane_ = Function::none;  // none: not known
-  std::string_view plane_written_;
-  bool arc_ = false;
 };
 
 }  // namespace

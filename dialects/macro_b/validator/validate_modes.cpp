@@ -105,14 +105,16 @@ class ModeCheck {
   }
 
   void feed(const ir::Block& block, text::Span span) {
-    const std::optional<facts::Setting> cuts = cut();
-    if (!cuts || has_word(block, Address::f)) return;
+    if (has_word(block, Address::f)) return;
     const std::optional<facts::Setting> mode = in_effect_.certain(Mode::feed);
-    if (mode && mode->function == Function::feed_inverse_time)  // F counts in its own block only
-      findings_.add(no_feed, span, {}, ir::AlarmDetail::inverse_time);
-    if (feed_told_ || !in_effect_.lacks(Kept::feed)) return;
-    findings_.add(no_feed, span, {}, detail_of(*cuts));
-    feed_told_ = true;
+    const bool by_time = mode && mode->function == Function::feed_inverse_time;  // F counts in its own block only
+    const bool lacks = !feed_told_ && in_effect_.lacks(Kept::feed);
+    if (!by_time && !lacks) return;
+    const std::optional<facts::Setting> cuts = cut();
+    if (!cuts) return;
+    if (by_time) findings_.add(no_feed, span, {}, ir::AlarmDetail::inverse_time);
+    if (lacks) findings_.add(no_feed, span, {}, detail_of(*cuts));
+    feed_told_ |= lacks;
   }
 
   // With a named machine its highest speed is known, and the run looks at it.

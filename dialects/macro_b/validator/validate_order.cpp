@@ -34,7 +34,8 @@ class OrderCheck {
         ways_in_(program, section),
         in_effect_(program, facts),
         taps_(program, control, findings),
-        has_lathe_corners_(control.kind == ir::MachineKind::lathe) {
+        has_lathe_corners_(control.kind == ir::MachineKind::lathe),
+        has_shapes_(std::ranges::any_of(program.codes, ir::follows_shape)) {
     if (section.is_subprogram) forget();  // what is in effect is its caller's
   }
 
@@ -44,7 +45,7 @@ class OrderCheck {
     if (ways_in_.at(at)) forget();
     if (!corner_span_.empty() && s.kind != StatementKind::empty && s.kind != StatementKind::assign) corner(s);
     if (s.kind == StatementKind::block) {
-      load(at);
+      if (at == 0 || s.is_label || !keeps_modes(at - 1)) load(at);
       block(program_.blocks[s.payload]);
     } else if (s.kind == StatementKind::modal_call) {
       modal_ = State::on;
@@ -68,10 +69,18 @@ class OrderCheck {
     corner_span_ = letter_corner_ = {};
   }
 
+  // The statement leads here alone, and what was loaded for it still holds: most blocks of most programs.
+  [[nodiscard]] bool keeps_modes(std::uint32_t at) const {
+    const ir::Statement& s = program_.statements[at];
+    return s.kind == StatementKind::block && loaded_ && !has_shapes_ && modal_ == State::off &&
+           program_.blocks[s.payload].code_count == 0;
+  }
+
   // What the block finds in effect; its codes change it one after another.
   void load(std::uint32_t at) {
     using facts::Mode;
     in_effect_.at(at);
+    loaded_ = true;
     comp_ = in_effect_.beside(Mode::compensation, Function::comp_off);
     const std::optional<facts::Setting> cycle = in_effect_.certain(Mode::cycle);
     cycle_ = !cycle ? State::uncertain : cycle->function == Function::drill ? State::on : State::off;
@@ -319,6 +328,8 @@ class OrderCheck {
   facts::InEffect in_effect_;
   TapOrder taps_;
   bool has_lathe_corners_;
+  bool has_shapes_;  // blocks that run for a cycle: what follows them is in effect by the cycle
+  bool loaded_ = false;
   // At the start nothing is in effect.
   std::uint32_t modal_depth_ = 0;  // G66 within G66
   State modal_ = State::off;
