@@ -304,8 +304,7 @@ bool Machine::begin_modal(const Instruction& i) {
 // Blocks of a contour are no moves of the program. A shape that cycles cut takes no call.
 bool Machine::call_modal(const Instruction& i, std::uint32_t& next) {
   if (contour_.active) return true;
-  if (shape_.active())
-    return report_.fail(i, DiagnosticId::cycle_shape_invalid, {"a modal call follows its moves"});
+  if (shape_.active()) return report_.fail(i, DiagnosticId::cycle_shape_invalid, {"a modal call follows its moves"});
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   const auto begin = stack_.call_modal(i, next);
   next = begin.value_or(0);

@@ -28,6 +28,10 @@ bool is_subprogram_file(std::string_view name) { return ends_with(name, ".SPF") 
 
 }  // namespace
 
+bool has_code(const ir::Program& program, ir::Function function) {
+  return std::ranges::find(program.codes, function, &ir::Code::function) != program.codes.end();
+}
+
 bool may_have_caller(const ir::Program& program) {
   if (is_data_file(program)) return true;
   for (const ir::Statement& s : program.statements) {

@@ -33,6 +33,8 @@ struct Check {
   }
 };
 
+// Somewhere in the text.
+bool has_code(const ir::Program& program, ir::Function function);
 // A subprogram takes its modal state and its R parameters from who calls it: it has a PROC head, or nothing in it ends
 // a program.
 bool may_have_caller(const ir::Program& program);

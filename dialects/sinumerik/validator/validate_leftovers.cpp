@@ -77,15 +77,17 @@ class Leftovers {
   }
 
   void cut(const ir::Block& block) {
+    const bool lacks_speed = !tap_told_ && in_effect_.lacks(Kept::speed) && !has_word(block, Address::s);
+    const bool is_still = stands();
+    if (!lacks_speed && !is_still) return;
     const std::optional<facts::Setting> motion = in_effect_.stated(Mode::motion);
     if (!motion) return;
-    if (motion->function == Function::tap && !tap_told_ && in_effect_.lacks(Kept::speed) &&
-        !has_word(block, Address::s)) {
+    if (lacks_speed && motion->function == Function::tap) {
       tap_told_ = true;
       check_.report(DiagnosticId::tap_without_speed, span_of(block), {"G331"}).severity = text::Severity::warning;
     }
     const std::uint32_t origin = in_effect_.origin(Mode::spindle);
-    if (origin == spindle_told_ || !stands() || std::ranges::find(kCuts, motion->function) == std::end(kCuts)) return;
+    if (!is_still || origin == spindle_told_ || std::ranges::find(kCuts, motion->function) == std::end(kCuts)) return;
     spindle_told_ = origin;
     check_.report(DiagnosticId::spindle_not_turning, span_of(block));
   }

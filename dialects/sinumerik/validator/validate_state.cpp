@@ -36,7 +36,8 @@ class ModalState {
   ModalState(const Check& check, const facts::Resolved& facts)
       : check_(check),
         in_effect_(check.program, facts, !may_have_caller(check.program)),
-        known_(check.control.semantics.power_on_known) {}
+        known_(check.control.semantics.power_on_known),
+        has_diameter_(has_code(check.program, Function::diameter_on)) {}
 
   void statement(std::uint32_t at) {
     const ir::Statement& s = check_.program.statements[at];
@@ -84,19 +85,20 @@ class ModalState {
 
   void feed(const ir::Block& block, text::Span span) {
     const auto words = check_.program.words_of(block);
-    const bool cuts = has(Mode::motion, [](Function f) { return is_one_of(f, kFedMotions); });
-    if (!cuts || std::ranges::none_of(words, ir::is_axis, &ir::Word::address)) return;
+    if (std::ranges::none_of(words, ir::is_axis, &ir::Word::address)) return;
     const auto own = std::ranges::find_if(
         words, [](const ir::Word& w) { return w.address == Address::f || w.address == Address::block_feed; });
     const bool lacks = in_effect_.lacks(Kept::feed);
     const bool by_time = has(Mode::feed, [](Function f) { return f == Function::feed_inverse_time; });
-    if (own == words.end() && (lacks || by_time)) {
+    const bool misses = own == words.end() && (lacks || by_time);
+    const bool opens = !feed_told_ && !feed_mode_told_ && in_effect_.may_be_unstated(Mode::feed);
+    if ((!misses && !opens) || !has(Mode::motion, [](Function f) { return is_one_of(f, kFedMotions); })) return;
+    if (misses) {
       // G93: the time of each block is its own (PG, "Feedrate"); another feed is missed once.
       if (!(lacks && feed_told_)) check_.report(DiagnosticId::no_feed, span);
       feed_told_ |= lacks;
       return;
     }
-    if (!in_effect_.may_be_unstated(Mode::feed) || feed_told_) return;
     const text::Span f = own != words.end() ? own->span : word_of(in_effect_.origin(Kept::feed), Address::f);
     if (!f.empty()) once(feed_mode_told_, DiagnosticId::feed_mode_not_stated, f, std::string(check_.text_of(f)));
   }
@@ -120,7 +122,7 @@ class ModalState {
 
   // DIAMON takes increments of X as diameters: X=RETR with a radius in it goes half as far. DIAM90 does not.
   void diameter(const ir::Word& word) {
-    if (word.address != Address::x || !agrees_on(Mode::diameter, Function::diameter_on)) return;
+    if (!has_diameter_ || word.address != Address::x || !agrees_on(Mode::diameter, Function::diameter_on)) return;
     const bool incremental = word.mode == ir::WordMode::incremental ||
                              (word.mode == ir::WordMode::as_modal && agrees_on(Mode::distance, Function::incremental));
     const ir::Expression& value = check_.program.at(word.value);
@@ -140,6 +142,7 @@ class ModalState {
   const Check& check_;
   facts::InEffect in_effect_;
   bool known_;
+  bool has_diameter_;  // DIAMON, somewhere in the text
   // Each is reported once.
   bool motion_told_ = false;
   bool unit_told_ = false;

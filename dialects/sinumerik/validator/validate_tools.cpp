@@ -23,7 +23,9 @@ bool is_number(const facts::Written* written, double number) {
 class Tools {
  public:
   Tools(const Check& check, const facts::Resolved& facts)
-      : check_(check), in_effect_(check.program, facts, !may_have_caller(check.program)) {}
+      : check_(check),
+        in_effect_(check.program, facts, !may_have_caller(check.program)),
+        has_surface_speed_(has_code(check.program, Function::surface_speed_on)) {}
 
   void statement(std::uint32_t at) {
     const ir::Statement& s = check_.program.statements[at];
@@ -41,7 +43,7 @@ class Tools {
       in_effect_.take(code);
       if (code.function == Function::comp_left || code.function == Function::comp_right) compensation(code, block);
     }
-    surface_speed(block);
+    if (has_surface_speed_) surface_speed(block);
   }
 
   void compensation(const ir::Code& code, const ir::Block& block) {
@@ -103,6 +105,7 @@ class Tools {
 
   const Check& check_;
   facts::InEffect in_effect_;
+  bool has_surface_speed_;             // somewhere in the text
   std::uint32_t told_ = ir::kNoIndex;  // the G96 without a speed that was reported
 };
 
