@@ -24,19 +24,20 @@ MACRO_MM, EXPLICIT_MM = 1e-4, 6e-4
 OPEN = re.compile(r"a move starts at a position that is not known: its length is not counted|gouges and accuracy: stock and nominal are not known|"
                   r"with tool radius compensation the travel is that of the programmed path|the travel of [ABC] is not known")
 # The stock cannot be described: a cylinder along x.
-NO_STOCK = {"worm"}
+NO_STOCK = {"worm", "worm-turned"}
 # No curve is given that an accuracy could be measured along.
-NO_CURVE = {"bezier-surface", "bolt-circle", "engrave-text", "face-mill", "island-pocket", "rectangular-pocket", "seal-ring", "slot", "thread-mill", "turning-cycle", "worm"}
+NO_CURVE = {"bezier-surface", "bolt-circle", "engrave-text", "face-mill", "island-pocket", "nurbs-surface", "rectangular-pocket", "seal-ring", "slot", "thread-mill",
+            "turning-cycle", "worm", "worm-turned"}
 # A spindle that is an axis stands; the checks do not tell it from one that was forgotten.
-WARNED = {("seal-ring", "sinumerik-810d-lathe"): {"spindle-not-turning"}}
+WARNED = {("seal-ring", "sinumerik-810d-lathe"): {"spindle-not-turning"}, ("worm-turned", "sinumerik-810d-lathe"): {"spindle-not-turning"}}
 
 # Values that are in their ranges and do not go together.
 BROKEN = {
     "bezier-surface": ["ball_diameter=30 mm"], "bolt-circle": ["holes=7"], "engrave-text": ["plate_width=10 mm"],
     "hyperbolic-roll": ["half_axis_z=40 mm"], "island-pocket": ["pocket_corner=5 mm"],
-    "nurbs-profile": ["weight=1, 1, 1, 1"], "rectangular-pocket": ["corner_radius=5 mm"], "round-pocket": ["cutter_diameter=70 mm"],
+    "nurbs-profile": ["weight=1, 1, 1, 1"], "nurbs-surface": ["scallop=0.9 mm", "ball_diameter=1.2 mm"], "rectangular-pocket": ["corner_radius=5 mm"], "round-pocket": ["cutter_diameter=70 mm"],
     "seal-ring": ["cone_angle=44 deg", "tilt=19 deg"], "slot": ["slot_width=8 mm"], "stepped-shaft": ["journal_diameter=120 mm"],
-    "thread-mill": ["cutter_diameter=19.5 mm"], "turning-cycle": ["turned_diameter=110 mm"], "worm": ["ball_diameter=12 mm"]}
+    "thread-mill": ["cutter_diameter=19.5 mm"], "turning-cycle": ["turned_diameter=110 mm"], "worm": ["ball_diameter=12 mm"], "worm-turned": ["ball_diameter=12 mm"]}
 FREE = {"face-mill"}  # no condition
 
 

@@ -83,6 +83,76 @@ def surface(folder, ball=3.0):
         print(f"bezier-surface, {mode}: the ball is {worst:.6f} mm off the surface at most")
 
 
+def basis(t, knots, n, order):
+    """Cox and de Boor, as the definition has it."""
+    if order == 1:
+        last = t >= knots[-1] and knots[n] < knots[n + 1] == knots[-1]
+        return 1.0 if knots[n] <= t < knots[n + 1] or last else 0.0
+    left, right = knots[n + order - 1] - knots[n], knots[n + order] - knots[n + 1]
+    return (((t - knots[n]) / left * basis(t, knots, n, order - 1) if left else 0.0)
+            + ((knots[n + order] - t) / right * basis(t, knots, n + 1, order - 1) if right else 0.0))
+
+
+def nurbs_point(u, v, points, weights, row, knots_u, knots_v):
+    bu = [basis(u, knots_u, i, 4) for i in range(len(knots_u) - 4)]
+    bv = [basis(v, knots_v, j, 4) for j in range(row)]
+    parts = [(bu[i] * bv[j] * weights[i * row + j], points[i * row + j]) for i in range(len(bu)) for j in range(row) if bu[i] * bv[j]]
+    whole = sum(part for part, _ in parts)
+    return tuple(sum(part * p[axis] for part, p in parts) / whole for axis in range(3))
+
+
+SURFACES = {
+    "default": ([(0, 0, -4), (0, 20, -6), (0, 40, -6), (0, 60, -3), (25, 0, -8), (27, 20, -13), (27, 40, -3), (25, 60, -8), (55, 0, -4), (53, 20, -3),
+                 (53, 40, -11), (55, 60, -8), (80, 0, -5), (80, 20, -6), (80, 40, -8), (80, 60, -3)], [1] * 5 + [1.2] + [1] * 10, 4, [0] * 4 + [1] * 4,
+                [0] * 4 + [1] * 4),
+    "5 x 6": ([(20 * i, 12 * j, -6 - 3 * ((i + j) % 2) - 0.5 * i) for i in range(5) for j in range(6)], [1 + 0.1 * ((i * j) % 3) for i in range(5) for j in range(6)],
+              6, [0] * 4 + [1] + [2] * 4, [0] * 4 + [1, 1.5] + [3] * 4)}
+
+
+def nurbs_surface(folder, ball=3.0):
+    """The ball touches the surface at each point of the last passes, and these leave no more than the scallop."""
+    for name, (points, weights, row, knots_u, knots_v) in SURFACES.items():
+        values = ["point=" + ", ".join(f"({x} mm, {y} mm, {z} mm)" for x, y, z in points), "weight=" + ", ".join(map(str, weights)), f"row={row}",
+                  "knot_u=" + ", ".join(map(str, knots_u)), "knot_v=" + ", ".join(map(str, knots_v)), "block_width=60 mm", "points=30"]
+        at = lambda u, v: nurbs_point(min(max(u, knots_u[0]), knots_u[-1]), min(max(v, knots_v[0]), knots_v[-1]), points, weights, row, knots_u, knots_v)
+        for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
+            cuts = [m for kind, m in trace("nurbs-surface", "fanuc-0i-mill", mode, folder, *values) if kind == "linear"]
+            last = cuts[-31 * 20:]
+            worst = 0.0
+            for move in random.Random(1).sample(last, 40):
+                center = (move["X"], move["Y"], move["Z"] + ball)
+                off = lambda u, v: dist(center, at(u, v))
+                du, dv = (knots_u[-1] - knots_u[0]) / 16, (knots_v[-1] - knots_v[0]) / 16
+                near = min((off(i * du, j * dv), i * du, j * dv) for i in range(17) for j in range(17))
+                worst = max(worst, abs(lowest(off, near[1:], (du, dv)) - ball))
+            expect(worst <= print_mm, f"nurbs-surface {name}, {mode}: {worst}")
+            # Neighbors of two passes are no further apart than a ball that leaves the scallop on a plane.
+            passes = [last[i:i + 31] for i in range(0, len(last), 31)]
+            width = 2 * (2 * ball * 0.05 - 0.05**2) ** 0.5
+            apart = max(dist((a["X"], a["Y"], a["Z"]), (b["X"], b["Y"], b["Z"])) for one, other in zip(passes[-4:], passes[-3:]) for a, b in zip(one, reversed(other)))
+            expect(apart <= width * 1.35, f"nurbs-surface {name}, {mode}: passes are {apart} apart, on a plane {width}")
+            print(f"nurbs-surface {name}, {mode}: the ball is {worst:.6f} mm off the surface at most, {len(cuts)} cuts")
+
+
+def worm_by_points(folder):
+    """Each pass keeps the place that is given for it, on both layouts of axes."""
+    places = [(-1.2, 22.5), (0.0, 21.0), (1.5, 20.5)]
+    for family, machine, along, up, turn in (("worm", "mazak-vcn", "X", "Z", "A"), ("worm-turned", "mazak-qtn", "Z", "X", "C"), ("worm-turned", "mazak-integrex", "Z", "X", "C")):
+        order = lambda x, r: f"({r} mm, {x} mm)" if up == "X" else f"({x} mm, {r} mm)"
+        for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
+            value = "place=" + ", ".join(order(*one) for one in places)
+            cuts = [m for kind, m in trace(family, machine, mode, folder, "flanks=points", value) if kind == "linear"]
+            scale = 2 if up == "X" else 1
+            found = []
+            for move in cuts:
+                section = move[along] - 4 * pi * move[turn] / 360
+                found.append((round(section, 2), round(move[up] / scale + 1.5, 2)))
+            expect(sorted(set(found)) == sorted((round(x, 2), round(r, 2)) for x, r in places), f"{family} on {machine}, {mode}: {sorted(set(found))}")
+            ends = [b[turn] - a[turn] for a, b in zip(cuts, cuts[1:]) if b[along] > a[along] + 1e-6]
+            expect(max(ends) <= 90 + print_mm, f"{family}: a block turns by {max(ends)}")
+        print(f"{family} on {machine}: every pass at its place")
+
+
 def flank_distance(center, side, turn, lead, hand, pitch_radius=20.0, module=4.0):
     """From a point to a flank of the groove beside it, in the part's own space; `turn` is where the tool stands around x."""
     def flank(r, t):
@@ -172,7 +242,7 @@ def pocket(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as name:
-        for shape in (ring, surface, worm, pocket):
+        for shape in (ring, surface, nurbs_surface, worm, worm_by_points, pocket):
             shape(pathlib.Path(name))
 
 

@@ -27,8 +27,8 @@ def ask(*arguments):
     return json.loads(done.stdout)
 
 
-def row(folder, mode, steps):
-    family = ["nurbs-profile", *MACHINE, *CUT, "--set", f"steps={steps}", "--mode", mode]
+def row(folder, mode, steps, *more):
+    family = ["nurbs-profile", *MACHINE, *CUT, "--set", f"steps={steps}", *more, "--mode", mode]
     rendered = ask("render", *family)
     program = folder / f"{mode}{steps}.nc"
     program.write_text(rendered["text"])
@@ -61,7 +61,7 @@ def main():
         print(f"{'paper, CAM':<28}{144:>7}{'':>8}{'':>6}{PAPER_S['CAM']:>9}")
         print(f"{'paper, macro of 50 points':<28}{135:>7}{'':>8}{527:>6}{PAPER_S['macro']:>9}")
         rows = {(mode, steps): row(folder, mode, steps) for mode, steps in
-                [("explicit", 123), ("explicit", 130), ("macro", 50), ("explicit", 50), ("macro", 130), ("macro", 245), ("macro", 500)]}
+                [("explicit", 121), ("explicit", 130), ("macro", 50), ("explicit", 50), ("macro", 130), ("macro", 245), ("macro", 500)]}
         for (mode, steps), one in rows.items():
             line(f"{'chords' if mode == 'explicit' else 'macro'}, {steps} points", one)
         chords, macro = rows["explicit", 50], rows["macro", 50]
@@ -70,6 +70,16 @@ def main():
             print(f"{steps} points: macro less chords {b - a:+.3f} s of {a:.2f} s; a point is computed in "
                   f"{1000 * rows['macro', steps]['time']['compute_s'] / steps:.1f} ms and lasts {1000 * a / steps:.0f} ms at 300 mm/min")
             expect(abs(b - a) < 0.01 * a, "the macro takes longer than its chords: the control would starve")
+        # To 0.01 mm by steps as long as the chord error lets them be, proved before each is cut, beside as many equal steps as that takes.
+        adaptive = {mode: row(folder, mode, 4, "--set", "stepping=adaptive", "--set", "chord_error=0.01 mm") for mode in ("macro", "explicit")}
+        for mode, one in adaptive.items():
+            line(f"adaptive, {mode}", one)
+            expect(one["accuracy"]["max_mm"] <= 0.01 + 1e-3 * (mode == "explicit"), f"adaptive, {mode}: {one['accuracy']}")
+        count = adaptive["explicit"]["blocks"] - (rows["explicit", 50]["blocks"] - 51)
+        even = next(n for n in range(200, 300, 5) if row(folder, "explicit", n)["accuracy"]["max_mm"] <= 0.01)
+        print(f"to 0.01 mm: {count} adaptive steps, {even} equal ones; bound {adaptive['macro']['accuracy']['chord_bound_mm']:.6f}, measured "
+              f"{adaptive['macro']['accuracy']['max_mm']:.6f} mm; a point is computed in {1000 * adaptive['macro']['time']['compute_s'] / count:.1f} ms")
+        expect(count < 0.65 * even, "adaptive steps save nothing")
         saved, feed = PAPER_S["CAM"] - PAPER_S["macro"], 300 / 60
         print(f"the paper's {saved} s are {saved * feed:.0f} mm of path at 300 mm/min: the ramps, approaches and retracts that it names, not the "
               f"{144 - 135} blocks, which take {9 * 60 / 33.7:.0f} ms to read")
@@ -78,7 +88,7 @@ def main():
                   f"with its approach)")
         # The text does not grow with the points, the error falls with their square.
         expect(macro["blocks"] == rows["macro", 500]["blocks"] <= 80 and macro["variables"] <= 60, "the macro grows")
-        expect(rows["explicit", 123]["blocks"] == 144, "as many blocks as CAM's")
+        expect(rows["explicit", 121]["blocks"] == 144, "as many blocks as CAM's")
         ratio = macro["accuracy"]["max_mm"] / rows["macro", 500]["accuracy"]["max_mm"]
         expect(70 < ratio < 130, f"ten times the points, {ratio:.0f} times the accuracy")
         for one in rows.values():
