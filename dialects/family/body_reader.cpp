@@ -80,6 +80,8 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"stop", &BodyReader::stop},
       {"optional", &BodyReader::optional_stop},
       {"skip", &BodyReader::skip},
+      {"plane", &BodyReader::plane},
+      {"native", &BodyReader::native},
   });
   return kVerbs;
 }
@@ -122,6 +124,8 @@ void BodyReader::read() {
     // The line of a subprogram's `end` is its declaration's.
     if (!ended_ || !is_subprogram_) cursor_.finish_line();
   }
+  if (ended_ && corner_waits_)
+    cursor_.syntax(verb_, "after a chamfer or rounding stands the cut or arc that it leads to");
   if (ended_) return;
   if (open_.empty()) {
     cursor_.syntax(is_subprogram_ ? head : cursor_.peek().span,
@@ -141,6 +145,10 @@ Step BodyReader::step(StepKind kind) const {
 
 void BodyReader::add(Step step) {
   if (cursor_.line_failed() || !may_stand_here(step.kind)) return;
+  const bool cuts = step.kind == StepKind::cut || step.kind == StepKind::arc_cw || step.kind == StepKind::arc_ccw;
+  if (std::exchange(corner_waits_, false) && (!cuts || skip_level_ != 0))
+    return cursor_.syntax(verb_, "after a chamfer or rounding stands the cut or arc that it leads to");
+  corner_waits_ = takes_corner(step);
   step.span = {verb_.begin, cursor_.last_span().end};
   step.skip_level = skip_level_;
   steps_.push_back(std::move(step));
@@ -253,7 +261,9 @@ void BodyReader::axis_words(Step& step) {
       return cursor_.syntax(cursor_.peek().span, fmt::format("a lathe has no {} axis", axis.name));
     }
     cursor_.advance();
+    const bool is_step = cursor_.accept_word("by");
     word(step, axis.address, expressions_.value_of(axis.dimension));
+    if (!cursor_.line_failed()) family_.words.back().is_step = is_step;
   }
 }
 
@@ -265,11 +275,28 @@ bool BodyReader::may_cut() {
   return is_subprogram_;
 }
 
+bool BodyReader::takes_corner(const Step& step) const {
+  const auto begin = family_.words.begin() + step.first_word;
+  return step.kind == StepKind::cut && std::any_of(begin, begin + step.word_count, [](const StepWord& one) {
+           return one.address == ir::Address::chamfer || one.address == ir::Address::rounding;
+         });
+}
+
 void BodyReader::move(Step out) {
   if (out.kind != StepKind::rapid && !may_cut()) return;
   compensation_waits_ = false;
   axis_words(out);
+  if (out.kind == StepKind::cut) corner(out);
   add(std::move(out));
+}
+
+// chamfer LENGTH or rounding LENGTH: of the corner between this cut and the next one.
+void BodyReader::corner(Step& step) {
+  const bool is_round = cursor_.at_word("rounding");
+  if (cursor_.line_failed() || (!is_round && !cursor_.at_word("chamfer"))) return;
+  if (skip_level_ != 0) return cursor_.syntax(verb_, "a cut that may be skipped has no corner");
+  cursor_.advance();
+  word(step, is_round ? ir::Address::rounding : ir::Address::chamfer, expressions_.value_of(kLength));
 }
 
 void BodyReader::rapid() { move(step(StepKind::rapid)); }
@@ -389,6 +416,20 @@ void BodyReader::skip() {
     (this->*row->read)();
   }
   skip_level_ = 0;
+}
+
+// plane xy, zx or yz: of arcs and compensation, from here on.
+void BodyReader::plane() {
+  static constexpr std::array<std::string_view, 3> kPlanes = {"xy", "zx", "yz"};
+  const auto row = std::ranges::find(kPlanes, cursor_.word());
+  if (family_.machine != ir::MachineKind::mill) return cursor_.syntax(verb_, "a lathe keeps its plane of z and x");
+  if (row == kPlanes.end()) return cursor_.expected("xy, zx or yz");
+  if (compensation_waits_)
+    return cursor_.syntax(verb_, "compensation begins and ends with a straight move, in the plane that it began in");
+  cursor_.advance();
+  Step out = step(StepKind::plane);
+  out.number = static_cast<std::int32_t>(row - kPlanes.begin());
+  add(std::move(out));
 }
 
 void BodyReader::stop() { add(step(StepKind::stop)); }

@@ -16,7 +16,7 @@
 namespace dripfeed::family {
 
 // The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
-// in turning_reader.cpp, blocks, assignments and calls in flow_reader.cpp.
+// in turning_reader.cpp, native text in native_verb_reader.cpp, blocks, assignments and calls in flow_reader.cpp.
 class BodyReader {
  public:
   // The steps go to `steps`.
@@ -73,6 +73,8 @@ class BodyReader {
   void stop();
   void optional_stop();
   void skip();
+  void plane();
+  void native();
 
   // Steps that stand for a verb.
   struct Groove {
@@ -109,8 +111,10 @@ class BodyReader {
   void add(Step step);
   void move(Step step);
   void axis_words(Step& step);
+  void corner(Step& step);
   void word(Step& step, ir::Address address, Typed value);
   [[nodiscard]] bool at_axis() const;
+  [[nodiscard]] bool takes_corner(const Step& step) const;
 
   // A block that is open: what began it, and where that stands.
   struct Open {
@@ -133,6 +137,7 @@ class BodyReader {
   bool ended_ = false;
   bool has_feed_ = false;
   bool compensation_waits_ = false;  // for a straight move
+  bool corner_waits_ = false;        // for the cut after it
   bool surface_speed_ = false;       // of the last spindle above
   bool is_subprogram_ = false;
   bool needs_feed_ = false;

@@ -180,6 +180,8 @@ class Builder {
       case StepKind::dwell: dwell(step); break;
       case StepKind::stop: emit_.block({Function::program_stop}, {}); break;
       case StepKind::optional_stop: emit_.block({Function::optional_stop}, {}); break;
+      case StepKind::plane: emit_.block({kPlanes[step.number]}, {}); break;
+      case StepKind::native: native(step); break;
     }
     return at;
   }
@@ -198,11 +200,11 @@ class Builder {
       emit_.open(StatementKind::if_begin, values_.copy(condition));
       return at;
     }
-    return evaluate(family_.arena, condition, bound_.values).value != 0.0 ? at : skip_branch(at);
+    return evaluate(family_.arena, condition, bound_.values).value != 0.0 ? at : skip_branch(family_.steps, at);
   }
 
   std::size_t if_else(std::size_t at) {
-    if (decided_.back()) return skip_branch(at);
+    if (decided_.back()) return skip_branch(family_.steps, at);
     emit_.close(StatementKind::else_begin);
     return at;
   }
@@ -212,23 +214,12 @@ class Builder {
     decided_.pop_back();
   }
 
-  // From an `if` or `else` whose branch is not taken: to its `else`, or to the step before its `end`.
-  [[nodiscard]] std::size_t skip_branch(std::size_t at) const {
-    std::size_t depth = 0;
-    for (++at;; ++at) {
-      const StepKind kind = family_.steps[at].kind;
-      if (depth == 0 && kind == StepKind::if_else) return at;
-      if (depth == 0 && kind == StepKind::if_end) return at - 1;
-      if (kind == StepKind::if_begin) ++depth;
-      if (kind == StepKind::if_end) --depth;
-    }
-  }
-
   std::vector<EmittedWord> words(const Step& step) {
     std::vector<EmittedWord> out;
     for (std::uint32_t i = 0; i < step.word_count; ++i) {
       const StepWord& word = family_.words[step.first_word + i];
-      out.push_back({word.address, values_.copy(word.value)});
+      out.push_back(
+          {word.address, values_.copy(word.value), word.is_step ? ir::WordMode::incremental : ir::WordMode::as_modal});
     }
     return out;
   }
@@ -319,6 +310,15 @@ class Builder {
       emit_.block(std::span<const EmittedCode>(), words);
   }
 
+  // An M function stands for it until it is printed. What it may have changed is stated again after it.
+  void native(const Step& step) {
+    const NativeVerb& verb = family_.natives[static_cast<std::size_t>(step.number)];
+    const EmittedCode code{Function::machine_function, static_cast<std::int16_t>(kFirstNativeFunction + step.number)};
+    emit_.block(std::span(&code, 1), {});
+    if (verb.changes_motion) motion_ = Function::none;
+    if (verb.changes_feed) feed_ = last_feed_;
+  }
+
   // The code, unless it is in effect.
   void take_motion(Function motion, std::vector<EmittedCode>& codes) {
     if (std::exchange(motion_, motion) != motion) codes.push_back({motion});
@@ -356,6 +356,7 @@ class Builder {
     emit_.block(codes, out);
   }
 
+  static constexpr Function kPlanes[] = {Function::plane_xy, Function::plane_zx, Function::plane_yz};
   static constexpr Function kCompensation[] = {Function::comp_off, Function::comp_left, Function::comp_right};
 
   void coolant(const Step& step) {

@@ -10,6 +10,17 @@ namespace dripfeed::family {
 using ir::ExpressionId;
 using ir::Operator;
 
+std::size_t skip_branch(const std::vector<Step>& steps, std::size_t at) {
+  std::size_t depth = 0;
+  for (++at;; ++at) {
+    const StepKind kind = steps[at].kind;
+    if (depth == 0 && kind == StepKind::if_else) return at;
+    if (depth == 0 && kind == StepKind::if_end) return at - 1;
+    if (kind == StepKind::if_begin) ++depth;
+    if (kind == StepKind::if_end) --depth;
+  }
+}
+
 BuildNames::BuildNames(const BoundFamily& bound)
     : bound_(bound),
       family_(*bound.family),
@@ -84,8 +95,28 @@ void BuildNames::need_numbers(const List& list) {
   for (const ExpressionId element : list.elements) need(element);
 }
 
+// What stands in a branch that is decided against is not in the program.
+void BuildNames::need_steps() {
+  std::vector<bool> decided;  // of open `if`s
+  for (std::size_t at = 0; at < family_.steps.size(); ++at) {
+    const Step& step = family_.steps[at];
+    if (step.kind == StepKind::if_begin) {
+      decided.push_back(is_decided(step.values[0]));
+      if (decided.back() && evaluate(family_.arena, step.values[0], bound_.values).value == 0.0)
+        at = skip_branch(family_.steps, at);
+      else if (!decided.back())
+        need(step);
+    } else if (step.kind == StepKind::if_else && decided.back()) {
+      at = skip_branch(family_.steps, at);
+    } else {
+      if (step.kind == StepKind::if_end) decided.pop_back();
+      need(step);
+    }
+  }
+}
+
 void BuildNames::find_needed() {
-  for (const Step& step : family_.steps) need(step);
+  need_steps();
   // What stands lower uses what stands above.
   auto list = family_.lists.rbegin();
   for (auto one = family_.definitions.rbegin(); one != family_.definitions.rend(); ++one) {

@@ -2,6 +2,7 @@
 // all, and which of those change.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -10,6 +11,9 @@
 #include "dialects/family/bind.h"
 
 namespace dripfeed::family {
+
+// From an `if` or `else` whose branch is not taken: to its `else`, or to the step before its `end`.
+std::size_t skip_branch(const std::vector<Step>& steps, std::size_t at);
 
 class BuildNames {
  public:
@@ -39,6 +43,7 @@ class BuildNames {
   void need(ir::SymbolId symbol) { needed_[static_cast<std::size_t>(symbol)] = 1; }
   void need(const Step& step);
   void need_numbers(const List& list);
+  void need_steps();
 
   const BoundFamily& bound_;
   const Family& family_;

@@ -169,6 +169,10 @@ constexpr auto kKeywords = [] {
       "tolerance",
       "program",
       "native",
+      "plane",
+      "chamfer",
+      "rounding",
+      "by",
       "end",
       // steps
       "work",

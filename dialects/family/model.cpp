@@ -33,6 +33,11 @@ bool begins_taps(const Step& step) {
   return step.kind == StepKind::drill_begin && (is(ir::DrillCycle::tap_right) || is(ir::DrillCycle::tap_left));
 }
 
+const NativeVerb::Row* NativeVerb::find(std::string_view dialect) const {
+  const auto row = std::ranges::find(rows, dialect, &Row::dialect);
+  return row == rows.end() ? nullptr : &*row;
+}
+
 bool takes_feed_away(const Step& step) { return step.kind == StepKind::thread || begins_taps(step); }
 
 bool is_number_of_cycle(ir::Address address) { return address == ir::Address::f || address == ir::Address::p; }

@@ -186,11 +186,31 @@ enum class StepKind : std::uint8_t {
   dwell,    // values[0]
   stop,
   optional_stop,
+  plane,   // number: 0 xy, 1 zx, 2 yz
+  native,  // number: row of Family::natives
 };
+
+// A block of the controls' own languages, word for word.
+struct NativeVerb {
+  struct Row {
+    std::string dialect;
+    std::string text;
+  };
+  std::vector<Row> rows;
+  bool changes_motion = false;  // what is in effect after it is not known
+  bool changes_feed = false;
+  text::Span span;
+  // nullptr: it has no text for that language.
+  [[nodiscard]] const Row* find(std::string_view dialect) const;
+};
+// In a built program this M function stands for row n of Family::natives; what is printed has its text instead.
+inline constexpr std::int16_t kFirstNativeFunction = 30'000;
+inline constexpr std::size_t kMostNatives = 1000;
 
 struct StepWord {
   ir::Address address = ir::Address::x;
   ir::ExpressionId value = ir::ExpressionId::none;
+  bool is_step = false;  // of an axis: from where it is
 };
 
 // One verb of the body. Which fields count is by kind, as written there.
@@ -262,6 +282,7 @@ struct Family {
   std::vector<Subprogram> subprograms;
   std::vector<Step> steps;
   std::vector<StepWord> words;
+  std::vector<NativeVerb> natives;
   std::vector<LineRange> profiles;  // lines between `profile` and its `end`
 
   std::optional<NativeText> native;  // instead of the steps

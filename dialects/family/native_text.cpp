@@ -14,9 +14,10 @@ constexpr bool is_name_byte(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || is_digit(c);
 }
 
+// The verb of that name has its text in quotes on its line.
 bool is_native_line(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-  if (!line.starts_with(kNative)) return false;
+  if (!line.starts_with(kNative) || line.contains('"')) return false;
   return line.size() == kNative.size() || !is_name_byte(line[kNative.size()]);
 }
 

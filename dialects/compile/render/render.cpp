@@ -19,6 +19,7 @@
 #include "dialects/compile/plain/index_places.h"
 #include "dialects/compile/render/annotate.h"
 #include "dialects/compile/render/family_lines.h"
+#include "dialects/compile/render/native_verbs.h"
 #include "dialects/compile/render/wrapped_family.h"
 #include "dialects/compile/translate/cone_leads.h"
 #include "dialects/compile/translate/thread_leads.h"
@@ -73,6 +74,8 @@ class Renderer {
     control_ = neutral_control(family_->machine, family_->x_is_diameter);
     control_.semantics.chip_break_retract_mm = request_.target.semantics.chip_break_retract_mm;
     control_.semantics.peck_clearance_mm = request_.target.semantics.peck_clearance_mm;
+    admit_natives(*family_, control_);
+    report(faults_of_natives(*family_, dialect_, request_.target));
     if (request_.target.from_profile) refuse_missing_axes();
     refuse_unset_numbers();
     refuse_hidden_texts();
@@ -243,6 +246,7 @@ class Renderer {
 
   void print(ir::Program& raised) {
     printed_ = print_for(dialect_, raised, request_.target);
+    put_natives(*family_, dialect_, printed_);
     annotate(printed_, annotation_of(bound_, request_.heading, result_.mode == RenderMode::macro), request_.target,
              dialect_.comments);
     if (request_.delivery == ir::Delivery::drip) wrap_for_wire(printed_, dialect_.name, built_.name);
