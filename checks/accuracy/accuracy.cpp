@@ -155,6 +155,7 @@ void Accuracy::judge(const curves::Deviation& deviation, const ir::Place& place)
   const curves::Extreme& worst =
       deviation.highest.value >= -deviation.lowest.value ? deviation.highest : deviation.lowest;
   trace_.add(worst.at.z, worst.value);
+  if (settings_.keeps_blocks) report_.of_blocks.push_back({place.ordinal, worst.value});
   const double size = std::fabs(worst.value);
   if (size <= worst.tolerance) return;
   report_.findings.add(text::DiagnosticId::deviation_beyond_tolerance, place, size, worst.tolerance, [&] {

@@ -29,6 +29,7 @@ struct Settings {
   // Nose radii and tips; a tool that is not here is taken as a point, and the report states that.
   std::vector<checks::Tool> tools = {};
   double coverage_mm = 0.001;  // a gap up to this is none
+  bool keeps_blocks = false;   // the report has the deviation of each block
 };
 
 class Accuracy final : public ir::MotionSink {

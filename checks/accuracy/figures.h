@@ -78,6 +78,12 @@ class Trace {
   TracePoint best_;
 };
 
+// The largest deviation of what one block cuts, with its sign.
+struct BlockDeviation {
+  std::uint64_t ordinal = 0;  // as in ir::Place
+  double value_mm = 0.0;
+};
+
 struct Report {
   std::uint64_t blocks = 0;        // moves that make the profile
   bool in_plane = false;           // milling in x-y
@@ -91,6 +97,7 @@ struct Report {
   bool covered = false;              // the path passes all of the nominal
   std::vector<Gap> gaps;             // where it does not
   std::vector<TracePoint> trace;
+  std::vector<BlockDeviation> of_blocks;  // in the order of the run; where the settings ask for them
   checks::FindingList findings;
   checks::NotCheckedList not_checked;
 

@@ -304,6 +304,7 @@ void PlaneAccuracy::judge(const curves::Deviation& deviation, const ir::Place& p
   const curves::Extreme& worst =
       deviation.highest.value >= -deviation.lowest.value ? deviation.highest : deviation.lowest;
   trace_.add(along_, worst.value);
+  if (settings_.keeps_blocks) report_.of_blocks.push_back({place.ordinal, worst.value});
   const double size = std::fabs(worst.value);
   if (size <= worst.tolerance) return;
   report_.findings.add(text::DiagnosticId::deviation_beyond_tolerance, place, size, worst.tolerance,

@@ -31,6 +31,7 @@ struct PlaneSettings {
   std::vector<checks::Tool> tools =
       {};                     // by diameter; one that is not here is taken as a point, and the report states that
   double coverage_mm = 0.01;  // a gap up to this is none
+  bool keeps_blocks = false;  // the report has the deviation of each block
 };
 
 class PlaneAccuracy final : public ir::MotionSink {

@@ -208,6 +208,8 @@ bool Timing::Work::ran(const Row& row, const Ran& how) {
     report_.lowest_buffer_bytes = std::min(report_.lowest_buffer_bytes, how.buffered_bytes);
     report_.lowest_buffer_blocks = std::min(report_.lowest_buffer_blocks, how.buffered_blocks);
   }
+  if (report_.motion_times.size() < settings_.most_motion_times)
+    report_.motion_times.push_back({how.start_s, how.start_s + how.duration_s, how.buffered_bytes});
   course_.add(row.line, how.start_s);
   stretches_.add(how.limiter, row.line, how.start_s - how.waited_s, how.waited_s + how.duration_s);
   if (settings_.wants_curve && keeps_whole_) {

@@ -50,6 +50,8 @@ struct Settings {
   bool keep_whole = false;
   std::size_t most_kept = kMostKept;
   bool wants_curve = false;
+  // Of so many motions, the first ones, the report has each one's own time.
+  std::size_t most_motion_times = 0;
   unsigned threads = 1;  // for plans of whole programs
 };
 // What would keep the machine from waiting. Nothing where it does not wait, or where nothing within reach helps.
@@ -66,6 +68,13 @@ struct CurvePoint {
   double speed_mm_s = 0.0;
   std::uint64_t buffered_bytes = 0;
   std::uint64_t buffered_blocks = 0;
+};
+
+// When a motion runs; what it waits for beforehand is left out.
+struct MotionTime {
+  double start_s = 0.0;
+  double end_s = 0.0;
+  std::uint64_t buffered_bytes = 0;  // in the control when it begins, of a program that is fed
 };
 
 struct Report {
@@ -91,6 +100,7 @@ struct Report {
   std::size_t stretch_count = 0;  // also those that the list has no room for
   Advice advice;
   std::vector<CurvePoint> curve;
+  std::vector<MotionTime> motion_times;  // of the motions that have places (checks::has_places), in their order
   std::vector<CoursePoint> course;  // of the main program; empty where lines run more than once, or others are called
   double path_mm = 0.0;
   double rapid_s = 0.0;  // of motion_s

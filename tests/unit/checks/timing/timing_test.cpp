@@ -75,6 +75,21 @@ TEST(Timing, OneMoveIsATrapezoid) {
   EXPECT_NEAR(report.path_mm, 100, 1e-12);
 }
 
+TEST(Timing, EachMotionHasItsOwnTimeWhereThatIsAskedFor) {
+  Program program;
+  program.move(linear, 100, 0, 0, 6000);
+  program.event(dwell, 2.0);
+  program.move(linear, 100, 50, 0, 6000);
+  const Report report = program.run({.machine = mill(), .most_motion_times = 100});
+  ASSERT_EQ(report.motion_times.size(), 3U);
+  EXPECT_NEAR(report.motion_times[0].end_s, 1.1, 1e-12);
+  EXPECT_NEAR(report.motion_times[1].start_s, 1.1, 1e-12);
+  EXPECT_NEAR(report.motion_times[2].start_s, 3.1, 1e-12);
+  EXPECT_NEAR(report.motion_times[2].end_s, report.cycle_s, 1e-12);
+  EXPECT_EQ(program.run({.machine = mill(), .most_motion_times = 2}).motion_times.size(), 2U);
+  EXPECT_TRUE(program.run({.machine = mill()}).motion_times.empty());
+}
+
 TEST(Timing, ARightAngleIsTakenAtAccelerationTimesSampleTime) {
   Program program;
   program.move(linear, 50, 0, 0, 6000);
