@@ -43,6 +43,7 @@ Gouge::Gouge(Settings settings) : settings_(std::move(settings)) {
     const Cylinder& bar = *settings_.stock;
     if (bar.diameter_mm > 0.0 && bar.z_low_mm < bar.z_high_mm) {
       stock_.emplace(0.5 * bar.diameter_mm, curves::Range{bar.z_low_mm, bar.z_high_mm}, settings_.step_mm);
+      stock_->log_to(settings_.log);
     }
   }
   if (!stock_) report_.not_checked.add("no stock is given: rapid moves were checked against the nominal only");
@@ -170,6 +171,7 @@ void Gouge::check_cut(const ir::Motion& motion, const curves::PathPiece& tip_pat
   ++report_.cuts;
   // Compensated, the surface is the path itself.
   const curves::Nose nose = motion.comp == ir::CompSide::off ? nose_ : curves::Nose{};
+  if (stock_ && settings_.log != nullptr) settings_.log->begin(motion, 0.0, 1.0);
   if (stock_) stock_->cut(nose, tip_path);
   if (motion.kind == ir::MotionKind::thread) {
     report_.not_checked.add("a thread was not checked against the nominal", motion.place.line);

@@ -39,7 +39,8 @@ struct Settings {
   // then rapids are taken as lines.
   double rapid_x_mm_min = 0.0;
   double rapid_z_mm_min = 0.0;
-  double step_mm = 0.02;  // between the places at which the stock's height is kept
+  double step_mm = 0.02;      // between the places at which the stock's height is kept
+  RemovalLog* log = nullptr;  // gets what the cuts take away; it must outlive the check
 };
 
 struct Report {
@@ -60,6 +61,8 @@ class Gouge final : public ir::MotionSink {
   [[nodiscard]] Report finish();
   // What is left of the bar over the nominal, as radii.
   [[nodiscard]] plot::Plot picture() const;
+  // The stock as it is left so far; nullptr: there is none, or it is not known any more.
+  [[nodiscard]] const RemainingStock* stock() const { return stock_ ? &*stock_ : nullptr; }
 
  private:
   void follow_tool(const ir::Motion& motion);

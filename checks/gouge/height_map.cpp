@@ -87,6 +87,7 @@ void HeightMap::set_nominal(std::span<const curves::HeightField> nominal) {
       tolerances_[row * columns_ + column] = static_cast<float>(place->tolerance);
     }
   }
+  surface_ = own;
   nominal_ = own;
   for (std::size_t row = 0; row < rows_; ++row) {
     for (std::size_t column = 0; column < columns_; ++column) {
@@ -178,11 +179,23 @@ Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to)
   pass(sweep, goes_on, [&](std::size_t place, double x, double y, double z) {
     if (!(z < heights_[place])) return;
     heights_[place] = z <= bottom_ ? kNothing : z;
+    if (log_ != nullptr) log_->take(place, heights_[place], sweep.share_before(x, y));
     if (!judged) return;
     const double below = nominal_[place] - z;
     if (below > static_cast<double>(tolerances_[place]) && below > deepest.mm) deepest = {below, x, y};
   });
   return deepest;
+}
+
+HeightMap::Grid HeightMap::grid() const {
+  return {.columns = columns_,
+          .rows = rows_,
+          .x_low = x_.low,
+          .y_low = y_.low,
+          .bottom = bottom_,
+          .heights = heights_,
+          .nominal = surface_,
+          .tolerances = tolerances_};
 }
 
 double HeightMap::height(double x, double y) const {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "checks/gouge/removal.h"
 #include "checks/gouge/sweep.h"
 #include "checks/plot/plot.h"
 #include "dialects/curves/height_field.h"
@@ -53,6 +54,22 @@ class HeightMap {
   // the depth is from the nominal.
   Depth cut(const Cutter& cutter, const Point3& from, const Point3& to);
 
+  // From now on `log`, which must outlive this, gets what the cuts take away, by place(row, column).
+  void log_to(RemovalLog* log) { log_ = log; }
+  // Rows lie along x; the first one is the lowest in y.
+  struct Grid {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    double x_low = 0.0;
+    double y_low = 0.0;
+    double bottom = 0.0;  // of the material
+    // By place, in the middle of a cell; -infinity: no material, no nominal.
+    std::vector<double> heights;
+    std::vector<double> nominal;  // the surface itself; empty: none is known
+    std::vector<float> tolerances;
+  };
+  [[nodiscard]] Grid grid() const;
+
   // -infinity where there is no material.
   [[nodiscard]] double height(double x, double y) const;
   [[nodiscard]] double step_mm() const { return step_; }
@@ -81,7 +98,9 @@ class HeightMap {
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
   std::vector<double> heights_;
-  std::vector<double> nominal_;    // -infinity: none; empty: none at all
+  std::vector<double> nominal_;  // -infinity: none; empty: none at all
+  std::vector<double> surface_;  // the same, without regard to tolerances
+  RemovalLog* log_ = nullptr;
   std::vector<float> tolerances_;  // mm
   struct LastCut {
     Cutter cutter;

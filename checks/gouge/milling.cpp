@@ -33,6 +33,7 @@ Milling::Milling(MillingSettings settings)
     report_.not_checked.add("no stock is given: rapid moves were checked against the nominal only");
     if (!settings_.nominal.empty()) map_.emplace(settings_.nominal, settings_.step_mm);
   }
+  if (map_) map_->log_to(settings_.log);
   if (settings_.nominal.empty()) report_.not_checked.add("no nominal is given: cuts were not checked against it");
   knows_speeds_ = std::ranges::all_of(settings_.rapid_mm_min, [](double speed) { return speed > 0.0; });
   if (!knows_speeds_) {
@@ -139,6 +140,7 @@ void Milling::check_move(const ir::Motion& motion) {
     if (motion.kind == ir::MotionKind::rapid) {
       check_rapid(motion, end, end);
     } else {
+      log_part(motion, 1.0, 1.0);
       check_cut(motion, end, end);
     }
     return;
@@ -147,12 +149,27 @@ void Milling::check_move(const ir::Motion& motion) {
   if (motion.kind == ir::MotionKind::rapid) {
     check_rapid(motion, start, end);
   } else if (checks::is_arc(motion)) {
-    checks::for_chords(motion, kArcError_mm, [&](const checks::AxisValues& from, const checks::AxisValues& to) {
-      check_cut(motion, point_of(from), point_of(to));
-    });
+    check_arc(motion);
   } else {
+    log_part(motion, 0.0, 1.0);
     check_cut(motion, start, end);
   }
+}
+
+void Milling::log_part(const ir::Motion& motion, double from, double to) {
+  if (settings_.log != nullptr) settings_.log->begin(motion, from, to);
+}
+
+void Milling::check_arc(const ir::Motion& motion) {
+  double chords = 0.0;
+  if (settings_.log != nullptr)
+    checks::for_chords(motion, kArcError_mm, [&](const checks::AxisValues&, const checks::AxisValues&) { ++chords; });
+  double done = 0.0;
+  checks::for_chords(motion, kArcError_mm, [&](const checks::AxisValues& from, const checks::AxisValues& to) {
+    log_part(motion, done / chords, (done + 1.0) / chords);
+    ++done;
+    check_cut(motion, point_of(from), point_of(to));
+  });
 }
 
 void Milling::add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth) {

@@ -35,6 +35,7 @@ struct MillingSettings {
   double step_mm = 0.0;  // between the places of the height map; 0: as fine as its memory allows
   CompRadius comp_radius = CompRadius::of_tool;
   OuterCorner outer_corner = OuterCorner::arc;
+  RemovalLog* log = nullptr;  // gets what the cuts take away; it must outlive the check
 };
 
 class Milling final : public ir::MotionSink {
@@ -45,6 +46,8 @@ class Milling final : public ir::MotionSink {
   [[nodiscard]] Report finish();
   // What is left, and where the first findings lie.
   [[nodiscard]] plot::Plot picture() const;
+  // The stock as it is left so far; nullptr: there is none.
+  [[nodiscard]] const HeightMap* map() const { return map_ ? &*map_ : nullptr; }
 
  private:
   void follow_tool(const ir::Motion& motion);
@@ -54,6 +57,8 @@ class Milling final : public ir::MotionSink {
   [[nodiscard]] double comp_radius_of(const ir::Motion& motion);
   void check_move(const ir::Motion& motion);
   void check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to);
+  void log_part(const ir::Motion& motion, double from, double to);
+  void check_arc(const ir::Motion& motion);
   void check_cut(const ir::Motion& motion, const Point3& from, const Point3& to);
   void add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth);
 

@@ -36,6 +36,12 @@ void for_segments(const curves::PathPiece& piece, Visit&& visit) {
   }
 }
 
+// How much of the way lies before z is reached, 0 to 1.
+double share_before(const curves::Segment& centers, double z) {
+  const double length = centers.b.z - centers.a.z;
+  return std::fabs(length) > kUpright_mm ? std::clamp((z - centers.a.z) / length, 0.0, 1.0) : 1.0;
+}
+
 // Lower edge of the swept capsule.
 class LowerEdge {
  public:
@@ -131,8 +137,17 @@ Touch RemainingStock::touch(const curves::Nose& nose, const curves::PathPiece& t
 }
 
 void RemainingStock::cut(const curves::Nose& nose, const curves::PathPiece& tip_path) {
-  for_segments(curves::moved(tip_path, -nose.radius * nose.tip), [&](const curves::Segment& centers) {
-    pass(nose.radius, centers, [&](std::size_t place, double x) { heights_[place] = std::min(heights_[place], x); });
+  const curves::PathPiece way = curves::moved(tip_path, -nose.radius * nose.tip);
+  double segments = 0.0;
+  if (log_ != nullptr) for_segments(way, [&](const curves::Segment&) { ++segments; });
+  double done = 0.0;
+  for_segments(way, [&](const curves::Segment& centers) {
+    pass(nose.radius, centers, [&](std::size_t place, double x) {
+      if (!(x < heights_[place])) return;
+      heights_[place] = x;
+      if (log_ != nullptr) log_->take(place, x, (done + share_before(centers, z_at(place))) / segments);
+    });
+    ++done;
   });
 }
 

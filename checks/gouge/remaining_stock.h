@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "checks/gouge/removal.h"
 #include "dialects/curves/nose.h"
 #include "dialects/curves/path.h"
 #include "dialects/curves/point.h"
@@ -27,6 +28,11 @@ class RemainingStock {
   [[nodiscard]] Touch touch(const curves::Nose& nose, const curves::PathPiece& tip_path, double slack) const;
   // Takes away what the nose passes.
   void cut(const curves::Nose& nose, const curves::PathPiece& tip_path);
+  // From now on `log`, which must outlive this, gets what the cuts take away, by place from the lowest z on.
+  void log_to(RemovalLog* log) { log_ = log; }
+  [[nodiscard]] const std::vector<double>& radii() const { return heights_; }
+  [[nodiscard]] double z_low() const { return z_.low; }
+  [[nodiscard]] double step_mm() const { return step_; }
   // Radius left at z, the lower of its two neighbours between places; 0 beyond the bar's ends.
   [[nodiscard]] double height(double z) const;
   // At most `most` points from end to end, of several places the lowest.
@@ -43,6 +49,7 @@ class RemainingStock {
   curves::Range z_;
   double step_ = 0.0;
   std::vector<double> heights_;
+  RemovalLog* log_ = nullptr;
 };
 
 }  // namespace dripfeed::gouge

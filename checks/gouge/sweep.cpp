@@ -73,6 +73,14 @@ std::optional<Sweep::Row> Sweep::row(double y) const {
   return out;
 }
 
+double Sweep::share_before(double x, double y) const {
+  if (upright_) return 1.0;
+  const double along = (x - from_.x) * dir_x_ + (y - from_.y) * dir_y_;
+  const double across = (y - from_.y) * dir_x_ - (x - from_.x) * dir_y_;
+  const double half = std::sqrt(std::max(0.0, cutter_.radius * cutter_.radius - across * across));
+  return std::clamp((along - half) / length_, 0.0, 1.0);
+}
+
 double Sweep::lowest(double x, double y) const {
   const double infinity = std::numeric_limits<double>::infinity();
   const double away_x = x - from_.x;

@@ -29,6 +29,9 @@ class Sweep {
   // The lowest height over (x, y), which the row holds; infinity outside it.
   [[nodiscard]] double lowest(double x, double y) const;
 
+  // How much of the line lies before the place is reached, 0 to 1.
+  [[nodiscard]] double share_before(double x, double y) const;
+
   [[nodiscard]] double y_low() const;
   [[nodiscard]] double y_high() const;
   [[nodiscard]] double z_low() const { return z_low_; }
