@@ -95,9 +95,7 @@ Response diagnose(const Call& call);
 Response convert(const Call& call);
 Response rewrite(const Call& call);
 Response split_text(const Call& call);
-Response path_of_text(const Call& call);
 Response statistics_of_text(const Call& call);
-Response get_program_path(const Call& call);
 Response get_dialect_words(const Call& call);
 
 // handlers_library.cpp
@@ -145,6 +143,12 @@ struct StoredText {
   std::string text;
 };
 app::Result<StoredText> load_text(store::Store& store, store::Id program, store::Revision revision, std::uint64_t most);
+
+// handlers_paths.cpp
+Response path_of_text(const Call& call);
+Response stock_of_text(const Call& call);
+Response get_program_path(const Call& call);
+Response get_program_stock(const Call& call);
 
 // handlers_jobs.cpp
 Response list_releases(const Call& call);

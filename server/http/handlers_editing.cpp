@@ -1,4 +1,4 @@
-// For who writes or reads a text: what is wrong with it as it stands, the words of its language, its toolpath.
+// For who writes or reads a text: what is wrong with it as it stands, the words of its language, its figures.
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include "server/app/library/split_text.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
+#include "server/http/text_orders.h"
 #include "server/json/diagnostics.h"
 #include "server/json/requests.h"
 #include "server/json/workers.h"
@@ -15,16 +16,8 @@ namespace dripfeed::http {
 
 namespace {
 
-// Longest stored text that is translated, or whose path is drawn.
+// Longest stored text that is translated.
 constexpr std::uint64_t kTextLimit = std::uint64_t{64} << 20U;
-
-// The machine's document; "" where none is named.
-app::Result<std::string> profile_of(store::Store& store, const std::string& machine) {
-  if (machine.empty()) return std::string();
-  auto found = app::lift(store.machines().get(machine));
-  if (!found) return std::unexpected(found.error());
-  return std::move(found->profile);
-}
 
 app::Result<void> load_program(store::Store& store, const json::ConvertBody& body, app::TranslationOrder& order) {
   auto stored = load_text(store, body.program, body.revision, kTextLimit);
@@ -54,21 +47,13 @@ app::Result<app::TranslationOrder> translation_order(store::Store& store, json::
   return order;
 }
 
-app::Result<app::DiagnoseOrder> order_of(const Call& call, json::DiagnoseBody body) {
-  app::DiagnoseOrder order{.dialect = std::move(body.dialect), .text = std::move(body.text), .delivery = body.delivery};
-  auto profile = profile_of(call.api.application().store(), body.machine);
-  if (!profile) return std::unexpected(profile.error());
-  order.profile = std::move(*profile);
-  return order;
-}
-
 using Work = app::Result<std::string> (json::DocumentWorkers::*)(const app::DiagnoseOrder&, const app::Waiter&);
 
 Response work_on_text(const Call& call, Work work, std::string_view kind) {
   auto body = json::read_diagnose_body(call.request.body);
   if (!body) return problem_response(body.error());
   const std::string machine = body->machine;
-  const auto order = order_of(call, std::move(*body));
+  const auto order = text_order(call, std::move(*body));
   if (!order) return problem_response(order.error());
   const auto done = (call.api.workers().*work)(*order, waiter_of(call, kind, "text", machine));
   if (!done) return problem_response(done.error());
@@ -92,7 +77,7 @@ Response rewrite(const Call& call) {
   auto body = json::read_rewrite_body(call.request.body);
   if (!body) return problem_response(body.error());
   const std::string machine = body->of.machine;
-  auto of = order_of(call, std::move(body->of));
+  auto of = text_order(call, std::move(body->of));
   if (!of) return problem_response(of.error());
   const app::RewriteOrder order{
       .of = std::move(*of), .how = body->how, .numbering = body->numbering, .first = body->first, .step = body->step};
@@ -110,22 +95,6 @@ Response split_text(const Call& call) {
 Response diagnose(const Call& call) { return work_on_text(call, &json::DocumentWorkers::diagnose, "diagnose"); }
 Response statistics_of_text(const Call& call) {
   return work_on_text(call, &json::DocumentWorkers::statistics, "statistics");
-}
-Response path_of_text(const Call& call) { return work_on_text(call, &json::DocumentWorkers::path, "path"); }
-
-Response get_program_path(const Call& call) {
-  const auto id = id_of(call.parameters[0]);
-  if (!id) return id.error();
-  const auto revision = number_of(call.request, "revision", 0, 1, INT64_MAX);
-  if (!revision) return revision.error();
-  auto text = load_text(call.api.application().store(), *id, *revision, kTextLimit);
-  if (!text) return problem_response(text.error());
-  const std::string machine = query_text(call.request, "machine");
-  const auto order = order_of(call, {.text = std::move(text->text), .dialect = text->dialect, .machine = machine});
-  if (!order) return problem_response(order.error());
-  const auto done = call.api.workers().path(*order, waiter_of(call, "path", fmt::format("program/{}", *id), machine));
-  if (!done) return problem_response(done.error());
-  return with_revision(json_response(200, *done), text->revision);
 }
 
 Response get_dialect_words(const Call& call) {

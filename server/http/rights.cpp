@@ -37,6 +37,7 @@ constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/convert", "checks"},
     ScopeRow{"/api/v1/rewrite", "checks"},
     ScopeRow{"/api/v1/path", "checks"},
+    ScopeRow{"/api/v1/stock", "checks"},
     ScopeRow{"/api/v1/statistics", "checks"},
     ScopeRow{"/api/v1/accuracy", "checks"},
     ScopeRow{"/api/v1/gouge", "checks"},
@@ -91,6 +92,7 @@ constexpr std::array kActRows = {
     // Of a text alone where the body names no machine: whoever may do it on one machine.
     ActRow{Method::post, "/api/v1/diagnose", Acts::machine_in_body},
     ActRow{Method::post, "/api/v1/path", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/stock", Acts::machine_in_body},
     ActRow{Method::post, "/api/v1/convert", Acts::machine_in_body},
     ActRow{Method::post, "/api/v1/rewrite", Acts::anywhere},
     ActRow{Method::post, "/api/v1/statistics", Acts::machine_in_body},

@@ -6,6 +6,7 @@
 #include "server/json/documents.h"
 #include "server/json/reports.h"
 #include "server/json/requests.h"
+#include "server/json/stock_bytes.h"
 #include "server/json/sweep_report.h"
 #include "server/json/tool_path.h"
 #include "server/json/translation.h"
@@ -184,6 +185,14 @@ Reply path(const Work& work) {
   return reply;
 }
 
+Reply stock(const Work& work) {
+  const auto done = app::follow_stock(read_text_order(work.package), work.documents, work.budget);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(stock_bytes(*done));
+  return reply;
+}
+
 Reply figures_of_text(const Work& work) {
   const auto done = app::statistics_of(read_text_order(work.package), work.documents, work.budget);
   if (!done) return std::unexpected(done.error());
@@ -229,13 +238,11 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},       {"render", render},
-                              {"accuracy", accuracy}, {"gouge", gouge},
-                              {"timing", timing},     {"sweep", sweep},
-                              {"compare", compare},   {"index", index},
-                              {"diagnose", diagnose}, {"convert", convert},
-                              {"path", path},         {"restart", restart},
-                              {"rewrite", rewrite},   {"statistics", figures_of_text},
+constexpr KindRow kKinds[] = {{"check", check},     {"render", render},   {"accuracy", accuracy},
+                              {"gouge", gouge},     {"timing", timing},   {"sweep", sweep},
+                              {"compare", compare}, {"index", index},     {"diagnose", diagnose},
+                              {"convert", convert}, {"path", path},       {"restart", restart},
+                              {"stock", stock},     {"rewrite", rewrite}, {"statistics", figures_of_text},
                               {"explain", explain}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {

@@ -33,6 +33,8 @@ constexpr std::array kRows = {
     WordsRow{"/api/v1/receipts/{id}/text", "form", kForms},
     WordsRow{"/api/v1/webhooks/{id}/deliveries", "state", store::kNames<store::DeliveryState>},
     WordsRow{"/api/v1/programs", "shelf", store::kNames<store::Shelf>},
+    WordsRow{"/api/v1/programs/{id}/path", "delivery", store::kNames<store::Delivery>},
+    WordsRow{"/api/v1/programs/{id}/stock", "delivery", store::kNames<store::Delivery>},
     WordsRow{"/api/v1/search", "shelf", kSearchShelves},
     WordsRow{"/api/v1/dialects/{name}/words", "kind", ir::kMachineKindNames},
     WordsRow{"/api/v1/dialects/{name}/words", "g_system", kGSystems},

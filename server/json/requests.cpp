@@ -169,13 +169,23 @@ void read_shown_restart(ObjectReader& o, RestartBody& into) {
   o.text("shown_sha256", into.shown_sha256, true);
 }
 
+void read_nominal(ObjectReader& o, std::optional<app::NominalOrder>& into) {
+  o.object("nominal", [&](ObjectReader& nominal) {
+    into.emplace();
+    nominal.text("family", into->family, true);
+    read_values_of(nominal, "values", into->values);
+  });
+}
+
+void read_members(ObjectReader& o, PathBody& into) {
+  read_members(o, into.of);
+  read_nominal(o, into.nominal);
+  o.text("stock", into.stock);
+}
+
 void read_members(ObjectReader& o, app::CheckOrder& into) {
   read_subject(o, into);
-  o.object("nominal", [&](ObjectReader& nominal) {
-    into.nominal.emplace();
-    nominal.text("family", into.nominal->family, true);
-    read_values_of(nominal, "values", into.nominal->values);
-  });
+  read_nominal(o, into.nominal);
   std::string profile;
   o.text("profile", profile);
   if (const auto lines = app::read_line_ranges(profile)) {
@@ -308,6 +318,7 @@ app::Result<app::RenderOrder> read_render_body(std::string_view body) { return r
 app::Result<app::CheckOrder> read_check_body(std::string_view body) { return read_body<app::CheckOrder>(body); }
 app::Result<ConvertBody> read_convert_body(std::string_view body) { return read_body<ConvertBody>(body); }
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body) { return read_body<DiagnoseBody>(body); }
+app::Result<PathBody> read_path_body(std::string_view body) { return read_body<PathBody>(body); }
 app::Result<RewriteBody> read_rewrite_body(std::string_view body) { return read_body<RewriteBody>(body); }
 app::Result<CompareTextBody> read_compare_text_body(std::string_view body) { return read_body<CompareTextBody>(body); }
 app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) {
@@ -361,6 +372,7 @@ Schemas request_schemas() {
       described<app::CheckOrder>("CheckOrder", read_members, "what is checked, and for which machine"),
       described<ConvertBody>("ConvertOrder", read_members, "a text and the control that it is translated for"),
       described<DiagnoseBody>("DiagnoseOrder", read_members, "a text that is being written; it is not stored"),
+      described<PathBody>("PathOrder", read_members, "a text that is being written, and what it should make"),
       described<RewriteBody>("RewriteOrder", read_members, "a text that is being written, and how it is rewritten"),
       described<CompareTextBody>("CompareText", read_members,
                                  "a text that is being written, and what it is held against"),

@@ -63,6 +63,14 @@ struct DiagnoseBody {
 };
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body);
 
+// The same, and what it should make.
+struct PathBody {
+  DiagnoseBody of;
+  std::optional<app::NominalOrder> nominal;
+  std::string stock;  // as app::read_stock has it; empty: the nominal's
+};
+app::Result<PathBody> read_path_body(std::string_view body);
+
 // The same, and how it is laid out again.
 struct RewriteBody {
   DiagnoseBody of;

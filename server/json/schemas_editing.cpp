@@ -58,6 +58,31 @@ Members path_members() {
           {"diagnostics", diagnostics_schema("of reading, validating and running the text; the first of each kind")}};
 }
 
+Members path_of_machine_members() {
+  const auto notes = [] { return list_of(text("one sentence"), "what they leave out"); };
+  const Schema shape = or_null(object("its shape, as the machine's profile or the family has it; null: not known",
+                                      {{"diameter_mm", or_null(number("of a mill; null: not known"))},
+                                       {"corner_radius_mm", number("of a mill: 0 is flat")},
+                                       {"nose_radius_mm", number("of a turning tool")},
+                                       {"tip", integer("of a turning tool, 0 to 9; 0 of others")},
+                                       {"length_mm", or_null(number("from the gauge line to the tip; null: not "
+                                                                    "known"))}}));
+  return {{"time", or_null(object("when the points are reached on the machine; null: not known",
+                                  {{"cycle_s", number("of the whole program, all waiting included")},
+                                   {"is_fed", flag("it goes over the machine's line while it runs")},
+                                   {"notes", notes()}}))},
+          {"why_no_time", or_null(text("why no times are known; null: they are"))},
+          {"deviation",
+           or_null(object("how far from the nominal the blocks cut; null: no nominal is known",
+                          {{"of_surface", flag("that the tool leaves; otherwise of the path")}, {"notes", notes()}}))},
+          {"tools", list_of(object("a tool", {{"tool", or_null(text("as the program names it; null: none is taken"))},
+                                              {"shape", shape}}),
+                            "in the order in which they are taken first")},
+          {"tool_changes", list_of(object("from a point on, another tool",
+                                          {{"point", integer("from 0")}, {"tool", integer("of tools, from 0")}}),
+                                   "in the order of the path")}};
+}
+
 Schema statistics() {
   const Schema tool =
       object("what one tool does", {{"tool", or_null(text("as the program names it; null: before any is taken"))},
@@ -143,16 +168,24 @@ Schemas path_schemas() {
        object(
            "what is known of a program's toolpath: the programmed one, without tool radius compensation, in the active "
            "work offset",
-           path_members() +
+           path_members() + path_of_machine_members() +
                Members{
                    {"points", integer("rows of the columns")},
                    {"kind_names", list_of(one_of(app::kPathKindNames, "of segment"), "by the numbers of the column")},
                    {"columns",
-                    object("a row a point; numbers little-endian, as base64",
-                           {{"points_mm", text("x y z as 32-bit floats, x as radius")},
-                            {"kinds", text("what leads to the point, a byte; begin: nothing does")},
-                            {"lines", text("of the program's text as 32-bit integers; 0: in a called program")},
-                            {"feeds", text("as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind")}})}})},
+                    object(
+                        "a row a point; numbers little-endian, as base64",
+                        {{"points_mm", text("x y z as 32-bit floats, x as radius")},
+                         {"kinds", text("what leads to the point, a byte; begin: nothing does")},
+                         {"lines", text("of the program's text as 32-bit integers; 0: in a called program")},
+                         {"feeds", text("as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind")},
+                         {"times_s", text("when the point is reached, 32-bit floats; NaN: not known; empty: of none")},
+                         {"speeds", text("mean speed of the segment to the point, mm/min, 32-bit floats; NaN: not "
+                                         "known; empty: of none")},
+                         {"buffer", text("bytes in the control when the motion to the point begins, 32-bit "
+                                         "integers; empty: nothing is fed")},
+                         {"deviations_mm", text("of what the point's block cuts from the nominal, 32-bit floats; "
+                                                "positive: material is left; NaN: not measured; empty: of none")}})}})},
       {"Statistics", statistics()}};
 }
 

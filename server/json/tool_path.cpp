@@ -50,16 +50,65 @@ Document head_document(const app::ToolPath& path) {
           {"diagnostics", embedded(diagnostics(report.checks.diagnostics, report.source))}};
 }
 
+// What is not known is 0 in a profile: null here.
+Document above_zero_or_null(double value) { return value > 0.0 ? Document(value) : Document(nullptr); }
+
+Document shape_document(const std::optional<checks::Tool>& tool) {
+  if (!tool) return nullptr;
+  return {{"diameter_mm", above_zero_or_null(tool->diameter_mm)},
+          {"corner_radius_mm", tool->corner_radius_mm},
+          {"nose_radius_mm", tool->nose_radius_mm},
+          {"tip", tool->tip},
+          {"length_mm", tool->length_mm ? Document(*tool->length_mm) : Document(nullptr)}};
+}
+
+Document path_tools_document(const app::ToolPath& path) {
+  Document tools = Document::array();
+  for (const app::ToolMoves& one : path.tools)
+    tools.push_back({{"tool", text_or_null(one.name)}, {"shape", shape_document(one.shape)}});
+  return tools;
+}
+
+Document tool_changes_document(const app::ToolPath& path) {
+  Document changes = Document::array();
+  for (const app::ToolChange& one : path.tool_changes) changes.push_back({{"point", one.point}, {"tool", one.tool}});
+  return changes;
+}
+
+Document path_time_document(const std::optional<app::PathTimes>& times) {
+  if (!times) return nullptr;
+  return {
+      {"cycle_s", times->cycle_s}, {"is_fed", !times->buffer.empty()}, {"notes", not_checked_sentences(times->notes)}};
+}
+
+Document path_deviation_document(const std::optional<app::PathDeviations>& deviations) {
+  if (!deviations) return nullptr;
+  return {{"of_surface", deviations->of_surface}, {"notes", not_checked_sentences(deviations->notes)}};
+}
+
 }  // namespace
 
 std::string tool_path(const app::ToolPath& path) {
+  const app::PathTimes no_times;
+  const app::PathTimes& times = path.times ? *path.times : no_times;
+  const std::vector<float> no_deviations;
   Document document = head_document(path);
+  document["time"] = path_time_document(path.times);
+  document["why_no_time"] = text_or_null(path.why_no_times);
+  document["deviation"] = path_deviation_document(path.deviations);
+  document["tools"] = path_tools_document(path);
+  document["tool_changes"] = tool_changes_document(path);
   document["points"] = path.kinds.size();
   document["kind_names"] = app::kPathKindNames;
-  document["columns"] = {{"points_mm", base64_column(path.points_mm)},
-                         {"kinds", base64_column(path.kinds)},
-                         {"lines", base64_column(path.lines)},
-                         {"feeds", base64_column(path.feeds)}};
+  document["columns"] = {
+      {"points_mm", base64_column(path.points_mm)},
+      {"kinds", base64_column(path.kinds)},
+      {"lines", base64_column(path.lines)},
+      {"feeds", base64_column(path.feeds)},
+      {"times_s", base64_column(times.times_s)},
+      {"speeds", base64_column(times.speeds_mm_min)},
+      {"buffer", base64_column(times.buffer)},
+      {"deviations_mm", base64_column(path.deviations ? path.deviations->values_mm : no_deviations)}};
   return dump(document);
 }
 

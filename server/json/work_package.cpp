@@ -25,6 +25,34 @@ app::Values read_values(const Document& from, const WorkPackage& package) {
   return values;
 }
 
+Document write_lines(const std::vector<family::LineRange>& ranges) {
+  Document lines = Document::array();
+  for (const family::LineRange& one : ranges) lines.push_back({one.first, one.last});
+  return lines;
+}
+
+std::vector<family::LineRange> read_lines(const Document& from) {
+  std::vector<family::LineRange> ranges;
+  for (const Document& one : from) ranges.push_back({one.at(0).get<std::uint32_t>(), one.at(1).get<std::uint32_t>()});
+  return ranges;
+}
+
+Document write_nominal(const app::NominalCase& nominal, WorkPackage& into) {
+  return {{"family", into.add(nominal.family)},
+          {"revision", nominal.revision},
+          {"text", into.add(nominal.text)},
+          {"values", write_values(nominal.values, into)},
+          {"is_said", nominal.is_said}};
+}
+
+app::NominalCase read_nominal(const Document& from, const WorkPackage& package) {
+  return {.family = package.text_of(from, "family"),
+          .revision = from.at("revision").get<store::Revision>(),
+          .text = package.text_of(from, "text"),
+          .values = read_values(from.at("values"), package),
+          .is_said = from.at("is_said").get<bool>()};
+}
+
 }  // namespace
 
 Document write_texts(const std::vector<std::string>& texts, WorkPackage& into) {
@@ -77,8 +105,6 @@ app::Result<WorkPackage> read_package(std::string_view bytes) {
 }
 
 Document write_case(const app::CaseOrder& order, WorkPackage& into) {
-  Document lines = Document::array();
-  for (const family::LineRange& one : order.profile_lines) lines.push_back({one.first, one.last});
   Document document = {{"machine", into.add(order.machine)},
                        {"folder", into.add(order.folder)},
                        {"name", into.add(order.name)},
@@ -86,14 +112,8 @@ Document write_case(const app::CaseOrder& order, WorkPackage& into) {
                        {"text", into.add(order.text)},
                        {"profile", into.add(order.profile)},
                        {"drip", order.delivery == store::Delivery::drip},
-                       {"profile_lines", std::move(lines)}};
-  if (!order.nominal) return document;
-  const app::NominalCase& nominal = *order.nominal;
-  document["nominal"] = {{"family", into.add(nominal.family)},
-                         {"revision", nominal.revision},
-                         {"text", into.add(nominal.text)},
-                         {"values", write_values(nominal.values, into)},
-                         {"is_from_request", nominal.is_from_request}};
+                       {"profile_lines", write_lines(order.profile_lines)}};
+  if (order.nominal) document["nominal"] = write_nominal(*order.nominal, into);
   return document;
 }
 
@@ -107,15 +127,8 @@ app::CaseOrder read_case(const Document& from, const WorkPackage& package) {
                        .delivery = from.at("drip").get<bool>() ? store::Delivery::drip : store::Delivery::memory,
                        .nominal = {},
                        .profile_lines = {}};
-  for (const Document& one : from.at("profile_lines"))
-    order.profile_lines.push_back({one.at(0).get<std::uint32_t>(), one.at(1).get<std::uint32_t>()});
-  const auto nominal = from.find("nominal");
-  if (nominal == from.end()) return order;
-  order.nominal = app::NominalCase{.family = package.text_of(*nominal, "family"),
-                                   .revision = nominal->at("revision").get<store::Revision>(),
-                                   .text = package.text_of(*nominal, "text"),
-                                   .values = read_values(nominal->at("values"), package),
-                                   .is_from_request = nominal->at("is_from_request").get<bool>()};
+  order.profile_lines = read_lines(from.at("profile_lines"));
+  if (const auto nominal = from.find("nominal"); nominal != from.end()) order.nominal = read_nominal(*nominal, package);
   return order;
 }
 
@@ -179,18 +192,27 @@ app::RenderWork read_family(const Document& from, const WorkPackage& package) {
 }
 
 Document write_text_order(std::string_view kind, const app::DiagnoseOrder& order, WorkPackage& into) {
-  return {{"kind", kind},
-          {"dialect", into.add(order.dialect)},
-          {"text", into.add(order.text)},
-          {"profile", into.add(order.profile)},
-          {"delivery", static_cast<int>(order.delivery)}};
+  Document head = {{"kind", kind},
+                   {"dialect", into.add(order.dialect)},
+                   {"text", into.add(order.text)},
+                   {"profile", into.add(order.profile)},
+                   {"delivery", static_cast<int>(order.delivery)},
+                   {"profile_lines", write_lines(order.profile_lines)},
+                   {"stock", into.add(order.stock)}};
+  if (order.nominal) head["nominal"] = write_nominal(*order.nominal, into);
+  return head;
 }
 
 app::DiagnoseOrder read_text_order(const WorkPackage& package) {
-  return {.dialect = package.text_of(package.head, "dialect"),
-          .text = package.text_of(package.head, "text"),
-          .profile = package.text_of(package.head, "profile"),
-          .delivery = static_cast<store::Delivery>(package.head.at("delivery").get<int>())};
+  const Document& head = package.head;
+  app::DiagnoseOrder order{.dialect = package.text_of(head, "dialect"),
+                           .text = package.text_of(head, "text"),
+                           .profile = package.text_of(head, "profile"),
+                           .delivery = static_cast<store::Delivery>(head.at("delivery").get<int>())};
+  order.profile_lines = read_lines(head.at("profile_lines"));
+  order.stock = package.text_of(head, "stock");
+  if (const auto nominal = head.find("nominal"); nominal != head.end()) order.nominal = read_nominal(*nominal, package);
+  return order;
 }
 
 Document write_digest_orders(const std::vector<app::DigestOrder>& orders, WorkPackage& into) {

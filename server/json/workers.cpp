@@ -198,6 +198,10 @@ app::Result<std::string> DocumentWorkers::path(const app::DiagnoseOrder& order, 
   return of_text("path", order, waiter);
 }
 
+app::Result<std::string> DocumentWorkers::stock(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
+  return of_text("stock", order, waiter);
+}
+
 app::Result<std::string> DocumentWorkers::statistics(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
   return of_text("statistics", order, waiter);
 }

@@ -64,6 +64,9 @@ class DocumentWorkers final : public app::Workers {
   // The document of json::value_changes.
   app::Result<std::string> explain(const app::ValueOrder& order, const app::Waiter& waiter);
 
+  // The bytes of json::stock_bytes.
+  app::Result<std::string> stock(const app::DiagnoseOrder& order, const app::Waiter& waiter);
+
   // The document of json::statistics.
   app::Result<std::string> statistics(const app::DiagnoseOrder& order, const app::Waiter& waiter);
 

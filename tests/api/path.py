@@ -1,9 +1,13 @@
-"""The toolpath by GET /programs/{id}/path and POST /path: columns of numbers that fit each other, what is not drawn, and what is not known."""
+"""The toolpath by GET /programs/{id}/path and POST /path: columns of numbers that fit each other, what is not drawn, and what is not known; of a machine
+the times, and how far a family's program cuts from its nominal. The stock along it by GET /programs/{id}/stock and POST /stock."""
 
 import base64
+import json
+import math
+import pathlib
 import struct
 
-from client import Client, HandControl, expect, hand_profile, in_folder
+from client import Client, HandControl, expect, hand_profile, in_folder, shop
 
 MILL = "%\nO0001\nG21 G17 G90 G94 G54\nG0 X0 Y0 Z5.\nG1 Z-1. F100.\nX10.\nG0 Z5.\nM30\n%\n"
 
@@ -48,10 +52,95 @@ def of_a_program(client):
     control.close()
 
 
+def floats(path, name):
+    raw = base64.b64decode(path["columns"][name])
+    return list(struct.unpack(f"<{len(raw) // 4}f", raw))
+
+
+def stock_of(client, path, body=None):
+    """The head and the columns of a stock's bytes."""
+    answer = client.call("POST" if body else "GET", path, body)
+    expect(answer.status == 200 and answer.headers["Content-Type"] == "application/octet-stream", f"{answer.status} {answer}")
+    raw = answer.body
+    expect(raw[:4] == b"DFS1", raw[:8])
+    (length,) = struct.unpack_from("<I", raw, 4)
+    head = json.loads(raw[8 : 8 + length])
+    at, columns = 8 + length, {}
+    for name, kind, count in head["arrays"]:
+        columns[name] = struct.unpack_from(f"<{count}{'f' if kind == 'f32' else 'I'}", raw, at)
+        at += 4 * count
+    expect(at == len(raw), (at, len(raw)))
+    return head, columns
+
+
+def family_program(client, family, machine):
+    """A stored program of a shipped family for a machine of that preset, and the machine's name."""
+    profile = shop.preset(machine, url=f"tcp://127.0.0.1:{shop.free_port()}")
+    client.post("/machines", profile)
+    folder = pathlib.Path(__file__).resolve().parents[2] / "deploy" / "families"
+    client.post("/families", {"text": (folder / f"{family}.family").read_text()})
+    client.post("/parts", {"number": f"P-{family}", "family": family, "values": {}})
+    return client.post("/render", {"part": f"P-{family}", "machine": profile["name"], "delivery": "drip"})["program"], profile["name"]
+
+
+def of_a_machine(client):
+    """A roll on a lathe: times, speeds, buffer, deviations and stock."""
+    program, machine = family_program(client, "hyperbolic-roll", "fanuc-0i-lathe")
+    address = f"/programs/{program}/path?machine={machine}"
+    path = client.get(address)
+    times, speeds, deviations = floats(path, "times_s"), floats(path, "speeds"), floats(path, "deviations_mm")
+    expect(len(times) == len(speeds) == len(deviations) == path["points"], (len(times), len(speeds), path["points"]))
+    expect(path["time"] and path["why_no_time"] is None and times == sorted(times) and times[-1] <= path["time"]["cycle_s"] * 1.0001, times[-5:])
+    expect(path["time"]["is_fed"] is False and path["columns"]["buffer"] == "", path["time"])
+    forecast = client.must("POST", "/timing", {"program": program, "machine": machine, "delivery": "memory"}, role="programmer")
+    expect(math.isclose(path["time"]["cycle_s"], forecast["cycle_s"], rel_tol=1e-9), (path["time"], forecast["cycle_s"]))
+    known = [one for one in deviations if not math.isnan(one)]
+    accuracy = client.must("POST", "/accuracy", {"program": program, "machine": machine}, role="programmer")
+    expect(math.isclose(max(abs(one) for one in known), abs(accuracy["max_mm"]), rel_tol=1e-3), (max(known), accuracy["max_mm"]))
+    fed = client.get(f"{address}&delivery=drip")
+    expect(fed["time"]["is_fed"] and len(base64.b64decode(fed["columns"]["buffer"])) == 4 * fed["points"], fed["time"])
+    tool = path["tools"][path["tool_changes"][-1]["tool"]]
+    expect(tool["shape"]["nose_radius_mm"] == 0.8 and tool["shape"]["tip"] == 3, tool)
+    client.refuse(422, "GET", f"{address}&delivery=post", words=["delivery"])
+    head, stock = stock_of(client, f"/programs/{program}/stock?machine={machine}")
+    expect(head["kind"] == "bar" and head["ran"] and len(stock["start"]) == head["columns"] == len(stock["nominal"]), head)
+    expect(list(stock["moments"]) == sorted(stock["moments"]) and stock["moments"][-1] <= path["points"], "in the order of the path")
+    left = list(stock["start"])
+    for place, height in zip(stock["places"], stock["heights"]):
+        left[place] = height
+    over = [left[i] - stock["nominal"][i] for i in range(len(left)) if not math.isnan(stock["nominal"][i])]
+    expect(min(over) > -0.02 and max(over) < 0.05, f"the roll is its nominal: {min(over)} to {max(over)}")
+
+
+def of_a_pocket(client):
+    program, machine = family_program(client, "round-pocket", "fanuc-0i-mill")
+    head, stock = stock_of(client, f"/programs/{program}/stock?machine={machine}")
+    expect(head["kind"] == "map" and head["columns"] * head["rows"] == len(stock["start"]) <= 65536, head)
+    left = list(stock["start"])
+    for place, height in zip(stock["places"], stock["heights"]):
+        left[place] = height
+    expect(min(left) == -12 and max(left) == 0, (min(left), max(left)))
+    below = [i for i in range(len(left)) if left[i] < stock["nominal"][i] - stock["tolerances"][i]]
+    expect(len(below) < len(left) / 100, f"{len(below)} places below the nominal: but for the wall's cells there are none")
+
+
+def stated_blank(client):
+    order = {"text": MILL, "dialect": "fanuc"}
+    client.refuse(422, "POST", "/stock", order, words=["no stock is known"])
+    head, stock = stock_of(client, "/stock", {**order, "stock": "box 0 10 0 10 -5 0"})
+    expect(not stock["places"] and any("diameter" in one for one in head["notes"]), head["notes"])
+    client.refuse(422, "POST", "/stock", {**order, "stock": "box"}, words=["stock must be"])
+    lathe = client.get("/programs?name=O0001")["items"][0]["id"]
+    client.refuse(422, "GET", f"/programs/{lathe}/stock?machine=lathe&stock=box+0+1+0+1+0+1", words=["cylinder"])
+
+
 def run(folder):
     client = Client(folder).start()
     of_a_text(client)
     of_a_program(client)
+    of_a_machine(client)
+    of_a_pocket(client)
+    stated_blank(client)
     client.server.stop()
 
 

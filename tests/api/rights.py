@@ -82,7 +82,9 @@ def rows(made):
         ("GET", "/api/v1/search", "viewer", {}, None, {"query": "?q=O0042"}),
         ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
         ("GET", "/api/v1/programs/{id}/path", "viewer", {"id": "program"}, None, {}),
+        ("GET", "/api/v1/programs/{id}/stock", "viewer", {"id": "program"}, None, {"query": "?stock=cylinder+80+-100+2&machine=lathe"}),
         ("POST", "/api/v1/path", "programmer", {}, {"text": "M30"}, {}),
+        ("POST", "/api/v1/stock", "programmer", {}, {"text": "G17 G90\nM30", "dialect": "fanuc", "stock": "box 0 1 0 1 0 1"}, {}),
         ("POST", "/api/v1/preview", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/diagnose", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/split", "programmer", {}, {"text": "%\nO1\nM30\nO2\nM30\n%\n"}, {}),
@@ -169,7 +171,7 @@ ON_ONE_MACHINE = {
     ("POST", "/api/v1/jobs/{id}/cancel"),
 }
 # Whoever operates one machine may stop them all, and try a text on no machine.
-ON_ANY = {("POST", "/api/v1/jobs/{id}/stop"), ("POST", "/api/v1/path"), ("POST", "/api/v1/diagnose"), ("POST", "/api/v1/convert"),
+ON_ANY = {("POST", "/api/v1/jobs/{id}/stop"), ("POST", "/api/v1/path"), ("POST", "/api/v1/stock"), ("POST", "/api/v1/diagnose"), ("POST", "/api/v1/convert"),
           ("POST", "/api/v1/rewrite"), ("POST", "/api/v1/statistics")}
 
 

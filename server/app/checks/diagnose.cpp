@@ -30,6 +30,9 @@ Result<std::unique_ptr<OpenCase>> open_text(const DiagnoseOrder& order, const Do
   Examination& e = one->examination;
   e.source = text::Source("", order.text);
   e.delivery = delivery_of(order.delivery);
+  e.profile_lines = order.profile_lines;
+  if (order.nominal)
+    if (auto known = take_geometry(*order.nominal, e); !known) return std::unexpected(known.error());
   if (!order.profile.empty()) {
     auto known = documents.read_profile(order.profile);
     if (!known) return std::unexpected(known.error());

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/compile/dialect/outline.h"
@@ -20,6 +22,9 @@ struct DiagnoseOrder {
   std::string text;
   std::string profile = {};  // the machine's document; empty: the control that the text looks like
   store::Delivery delivery = store::Delivery::memory;
+  std::optional<NominalCase> nominal = {};
+  std::vector<family::LineRange> profile_lines = {};  // that make the nominal; empty: every cut
+  std::string stock = {};                             // as read_stock has it; empty: the nominal's
 };
 
 struct Diagnosed {
@@ -27,7 +32,8 @@ struct Diagnosed {
   compile::Outline outline;
 };
 
-// What is examined of it. Errors: invalid: a dialect that is not known, or another one than the machine's.
+// What is examined of it. Errors: invalid: a dialect that is not known, or another one than the machine's,
+// or a nominal that does not bind.
 Result<std::unique_ptr<OpenCase>> open_text(const DiagnoseOrder& order, const Documents& documents);
 
 // Errors: as open_text.

@@ -53,6 +53,9 @@ struct Followed {
   struct Run {
     std::vector<bool> is_elsewhere;    // by ir::Place::program: its lines are of another text
     std::vector<std::string> strings;  // by ir::Motion::text
+    [[nodiscard]] bool is_of_other(std::uint32_t program) const {
+      return program < is_elsewhere.size() && is_elsewhere[program];
+    }
   };
   CheckReport report;
   Run run;

@@ -87,10 +87,11 @@ Result<Statistics> statistics_of(const DiagnoseOrder& order, const Documents& do
   } else {
     out.why_no_time = settings.error();
   }
-  out.path = record_path(e, budget, times ? &*times : nullptr);
+  out.path = record_path(e, budget, times ? std::vector<ir::MotionSink*>{&*times} : std::vector<ir::MotionSink*>{});
   out.path.points_mm = {};
   out.path.lines = {};
   out.path.feeds = {};
+  out.path.origins = {};
   if (times) {
     out.tool_times_s = times->finish(out.path.report.checks.not_checked);
     out.time_s = std::accumulate(out.tool_times_s.begin(), out.tool_times_s.end(), 0.0);

@@ -12,36 +12,12 @@
 
 #include "checks/accuracy/picture.h"
 #include "checks/accuracy/plane_accuracy.h"
-#include "checks/gouge/milling.h"
 #include "dialects/text/number.h"
 #include "server/app/checks/machine_facts.h"
 
 namespace dripfeed::app {
 
 namespace {
-
-// The machine's tools, completed and overruled by what the family says of their shapes.
-std::vector<checks::Tool> tools_of(const Examination& e) {
-  std::vector<checks::Tool> tools;
-  if (e.profile != nullptr) tools = e.profile->machine.tools;
-  if (!e.geometry) return tools;
-  for (const family::ToolShape& shape : e.geometry->tools) {
-    auto known = std::ranges::find(tools, shape.number, &checks::Tool::number);
-    if (known == tools.end()) {
-      tools.push_back({.number = shape.number,
-                       .offset = shape.number,
-                       .nose_radius_mm = shape.nose_radius_mm,
-                       .tip = shape.tip,
-                       .diameter_mm = shape.diameter_mm,
-                       .length_mm = {},
-                       .corner_radius_mm = shape.corner_radius_mm});
-    } else if (known->diameter_mm == 0.0) {
-      known->diameter_mm = shape.diameter_mm;
-      known->corner_radius_mm = shape.corner_radius_mm;
-    }
-  }
-  return tools;
-}
 
 // What the machine has counts, because that is what cuts; a family that was written for another tool is not checked.
 void report_other_shapes(const Examination& e, checks::NotCheckedList& skipped) {
@@ -71,6 +47,51 @@ std::vector<accuracy::LineRange> lines_of(const Examination& e) {
   std::vector<accuracy::LineRange> lines;
   for (const family::LineRange& range : e.profile_lines) lines.push_back({range.first, range.last});
   return lines;
+}
+
+accuracy::PlaneSettings plane_accuracy(const Examination& e, bool keeps_blocks) {
+  accuracy::PlaneSettings settings;
+  settings.keeps_blocks = keeps_blocks;
+  for (const family::PlaneCurve& curve : e.geometry->curves) {
+    settings.nominal.push_back({curve.curve, curve.tolerance_mm, curve.of_center});
+  }
+  settings.lines = lines_of(e);
+  settings.tools = tools_of(e);
+  return settings;
+}
+
+accuracy::Settings turning_accuracy(const Examination& e, bool keeps_blocks) {
+  accuracy::Settings settings;
+  settings.keeps_blocks = keeps_blocks;
+  settings.nominal = e.geometry->nominal;
+  settings.x_is_diameter = x_is_diameter(e.control, e.profile);
+  settings.lines = lines_of(e);
+  settings.tools = tools_of(e);
+  return settings;
+}
+
+}  // namespace
+
+std::vector<checks::Tool> tools_of(const Examination& e) {
+  std::vector<checks::Tool> tools;
+  if (e.profile != nullptr) tools = e.profile->machine.tools;
+  if (!e.geometry) return tools;
+  for (const family::ToolShape& shape : e.geometry->tools) {
+    auto known = std::ranges::find(tools, shape.number, &checks::Tool::number);
+    if (known == tools.end()) {
+      tools.push_back({.number = shape.number,
+                       .offset = shape.number,
+                       .nose_radius_mm = shape.nose_radius_mm,
+                       .tip = shape.tip,
+                       .diameter_mm = shape.diameter_mm,
+                       .length_mm = {},
+                       .corner_radius_mm = shape.corner_radius_mm});
+    } else if (known->diameter_mm == 0.0) {
+      known->diameter_mm = shape.diameter_mm;
+      known->corner_radius_mm = shape.corner_radius_mm;
+    }
+  }
+  return tools;
 }
 
 gouge::Settings turning_gouge(const Examination& e) {
@@ -113,27 +134,6 @@ gouge::MillingSettings milling_gouge(const Examination& e) {
   return settings;
 }
 
-accuracy::PlaneSettings plane_accuracy(const Examination& e) {
-  accuracy::PlaneSettings settings;
-  for (const family::PlaneCurve& curve : e.geometry->curves) {
-    settings.nominal.push_back({curve.curve, curve.tolerance_mm, curve.of_center});
-  }
-  settings.lines = lines_of(e);
-  settings.tools = tools_of(e);
-  return settings;
-}
-
-accuracy::Settings turning_accuracy(const Examination& e) {
-  accuracy::Settings settings;
-  settings.nominal = e.geometry->nominal;
-  settings.x_is_diameter = x_is_diameter(e.control, e.profile);
-  settings.lines = lines_of(e);
-  settings.tools = tools_of(e);
-  return settings;
-}
-
-}  // namespace
-
 struct SurfaceChecks::Made {
   std::optional<gouge::Gouge> turning;
   std::optional<gouge::Milling> milling;
@@ -162,8 +162,9 @@ SurfaceChecks::SurfaceChecks(const Examination& e, SurfaceScope scope, checks::N
     if (has_surface && turns) made_->turning.emplace(turning_gouge(e));
     if (has_surface && !turns) made_->milling.emplace(milling_gouge(e));
   }
-  if (turns && !g.nominal.empty()) made_->profile.emplace(turning_accuracy(e));
-  if (!turns && !g.curves.empty()) made_->plane.emplace(plane_accuracy(e));
+  const bool keeps_blocks = scope == SurfaceScope::of_each_block;
+  if (turns && !g.nominal.empty()) made_->profile.emplace(turning_accuracy(e, keeps_blocks));
+  if (!turns && !g.curves.empty()) made_->plane.emplace(plane_accuracy(e, keeps_blocks));
   if (!made_->profile && !made_->plane) skipped.add("accuracy: no nominal is known");
 }
 

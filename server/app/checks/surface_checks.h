@@ -5,13 +5,22 @@
 #include <memory>
 #include <vector>
 
+#include "checks/gouge/milling.h"
 #include "checks/verdict.h"
 #include "server/app/base/report.h"
 #include "server/app/checks/examine.h"
 
 namespace dripfeed::app {
 
-enum class SurfaceScope : std::uint8_t { all, accuracy_alone };
+// of_each_block: accuracy alone, and the report has the deviation of each block.
+enum class SurfaceScope : std::uint8_t { all, accuracy_alone, of_each_block };
+
+// The machine's tools, completed and overruled by what the family states of their shapes.
+std::vector<checks::Tool> tools_of(const Examination& e);
+
+// How gouges are looked for. Precondition: e.geometry is known.
+gouge::Settings turning_gouge(const Examination& e);
+gouge::MillingSettings milling_gouge(const Examination& e);
 
 class SurfaceChecks {
  public:

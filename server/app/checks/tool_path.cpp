@@ -12,6 +12,7 @@
 #include "checks/machine.h"
 #include "dialects/compile/dialect/execute.h"
 #include "server/app/checks/machine_facts.h"
+#include "server/app/checks/path_times.h"
 #include "server/app/checks/workers.h"
 
 namespace dripfeed::app {
@@ -64,8 +65,32 @@ void PathRecorder::consume(std::span<const ir::Motion> motions) {
     if (is_full()) return;
     if (motion.kind == ir::MotionKind::offset) work_offset_ = motion.number;
     if (motion.kind == ir::MotionKind::tool) tools_.take(motion);
-    if (ir::is_move(motion.kind)) add(motion);
+    if (ir::is_move(motion.kind)) {
+      const double first =
+          here_ && !rows_.empty() ? static_cast<double>(rows_.size() - 1) : static_cast<double>(rows_.size());
+      add(motion);
+      const double last = rows_.empty() ? 0.0 : static_cast<double>(rows_.size() - 1);
+      newest_ = (newest_ + 1) % kRecent;
+      recent_[newest_] = {motion.place.ordinal, {std::min(first, last), last}};
+    }
+    if (checks::has_places(motion)) ++motions_;
   }
+}
+
+PathRecorder::RowRange PathRecorder::rows_of(std::uint64_t ordinal) const {
+  for (std::size_t i = 0; i < kRecent; ++i) {
+    const LastRows& one = recent_[(newest_ + kRecent - i) % kRecent];
+    if (one.ordinal == ordinal) return one.rows;
+  }
+  return {recent_[newest_].rows.last, recent_[newest_].rows.last};
+}
+
+double PathRecorder::point_of(double row) const {
+  if (points_of_rows_.empty()) return 0.0;
+  const double most = static_cast<double>(points_of_rows_.size() - 1);
+  const double before = std::floor(std::clamp(row, 0.0, most));
+  const auto at = [&](double one) { return static_cast<double>(points_of_rows_[static_cast<std::size_t>(one)]); };
+  return at(before) + (std::clamp(row, 0.0, most) - before) * (at(std::min(before + 1.0, most)) - at(before));
 }
 
 void PathRecorder::leave_out(NotDrawn why, const ir::Motion& motion) {
@@ -99,6 +124,10 @@ void PathRecorder::add(const ir::Motion& given) {
           .kind = PathKind::begin,
           .line = motion.place.line,
           .program = motion.place.program,
+          .ordinal = motion.place.ordinal,
+          .motion = motions_,
+          .from = 0.0F,
+          .to = 0.0F,
           .feed = 0.0F,
           .tool = tools_.current()};
   if (here_ != row.spot) push(row);
@@ -106,44 +135,64 @@ void PathRecorder::add(const ir::Motion& given) {
   row.kind = kind_of(motion);
   row.feed = static_cast<float>(row.kind == PathKind::rapid ? 0.0 : motion.feed);
   row.spot.unknown = unknown_at_end(motion);
-  if (knows_arc) {
-    row.ends_move = false;
-    checks::for_chords(motion, ToolPath::kArcError_mm, [&](const checks::AxisValues&, const checks::AxisValues& to) {
-      row.spot.at = place_of(to);
-      push(row);
-    });
-    if (!is_full()) rows_.back().ends_move = true;
-    return;
-  }
+  if (knows_arc) return add_chords(motion, row);
+  row.to = 1.0F;
   row.spot.at = place_of(motion.end);
   if (here_ != row.spot) push(row);
 }
 
-void PathRecorder::keep(const Row& row, std::uint32_t line) {
+void PathRecorder::add_chords(const ir::Motion& motion, Row row) {
+  row.ends_move = false;
+  const std::size_t first = rows_.size();
+  checks::for_chords(motion, ToolPath::kArcError_mm, [&](const checks::AxisValues&, const checks::AxisValues& to) {
+    row.spot.at = place_of(to);
+    push(row);
+  });
+  if (is_full()) return;
+  rows_.back().ends_move = true;
+  const auto chords = static_cast<float>(rows_.size() - first);
+  for (std::size_t i = first; i < rows_.size(); ++i) {
+    rows_[i].from = static_cast<float>(i - first) / chords;
+    rows_[i].to = static_cast<float>(i - first + 1) / chords;
+  }
+}
+
+void PathRecorder::keep(const Row& row, std::uint32_t line, double length_mm) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double value = row.spot.at[i];
     path_.low_mm[i] = path_.kinds.empty() ? value : std::min(path_.low_mm[i], value);
     path_.high_mm[i] = path_.kinds.empty() ? value : std::max(path_.high_mm[i], value);
   }
   for (const double value : row.spot.at) path_.points_mm.push_back(static_cast<float>(value));
+  const std::uint32_t tool_before = path_.tool_changes.empty() ? UINT32_MAX : path_.tool_changes.back().tool;
+  if (row.tool != tool_before) path_.tool_changes.push_back({static_cast<std::uint32_t>(path_.kinds.size()), row.tool});
   path_.kinds.push_back(row.kind);
   path_.lines.push_back(line);
   path_.feeds.push_back(row.feed);
+  path_.origins.push_back({.ordinal = row.ordinal,
+                           .motion = row.motion,
+                           .from = row.from,
+                           .to = row.to,
+                           .length_mm = static_cast<float>(length_mm)});
+}
+
+void PathRecorder::keep_tools(const Followed::Run& run) {
+  for (std::uint32_t i = 0; i < tools_.all().size(); ++i) {
+    const ToolList::Tool& one = tools_.all()[i];
+    path_.tools.push_back({.name = tools_.name_of(i, run.strings),
+                           .number = one.number,
+                           .first_line = run.is_of_other(one.place.program) ? 0 : one.place.line});
+  }
 }
 
 ToolPath PathRecorder::finish(const Followed::Run& run) {
-  const auto is_elsewhere = [&](std::uint32_t program) {
-    return program < run.is_elsewhere.size() && run.is_elsewhere[program];
-  };
-  for (std::uint32_t i = 0; i < tools_.all().size(); ++i) {
-    const ir::Place& place = tools_.all()[i].place;
-    path_.tools.push_back(
-        {.name = tools_.name_of(i, run.strings), .first_line = is_elsewhere(place.program) ? 0 : place.line});
-  }
+  keep_tools(run);
+  points_of_rows_.reserve(rows_.size());
   const Spot* before = nullptr;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Row row = rows_[i];
-    const std::uint32_t line = is_elsewhere(row.program) ? 0 : row.line;
+    points_of_rows_.push_back(path_.kinds.empty() ? 0 : static_cast<std::uint32_t>(path_.kinds.size() - 1));
+    const std::uint32_t line = run.is_of_other(row.program) ? 0 : row.line;
     const bool unknown = (row.spot.unknown & commanded_) != 0;
     const bool is_move = row.kind != PathKind::begin;
     if (is_move && row.ends_move && (unknown || before == nullptr)) {
@@ -158,7 +207,10 @@ ToolPath PathRecorder::finish(const Followed::Run& run) {
       const bool leads_on = i + 1 < rows_.size() && rows_[i + 1].kind != PathKind::begin;
       row.kind = PathKind::begin;
       row.feed = 0.0F;
-      if (leads_on) keep(row, line);
+      if (leads_on) {
+        keep(row, line, 0.0);
+        points_of_rows_.back() = static_cast<std::uint32_t>(path_.kinds.size() - 1);
+      }
       continue;
     }
     const double length =
@@ -167,22 +219,26 @@ ToolPath PathRecorder::finish(const Followed::Run& run) {
     ToolMoves& by_tool = path_.tools[row.tool];
     (row.kind == PathKind::rapid ? by_tool.rapid_mm : by_tool.cut_mm) += length;
     ++path_.segments;
-    keep(row, line);
+    keep(row, line, length);
+    points_of_rows_.back() = static_cast<std::uint32_t>(path_.kinds.size() - 1);
   }
   rows_ = {};
   return std::move(path_);
 }
 
-ToolPath record_path(Examination& e, const CheckBudget& budget, ir::MotionSink* beside) {
-  PathRecorder recorder(x_is_diameter(e.control, e.profile));
+Followed follow_within(Examination& e, const CheckBudget& budget, const PathRecorder& recorder, ir::MotionSink& sink) {
   e.used_up = [&recorder, in_time = time_budget(budget.seconds)] {
     if (recorder.is_full()) return fmt::format("{} points of a path", ToolPath::kMostPoints);
     return in_time ? in_time() : std::string();
   };
-  std::vector<ir::MotionSink*> all = {&recorder};
-  if (beside != nullptr) all.push_back(beside);
-  compile::FanOut sinks(std::move(all));
-  Followed followed = follow(e, sinks);
+  return follow(e, sink);
+}
+
+ToolPath record_path(Examination& e, const CheckBudget& budget, std::vector<ir::MotionSink*> beside) {
+  PathRecorder recorder(x_is_diameter(e.control, e.profile));
+  beside.insert(beside.begin(), &recorder);
+  compile::FanOut sinks(std::move(beside));
+  Followed followed = follow_within(e, budget, recorder, sinks);
   ToolPath path = recorder.finish(followed.run);
   path.report = std::move(followed.report);
   return path;
@@ -191,7 +247,15 @@ ToolPath record_path(Examination& e, const CheckBudget& budget, ir::MotionSink* 
 Result<ToolPath> follow_path(const DiagnoseOrder& order, const Documents& documents, const CheckBudget& budget) {
   const auto opened = open_text(order, documents);
   if (!opened) return std::unexpected(opened.error());
-  return record_path((*opened)->examination, budget);
+  Examination& e = (*opened)->examination;
+  const std::vector<std::string> stated = std::exchange(e.assumed, {});
+  PathTimer timer(e);
+  ToolPath path = record_path(e, budget, timer.sinks());
+  timer.finish(e, path);
+  // It is nothing that the moves depend on.
+  for (const std::string& one : stated)
+    if (path.deviations) path.deviations->notes.push_back({one, 0});
+  return path;
 }
 
 }  // namespace dripfeed::app

@@ -42,19 +42,6 @@ std::string write_places(const compile::PlaceIndex& places) {
   return out;
 }
 
-Result<void> add_geometry(const NominalCase& nominal, Examination& e) {
-  const text::Source source(nominal.family, nominal.text);
-  auto made = compile::family_geometry(source, overrides_of(nominal.values));
-  e.geometry = std::move(made.geometry);
-  if (!nominal.is_from_request) return {};
-  if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", nominal.family)); !fine) return fine;
-  std::string values;
-  for (const auto& [name, value] : nominal.values) values += fmt::format(" {}={}", name, value);
-  e.assumed.push_back(fmt::format("whether the part is that of family {}, revision {}{}: it was stated to be",
-                                  nominal.family, nominal.revision, values));
-  return {};
-}
-
 // What is not known of the control's memory.
 std::vector<std::string> assumed_of(const std::vector<CalledText>& called) {
   std::vector<std::string> all;
@@ -71,6 +58,19 @@ std::vector<std::string> assumed_of(const std::vector<CalledText>& called) {
 }
 
 }  // namespace
+
+Result<void> take_geometry(const NominalCase& nominal, Examination& e) {
+  const text::Source source(nominal.family, nominal.text);
+  auto made = compile::family_geometry(source, overrides_of(nominal.values));
+  e.geometry = std::move(made.geometry);
+  if (!nominal.is_said) return {};
+  if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", nominal.family)); !fine) return fine;
+  std::string values;
+  for (const auto& [name, value] : nominal.values) values += fmt::format(" {}={}", name, value);
+  e.assumed.push_back(fmt::format("whether the part is that of family {}, revision {}{}: it was stated to be",
+                                  nominal.family, nominal.revision, values));
+  return {};
+}
 
 ir::Delivery delivery_of(store::Delivery delivery) {
   return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
@@ -93,7 +93,7 @@ Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& do
   e.find_called = [&called](std::string_view name) { return called.find(name); };
   e.assumed = assumed_of(called.texts);
   if (!order.nominal) return one;
-  if (auto known = add_geometry(*order.nominal, e); !known) return std::unexpected(known.error());
+  if (auto known = take_geometry(*order.nominal, e); !known) return std::unexpected(known.error());
   return one;
 }
 

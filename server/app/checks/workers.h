@@ -49,6 +49,9 @@ struct OpenCase {
 // Errors: invalid: a profile without a control, a nominal that does not bind.
 Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents, CalledBy& called);
 
+// Stock, nominal and tools of the family. Errors: invalid: values that do not bind, of a nominal that is stated.
+Result<void> take_geometry(const NominalCase& nominal, Examination& e);
+
 struct CheckDone {
   store::Outcome outcome = store::Outcome::unknown;
   std::string report;                    // as Documents::write_report has it
