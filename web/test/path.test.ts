@@ -2,20 +2,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { boundsOf, dataOf, feedRanges, rapidLengths, roundLength, stretchesOf, type PathData } from '../src/path/data';
-import { detailFor, detailsOf, movingDetail, segmentsWithin } from '../src/path/detail';
+import { pathOf, type Row } from './paths';
+import { detailFor, detailsOf, kMovingLimits, movingDetail, MovingPace, segmentsWithin } from '../src/path/detail';
 import { nearestSegment } from '../src/path/pick';
 
-const kNames = ['begin', 'rapid', 'cut_per_min', 'cut_per_rev', 'cut_inverse_time', 'thread'];
-
-type Row = [x: number, y: number, z: number, kind: number, line: number, feed?: number];
-const pathOf = (rows: Row[]): PathData => ({
-  count: rows.length,
-  points: new Float32Array(rows.flatMap(([x, y, z]) => [x, y, z])),
-  kinds: new Uint8Array(rows.map((row) => row[3])),
-  lines: new Uint32Array(rows.map((row) => row[4])),
-  feeds: new Float32Array(rows.map((row) => row[5] ?? 0)),
-  kindNames: kNames,
-});
 
 const kSquare = pathOf([
   [0, 0, 5, 0, 4],
@@ -30,12 +20,15 @@ const kSquare = pathOf([
 test('columns come back as they were written', () => {
   const column = (numbers: ArrayBufferView) => Buffer.from(numbers.buffer, numbers.byteOffset, numbers.byteLength).toString('base64');
   const { points, kinds, lines, feeds, count } = kSquare;
-  const columns = { points_mm: column(points), kinds: column(kinds), lines: column(lines), feeds: column(feeds) };
+  const times = new Float32Array([0, 1, NaN, 3, 4, 5, 6]);
+  const columns = { points_mm: column(points), kinds: column(kinds), lines: column(lines), feeds: column(feeds), times_s: column(times), speeds: '', buffer: '', deviations_mm: '' };
   const back = dataOf({ points: count, columns, kind_names: ['begin', 'rapid', 'cut_per_min', 'cut_per_rev', 'cut_inverse_time', 'thread'] });
   assert.deepEqual([...back.points], [...points]);
   assert.deepEqual([...back.lines], [...lines]);
   assert.deepEqual([...back.feeds], [...feeds]);
   assert.deepEqual([...back.kinds], [...kinds]);
+  assert.deepEqual([...back.times], [...times]);
+  assert.equal(back.speeds.length, 0);
 });
 
 test('a line has its stretches, each visit one', () => {
@@ -95,6 +88,23 @@ test('a long path is drawn coarser while it turns, and finer where one looks nea
   assert.equal(detailFor(details, 1e6), details.at(-1));
   assert.ok(movingDetail(path, details, size).pairs.length / 2 <= 60_000);
   assert.equal(detailsOf(kSquare, 50).length, 1);
+});
+
+test('a view that turns is drawn as coarse as the computer needs', () => {
+  const path = circles(400_000, 2e-4);
+  const { size } = boundsOf(path);
+  const details = detailsOf(path, size);
+  for (const most of kMovingLimits) assert.ok(movingDetail(path, details, size, most).pairs.length / 2 <= most, `at most ${most}`);
+  const pace = new MovingPace();
+  for (let i = 0; i < 12; i += 1) pace.note(90);
+  assert.ok(pace.level > 0, 'slow frames make it coarser');
+  const coarse = pace.level;
+  for (let i = 0; i < 200; i += 1) pace.note(30);
+  assert.equal(pace.level, coarse, 'it stays where it is fast enough');
+  for (let i = 0; i < 200; i += 1) pace.note(8);
+  assert.equal(pace.level, 0, 'and gets finer where there is time');
+  for (let i = 0; i < 500; i += 1) pace.note(5000);
+  assert.equal(pace.level, kMovingLimits.length - 1, 'there is an end');
 });
 
 test('the segment under a point of the screen', () => {

@@ -124,7 +124,7 @@ async function shaft(page) {
   await page.waitForTimeout(500);
   expect(!from.equals(await canvas(page).screenshot()), 'keys turn, move and zoom');
   await shot(page, 'path-shaft-oblique');
-  await page.getByRole('button', { name: 'Feed', exact: true }).click();
+  await page.getByRole('button', { name: 'Programmed feed', exact: true }).click();
   await page.getByRole('list', { name: 'Legend' }).getByText('mm/rev').first().waitFor();
   await picture(page).focus();
   await page.keyboard.press('1');

@@ -45,6 +45,8 @@ export const setShownUser = (name: string): void => {
   shownUser = name;
 };
 
+const whoAsks = (): Record<string, string> => (shownUser === '' ? {} : { 'X-Dripfeed-User': encodeURIComponent(shownUser) });
+
 type Method = 'GET' | 'POST' | 'PUT' | 'PATCH' | 'DELETE';
 
 interface Options {
@@ -69,8 +71,10 @@ export async function requestRoot<T>(path: string): Promise<T> {
 export const requestText = (path: string, { method = 'GET', ...options }: Options & { method?: Method } = {}): Promise<string> => answerOf(method, path, options);
 
 // An answer as it came: a program may be in any encoding.
-export async function requestBytes(path: string): Promise<ArrayBuffer> {
-  const response = await fetch(kBase + path, { cache: 'no-store', credentials: 'same-origin' }).catch(() => null);
+export async function requestBytes(path: string, body?: unknown): Promise<ArrayBuffer> {
+  const init: RequestInit = { cache: 'no-store', credentials: 'same-origin' };
+  const posted: RequestInit = body === undefined ? {} : { method: 'POST', body: JSON.stringify(body), headers: { 'Content-Type': 'application/json', ...whoAsks() } };
+  const response = await fetch(kBase + path, { ...init, ...posted }).catch(() => null);
   if (!response) throw new ApiError(0, noAnswer('GET'));
   if (!response.ok) throw errorOfProblem(response.status, parse(await response.text()) as Partial<Problem> | null);
   return response.arrayBuffer();
@@ -85,7 +89,7 @@ async function answerOf(method: Method, path: string, options: Options): Promise
   }
   if (options.ifMatch !== undefined) headers['If-Match'] = `"${options.ifMatch}"`;
   if (options.key) headers['Idempotency-Key'] = options.key;
-  if (method !== 'GET' && shownUser !== '') headers['X-Dripfeed-User'] = encodeURIComponent(shownUser);
+  if (method !== 'GET') Object.assign(headers, whoAsks());
   const abort = new AbortController();
   const timer = setTimeout(() => abort.abort(), options.timeoutMs ?? kTimeoutMs);
   try {

@@ -67,6 +67,13 @@ export interface DiagnoseOrder {
   machine?: string;
 }
 
+// A blank: "box X0 X1 Y0 Y1 Z0 Z1" or "cylinder DIAMETER Z0 Z1", mm.
+export interface PathOrder extends DiagnoseOrder {
+  stock?: string;
+  delivery?: Delivery;
+  nominal?: { family: string; values: Record<string, string> };
+}
+
 export const deskCalls = {
   programs: (filter: LibraryFilter, after: string | null) =>
     request<Page<Program>>('GET', `/programs${queryOf({ limit: 50, ...filter, after })}`),
@@ -91,9 +98,12 @@ export const deskCalls = {
     request<Comparison>('GET', `/programs/${id}/compare${queryOf(query)}`, { timeoutMs: kWorkMs }),
   compareText: (id: number, of: { text: string; revision: number; machine?: string }) =>
     request<Comparison>('POST', `/programs/${id}/compare`, { body: of, timeoutMs: kWorkMs }),
-  programPath: (id: number, revision: number, machine: string) =>
-    request<ToolPath>('GET', `/programs/${id}/path${queryOf({ revision, machine })}`, { timeoutMs: kWorkMs }),
-  pathOfText: (order: DiagnoseOrder) => request<ToolPath>('POST', '/path', { body: order, timeoutMs: kWorkMs }),
+  programPath: (id: number, revision: number, machine: string, delivery: Delivery | null) =>
+    request<ToolPath>('GET', `/programs/${id}/path${queryOf({ revision, machine, delivery })}`, { timeoutMs: kWorkMs }),
+  pathOfText: (order: PathOrder) => request<ToolPath>('POST', '/path', { body: order, timeoutMs: kWorkMs }),
+  programStock: (id: number, revision: number, machine: string, delivery: Delivery | null, stock: string) =>
+    requestBytes(`/programs/${id}/stock${queryOf({ revision, machine, delivery, stock })}`),
+  stockOfText: (order: PathOrder) => requestBytes('/stock', order),
   uses: (id: number) => request<ProgramUses>('GET', `/programs/${id}/uses`),
 
   diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),

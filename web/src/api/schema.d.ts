@@ -2172,26 +2172,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/v1/receipts/{id}/explain": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * which values of the part make its family give the received text; they are rendered and compared
-         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
-         */
-        post: operations["post_receipts_id_explain"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/api/v1/receipts/{id}/accept": {
         parameters: {
             query?: never;
@@ -3164,7 +3144,7 @@ export interface components {
              * @description of the sentence, the same in every version
              * @enum {string}
              */
-            id: "control_asked_anew" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_anew_restart" | "cannot_arm" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            id: "control_asked_anew" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_anew_restart" | "cannot_arm" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
             /** @description by name; `detail`: what is added in brackets */
             values: {
                 [key: string]: {
@@ -5984,7 +5964,51 @@ export interface components {
                 lines: string;
                 /** @description as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind */
                 feeds: string;
+                /** @description x */
+                times_s: string;
+                /** @description x */
+                speeds: string;
+                /** @description x */
+                buffer: string;
+                /** @description x */
+                deviations_mm: string;
             };
+            time: {
+                /** @description x */
+                cycle_s: number;
+                /** @description x */
+                is_fed: boolean;
+                /** @description what they leave out */
+                notes: string[];
+            } | null;
+            why_no_time: string | null;
+            deviation: {
+                /** @description x */
+                of_surface: boolean;
+                /** @description what they leave out */
+                notes: string[];
+            } | null;
+            /** @description x */
+            tools: {
+                tool: string | null;
+                shape: {
+                    diameter_mm: number | null;
+                    /** @description x */
+                    corner_radius_mm: number;
+                    /** @description x */
+                    nose_radius_mm: number;
+                    /** @description x */
+                    tip: number;
+                    length_mm: number | null;
+                } | null;
+            }[];
+            /** @description x */
+            tool_changes: {
+                /** @description x */
+                point: number;
+                /** @description x */
+                tool: number;
+            }[];
         };
         /** @description what a text amounts to; without the programs that it calls */
         Statistics: {
@@ -6793,41 +6817,6 @@ export interface components {
             decided_reason: string | null;
             /** @description when; milliseconds since 1970, UTC */
             decided_at_ms: number | null;
-        };
-        /** @description which values of a part make its family give a received text */
-        ReceivedValues: {
-            /** @description id of the stored program of the same name */
-            program: number;
-            /** @description of its text, the newest */
-            revision: number;
-            /** @description from which that was rendered */
-            family: string;
-            /** @description whose values it has; null: of none */
-            part: string | null;
-            /** @description of the part's values */
-            part_revision: number | null;
-            /** @description rendered with these values, every number is the received one */
-            explains_all: boolean;
-            /** @description why not; null: they explain all */
-            why_not: string | null;
-            /** @description in the family's order */
-            values: {
-                /** @description of the parameter */
-                name: string;
-                /** @description with its unit */
-                before: string;
-                /** @description with its unit */
-                after: string;
-            }[];
-            /** @description 20 at most */
-            rest: {
-                /** @description of the received text */
-                line: number;
-                /** @description the line there */
-                stored: string;
-                /** @description the line */
-                received: string;
-            }[];
         };
         /** @description what an operator asked for at the control */
         OperatorRequest: {
@@ -13716,51 +13705,6 @@ export interface operations {
             401: components["responses"]["Problem401"];
             403: components["responses"]["Problem403"];
             404: components["responses"]["Problem404"];
-            422: components["responses"]["Problem422"];
-            500: components["responses"]["Problem500"];
-            503: components["responses"]["Problem503"];
-            /** @description another problem */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    post_receipts_id_explain: {
-        parameters: {
-            query?: never;
-            header?: {
-                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
-                "Idempotency-Key"?: string;
-            };
-            path: {
-                /** @description of the thing, as its list states it */
-                id: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description which values of the part make its family give the received text; they are rendered and compared */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["ReceivedValues"];
-                };
-            };
-            400: components["responses"]["Problem400"];
-            401: components["responses"]["Problem401"];
-            403: components["responses"]["Problem403"];
-            404: components["responses"]["Problem404"];
-            409: components["responses"]["Problem409"];
-            413: components["responses"]["Problem413"];
-            415: components["responses"]["Problem415"];
             422: components["responses"]["Problem422"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];

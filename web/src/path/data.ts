@@ -11,6 +11,11 @@ export interface PathData {
   lines: Uint32Array; // 0: in a called program
   feeds: Float32Array;
   kindNames: readonly string[];
+  // Of a machine, a row a point; empty: of none. NaN: not known.
+  times: Float32Array; // when the point is reached, s
+  speeds: Float32Array; // mean on the segment to the point, mm/min
+  buffer: Uint32Array; // bytes in the control
+  deviations: Float32Array; // of what the block cuts, mm; positive: material is left
 }
 
 function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
@@ -28,6 +33,10 @@ export function dataOf({ points, columns, kind_names }: Pick<ToolPath, 'points' 
     lines: new Uint32Array(bytesOf(columns.lines).buffer),
     feeds: new Float32Array(bytesOf(columns.feeds).buffer),
     kindNames: kind_names,
+    times: new Float32Array(bytesOf(columns.times_s).buffer),
+    speeds: new Float32Array(bytesOf(columns.speeds).buffer),
+    buffer: new Uint32Array(bytesOf(columns.buffer).buffer),
+    deviations: new Float32Array(bytesOf(columns.deviations_mm).buffer),
   };
 }
 
@@ -93,6 +102,13 @@ export function boundsOf({ count, points }: PathData): Bounds {
     if (value > (high[axis] ?? 0)) high[axis] = value;
   }
   if (count === 0) return { low: [0, 0, 0], high: [0, 0, 0], size: 1 };
+  return { low, high, size: Math.max(Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]), 1e-3) };
+}
+
+export function unionOf(one: Omit<Bounds, 'size'>, other: Omit<Bounds, 'size'>): Bounds {
+  const by = (pick: (...values: number[]) => number, side: 'low' | 'high') => one[side].map((value, axis) => pick(value, other[side][axis] ?? value)) as Bounds['low'];
+  const low = by(Math.min, 'low');
+  const high = by(Math.max, 'high');
   return { low, high, size: Math.max(Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]), 1e-3) };
 }
 

@@ -39,7 +39,8 @@ export interface Detail {
 
 const kLevels = 3;
 const kFewSegments = 60_000; // below that there is nothing to gain
-const kMostMoving = 60_000; // segments while the view turns
+// Segments while the view turns, at most: as many as the computer draws 30 times a second.
+export const kMovingLimits = [60_000, 30_000, 15_000, 8_000, 4_000] as const;
 
 // The finest first; each later one is coarser. The last one is for a view that turns.
 export function detailsOf(data: PathData, size_mm: number): Detail[] {
@@ -58,15 +59,50 @@ export function detailsOf(data: PathData, size_mm: number): Detail[] {
 }
 
 // For a view that turns: as coarse as needed to have few segments.
-export function movingDetail(data: PathData, details: readonly Detail[], size_mm: number): Detail {
+export function movingDetail(data: PathData, details: readonly Detail[], size_mm: number, most: number = kMovingLimits[0]): Detail {
   const coarsest = details.at(-1) ?? { tolerance_mm: 0, pairs: new Uint32Array() };
-  if (coarsest.pairs.length / 2 <= kMostMoving) return coarsest;
+  if (coarsest.pairs.length / 2 <= most) return coarsest;
   for (let tolerance_mm = Math.max(coarsest.tolerance_mm, size_mm / 1600); tolerance_mm < size_mm; tolerance_mm *= 2) {
-    const pairs = segmentsWithin(data, tolerance_mm, kMostMoving);
+    const pairs = segmentsWithin(data, tolerance_mm, most);
     if (pairs) return { tolerance_mm, pairs: pairs.slice() };
   }
   return coarsest;
 }
+
+// Which of the limits holds, by the frames so far: a coarser one where they come too late, a finer one again where there
+// is much time left. It waits after each change, as the first frames of a new one are late by themselves.
+export class MovingPace {
+  level = 0;
+  private mean_ms = kWanted_ms;
+  private frames = 0;
+
+  // The time between two frames of a view that turns.
+  note(gap_ms: number): void {
+    this.frames += 1;
+    if (this.frames <= kSettle) return;
+    this.mean_ms += kWeight * (Math.min(gap_ms, kLongest_ms) - this.mean_ms);
+    if (this.mean_ms > kWanted_ms * kTooLate && this.level + 1 < kMovingLimits.length) this.change(1);
+    else if (this.mean_ms < kWanted_ms * kEarly && this.level > 0) this.change(-1);
+  }
+
+  // It rests: the gap to the next frame says nothing.
+  rest(): void {
+    this.frames = 0;
+  }
+
+  private change(by: number): void {
+    this.level += by;
+    this.frames = 0;
+    this.mean_ms = kWanted_ms;
+  }
+}
+
+const kWanted_ms = 1000 / 30;
+const kTooLate = 1.15;
+const kEarly = 0.55;
+const kWeight = 0.25;
+const kSettle = 2;
+const kLongest_ms = 400;
 
 // The coarsest one whose tolerance is less than `dot_mm` on the screen.
 export function detailFor(details: readonly Detail[], dot_mm: number): Detail | undefined {

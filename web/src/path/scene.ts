@@ -1,28 +1,41 @@
 // The picture of a toolpath: three.js, drawn only when something changes. It asks the server for nothing and has no
 // words; labels of axes and scale are elements over the canvas that it moves.
-import { BufferAttribute, BufferGeometry, Group, LineSegments, Matrix4, OrthographicCamera, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { at, boundsOf, feedRanges, rapidLengths, roundLength, stretchesOf, type Bounds, type PathData } from './data';
-import { detailFor, detailsOf, movingDetail, type Detail } from './detail';
+import { BufferAttribute, BufferGeometry, Group, LineSegments, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { spotOf, type PathPlace } from './clock';
+import { rangesOf, valuesOf, type ColorBy } from './color';
+import { at, boundsOf, rapidLengths, roundLength, stretchesOf, unionOf, type Bounds, type PathData } from './data';
+import { detailFor, detailsOf, kMovingLimits, movingDetail, MovingPace, type Detail } from './detail';
+import { Eye, type ViewName } from './eye';
 import { colorSegments, rgbOf, segmentMaterial, type Colors } from './look';
 import { axisLines, colorMarks, markedLines, toolMark, type Marks } from './marks';
+import { Measure, type Spot } from './measure';
 import { nearestSegment, type ToPixels } from './pick';
-
-export type ViewName = 'turning' | 'top' | 'front' | 'side' | 'iso';
+import { stockBounds, type Stock } from './stock';
+import { StockView, type Section } from './stock_view';
+import { colorTool, toolModel, type ToolModel } from './tool_model';
+import type { ToolShape } from './tool_shape';
 
 export interface SceneOptions {
   host: HTMLElement; // gets the canvas
   axisLabels: readonly [HTMLElement, HTMLElement, HTMLElement];
   scaleBar: HTMLElement;
   scaled: (length_mm: number) => void; // the bar's length now
+  drew: (segments: number, all: number) => void; // so many of all, just now
   picked: (point: number) => void;
+  measured: (spots: readonly Spot[]) => void;
 }
 
 export interface PathScene {
   show: (data: PathData, isLathe: boolean) => void;
   color: (colors: Colors) => void;
-  colorByFeed: (is: boolean) => void;
-  place: (point: number | null) => void; // the tool is there; null: the whole path is shown
+  colorBy: (by: ColorBy) => void;
+  place: (place: PathPlace | null) => void; // the tool is there; null: the whole path is shown
+  tool: (shape: ToolShape | null) => void; // null: it is not known, and a mark stands for it
+  stock: (stock: Stock | null) => void;
+  compare: (is: boolean) => void; // the stock is coloured against its nominal
+  section: (section: Section | null) => void;
+  measuring: (is: boolean) => void; // clicks measure, and pick nothing
+  measureTool: () => void; // as a click on the tool's place
   mark: (line: number) => void; // its segments stand out; 0: none
   look: (from: ViewName) => void;
   turn: (right: number, up: number) => void; // radians
@@ -36,34 +49,36 @@ export interface PathScene {
 const kMill = new Matrix4().set(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
 const kLathe = new Matrix4().set(0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1);
 
-const kEyes: Record<ViewName, [number, number, number]> = {
-  turning: [0, 0, 1],
-  top: [0, 1, 1e-4],
-  front: [0, 0, 1],
-  side: [1, 0, 0],
-  iso: [0.7, 0.6, 0.9],
-};
-
+const kNoRange = [1, 0] as const;
 const kPick_px = 12;
-const kMargin = 1.15;
 const kRest_ms = 180;
 const kScale_px = 140;
 
 class Picture implements PathScene {
   private readonly renderer = new WebGLRenderer({ antialias: true });
-  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, 0, 10);
   private readonly scene = new Scene();
   private readonly root = new Group();
   private readonly material = segmentMaterial();
   private readonly segments = new LineSegments(new BufferGeometry(), this.material);
   private readonly marks: Marks = { axes: axisLines(), line: markedLines(), tool: toolMark() };
-  private readonly controls: OrbitControls;
+  private readonly eye: Eye;
   private readonly sizes: ResizeObserver;
+  private readonly measure = new Measure();
+  private from: ViewName = 'iso'; // was looked at last
+  private isMeasuring = false;
+  private stock_: StockView | null = null;
+  private isCompared = false;
+  private cut: Section | null = null;
+  private moment = Infinity;
+  private tool_: ToolModel | null = null;
+  private colors: Colors | null = null;
+  private by: ColorBy = 'kind';
   private data: PathData | null = null;
   private bounds: Bounds = { low: [0, 0, 0], high: [0, 0, 0], size: 1 };
-  private center = new Vector3(); // of the bounds, in the picture
   private details: Detail[] = [];
-  private moving: Detail | null = null;
+  private moving: (Detail | undefined)[] = []; // by the pace's level
+  private readonly pace = new MovingPace();
+  private drawnAt_ms = 0;
   private indexes = new Map<Detail, BufferAttribute>();
   private rest: ReturnType<typeof setTimeout> | undefined;
   private isMoving = false;
@@ -78,11 +93,9 @@ class Picture implements PathScene {
     canvas.setAttribute('aria-hidden', 'true'); // its host has the words
     this.segments.frustumCulled = false;
     this.root.matrixAutoUpdate = false;
-    this.root.add(this.segments, this.marks.axes, this.marks.line, this.marks.tool);
+    this.root.add(this.segments, this.marks.axes, this.marks.line, this.marks.tool, this.measure.group);
     this.scene.add(this.root);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', () => this.changed(true));
+    this.eye = new Eye(canvas, () => this.changed(true));
     canvas.addEventListener('pointerdown', (event) => this.pressed.set(event.clientX, event.clientY));
     canvas.addEventListener('click', (event) => this.pick(event));
     this.sizes = new ResizeObserver(() => this.resize());
@@ -100,17 +113,13 @@ class Picture implements PathScene {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(data.points, 3));
     geometry.setAttribute('kind', new BufferAttribute(data.kinds, 1));
-    geometry.setAttribute('feed', new BufferAttribute(data.feeds, 1));
     geometry.setAttribute('along', new BufferAttribute(rapidLengths(data), 1));
     this.segments.geometry.dispose();
     this.segments.geometry = geometry;
     this.indexes = new Map();
     this.details = detailsOf(data, this.bounds.size);
-    this.moving = movingDetail(data, this.details, this.bounds.size);
-    const ranges = feedRanges(data);
-    (this.material.uniforms['ranges']?.value as Vector2[]).forEach((range, kind) => range.set(...(ranges.get(kind) ?? [0, 0])));
-    const { low, high } = this.bounds;
-    this.center.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2).applyMatrix4(this.root.matrix);
+    this.moving = [];
+    this.colorBy(this.by);
     this.mark(0);
     this.place(null);
     if (isFirst) this.look(isLathe ? 'turning' : 'iso');
@@ -120,23 +129,95 @@ class Picture implements PathScene {
   color(colors: Colors): void {
     const ground = rgbOf(colors.ground);
     this.renderer.setClearColor(((ground.x * 255) << 16) + ((ground.y * 255) << 8) + ground.z * 255, 1);
-    colorSegments(this.material, colors);
+    this.colors = colors;
+    colorSegments(this.material, colors, this.by);
     colorMarks(this.marks, colors);
+    this.measure.color(colors);
+    this.stock_?.color(colors);
+    if (this.tool_) colorTool(this.tool_, colors);
     this.changed();
   }
 
-  colorByFeed(is: boolean): void {
-    this.uniform('byFeed', is ? 1 : 0);
-    this.changed();
-  }
-
-  place(point: number | null): void {
+  colorBy(by: ColorBy): void {
     const { data } = this;
-    this.last = point ?? (data ? data.count - 1 : 0);
-    this.uniform('to', point ?? -1);
-    this.marks.tool.visible = point !== null && data !== null;
-    if (data && point !== null) this.marks.tool.position.set(at(data.points, 3 * point), at(data.points, 3 * point + 1), at(data.points, 3 * point + 2));
+    this.by = by;
+    if (this.colors) colorSegments(this.material, this.colors, by);
+    this.uniform('scale', by === 'kind' ? 0 : 1);
+    if (data) {
+      this.segments.geometry.setAttribute('value', new BufferAttribute(valuesOf(data, by), 1));
+      const ranges = rangesOf(data, by);
+      (this.material.uniforms['ranges']?.value as Vector2[]).forEach((range, kind) => range.set(...(ranges.get(kind) ?? kNoRange)));
+    }
     this.changed();
+  }
+
+  place(place: PathPlace | null): void {
+    const { data } = this;
+    this.last = place?.point ?? (data ? data.count - 1 : 0);
+    // What the tool has not done yet is drawn fainter, the segment that it is on as well.
+    this.uniform('to', place ? place.point - (place.share < 1 ? 1 : 0) : -1);
+    this.moment = place ? place.point - 1 + place.share : Infinity;
+    this.stock_?.goTo(this.moment);
+    const isThere = place !== null && data !== null;
+    this.marks.tool.visible = isThere;
+    if (this.tool_) this.tool_.visible = isThere;
+    if (isThere) {
+      const spot = spotOf(data, place);
+      this.marks.tool.position.set(...spot);
+      this.tool_?.position.set(...spot);
+    }
+    this.changed();
+  }
+
+  tool(shape: ToolShape | null): void {
+    if (this.tool_) this.root.remove(this.tool_);
+    this.tool_ = shape && toolModel(shape);
+    if (this.tool_) {
+      if (this.colors) colorTool(this.tool_, this.colors);
+      this.tool_.visible = this.marks.tool.visible;
+      this.tool_.position.copy(this.marks.tool.position);
+      this.root.add(this.tool_);
+    }
+    this.changed();
+  }
+
+  stock(stock: Stock | null): void {
+    if (this.stock_) this.root.remove(this.stock_.group);
+    this.stock_?.close();
+    this.stock_ = stock && new StockView(stock);
+    const path = this.data ? boundsOf(this.data) : this.bounds;
+    this.bounds = stock ? unionOf(path, stockBounds(stock)) : path;
+    if (this.stock_) {
+      this.stock_.compare(this.isCompared);
+      this.stock_.cut(this.cut);
+      this.stock_.goTo(this.moment);
+      if (this.colors) this.stock_.color(this.colors);
+      this.root.add(this.stock_.group);
+    }
+    this.look(this.from);
+  }
+
+  compare(is: boolean): void {
+    this.isCompared = is;
+    this.stock_?.compare(is);
+    this.changed();
+  }
+
+  section(section: Section | null): void {
+    this.cut = section;
+    this.stock_?.cut(section);
+    this.changed();
+  }
+
+  measuring(is: boolean): void {
+    this.isMeasuring = is;
+    this.measure.clear();
+    this.options.measured([]);
+    this.changed();
+  }
+
+  measureTool(): void {
+    this.addMeasured(this.marks.tool.visible ? this.marks.tool.position : this.spotOf(this.last));
   }
 
   mark(line: number): void {
@@ -153,44 +234,23 @@ class Picture implements PathScene {
   }
 
   look(from: ViewName): void {
-    const eye = new Vector3(...kEyes[from]).normalize();
-    this.controls.target.copy(this.center);
-    this.camera.position.copy(this.center).addScaledVector(eye, 2 * this.bounds.size);
-    this.camera.near = 0.01 * this.bounds.size;
-    this.camera.far = 4 * this.bounds.size;
-    this.camera.zoom = 1;
-    this.camera.lookAt(this.center);
-    this.camera.updateMatrixWorld();
-    this.fit();
-    this.controls.update();
+    this.from = from;
+    this.eye.look(from, this.bounds, this.root.matrix);
     this.changed();
   }
 
   turn(right: number, up: number): void {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const length = offset.length();
-    const around = Math.atan2(offset.x, offset.z) + right;
-    const above = Math.min(Math.max(Math.acos(Math.min(Math.max(offset.y / length, -1), 1)) - up, 1e-4), Math.PI - 1e-4);
-    offset.setFromSphericalCoords(length, above, around);
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.controls.update();
+    this.eye.turn(right, up);
     this.changed(true);
   }
 
   move(right: number, up: number): void {
-    const { left, right: edge, top, bottom, zoom } = this.camera;
-    const by = new Vector3().setFromMatrixColumn(this.camera.matrix, 0).multiplyScalar((right * (edge - left)) / zoom);
-    by.addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrix, 1), (up * (top - bottom)) / zoom);
-    this.camera.position.add(by);
-    this.controls.target.add(by);
-    this.controls.update();
+    this.eye.move(right, up);
     this.changed(true);
   }
 
   zoom(factor: number): void {
-    this.camera.zoom = Math.min(Math.max(this.camera.zoom * factor, 0.05), 1e5);
-    this.camera.updateProjectionMatrix();
-    this.controls.update();
+    this.eye.zoom(factor);
     this.changed(true);
   }
 
@@ -198,9 +258,10 @@ class Picture implements PathScene {
     clearTimeout(this.rest);
     cancelAnimationFrame(this.frame);
     this.sizes.disconnect();
-    this.controls.dispose();
+    this.eye.close();
     this.segments.geometry.dispose();
     this.material.dispose();
+    this.stock_?.close();
     this.renderer.dispose();
     this.renderer.domElement.remove();
   }
@@ -210,37 +271,11 @@ class Picture implements PathScene {
     if (uniform) uniform.value = value;
   }
 
-  // All of the path is in the picture as it is looked at now.
-  private fit(): void {
-    const { low, high } = this.bounds;
-    let wide = 0;
-    let tall = 0;
-    const corner = new Vector3();
-    for (let i = 0; i < 8; i += 1) {
-      corner.set((i & 1 ? high : low)[0], (i & 2 ? high : low)[1], (i & 4 ? high : low)[2]).applyMatrix4(this.root.matrix);
-      corner.applyMatrix4(this.camera.matrixWorldInverse);
-      wide = Math.max(wide, Math.abs(corner.x));
-      tall = Math.max(tall, Math.abs(corner.y));
-    }
-    const { x, y } = this.renderer.getSize(new Vector2());
-    const half = kMargin * Math.max(tall, (wide * y) / Math.max(x, 1), 1e-3 * this.bounds.size);
-    this.camera.top = half;
-    this.camera.bottom = -half;
-    this.keepShape();
-  }
-
-  private keepShape(): void {
-    const { x, y } = this.renderer.getSize(new Vector2());
-    this.camera.right = (this.camera.top * x) / Math.max(y, 1);
-    this.camera.left = -this.camera.right;
-    this.camera.updateProjectionMatrix();
-  }
-
   private resize(): void {
     const { clientWidth, clientHeight } = this.options.host;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, true);
-    this.keepShape();
+    this.eye.resize(clientWidth, clientHeight);
     this.changed();
   }
 
@@ -251,6 +286,7 @@ class Picture implements PathScene {
       clearTimeout(this.rest);
       this.rest = setTimeout(() => {
         this.isMoving = false;
+        this.pace.rest();
         this.changed();
       }, kRest_ms);
     }
@@ -261,18 +297,24 @@ class Picture implements PathScene {
     });
   }
 
-  private mmOfPixel(): number {
-    const { y } = this.renderer.getSize(new Vector2());
-    return (this.camera.top - this.camera.bottom) / this.camera.zoom / Math.max(y, 1);
-  }
-
   private draw(): void {
-    const pixel = this.mmOfPixel();
-    const detail = (this.isMoving && this.moving) || detailFor(this.details, pixel / this.renderer.getPixelRatio());
+    const now_ms = performance.now();
+    if (this.isMoving) this.pace.note(now_ms - this.drawnAt_ms);
+    this.drawnAt_ms = now_ms;
+    const pixel = this.eye.mmOfPixel();
+    const detail = this.isMoving ? this.movingDetail() : detailFor(this.details, pixel / this.renderer.getPixelRatio());
     if (detail) this.choose(detail);
     this.uniform('pixelsOfMm', 1 / pixel);
-    this.renderer.render(this.scene, this.camera);
+    this.renderer.render(this.scene, this.eye.camera);
     this.label(pixel);
+    const all = this.details[0]?.pairs.length ?? 0;
+    this.options.drew((detail?.pairs.length ?? 0) / 2, all / 2);
+  }
+
+  private movingDetail(): Detail | undefined {
+    const { level } = this.pace;
+    if (this.data) this.moving[level] ??= movingDetail(this.data, this.details, this.bounds.size, kMovingLimits[level]);
+    return this.moving[level];
   }
 
   private choose(detail: Detail): void {
@@ -286,9 +328,9 @@ class Picture implements PathScene {
     const length = 0.16 * this.bounds.size;
     this.marks.axes.scale.setScalar(length);
     this.options.axisLabels.forEach((label, axis) => {
-      const end = new Vector3().setComponent(axis, 1.15 * length).applyMatrix4(this.root.matrix).project(this.camera);
+      const end = new Vector3().setComponent(axis, 1.15 * length).applyMatrix4(this.root.matrix).project(this.eye.camera);
       const isIn = Math.abs(end.x) < 1 && Math.abs(end.y) < 1;
-      const begin = new Vector3().project(this.camera);
+      const begin = new Vector3().project(this.eye.camera);
       const isSeen = Math.hypot((end.x - begin.x) * width, (end.y - begin.y) * height) > 24;
       label.hidden = !isIn || !isSeen;
       label.style.transform = `translate(${((end.x + 1) / 2) * width}px, ${((1 - end.y) / 2) * height}px) translate(-50%, -50%)`;
@@ -302,13 +344,29 @@ class Picture implements PathScene {
   private pick(event: MouseEvent): void {
     if (!this.data || Math.hypot(event.clientX - this.pressed.x, event.clientY - this.pressed.y) > 5) return;
     const box = this.renderer.domElement.getBoundingClientRect();
-    const found = nearestSegment(this.data, this.toPixels(), event.clientX - box.left, event.clientY - box.top, kPick_px, this.last);
-    if (found !== null) this.options.picked(found);
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const found = nearestSegment(this.data, this.toPixels(), x, y, kPick_px, this.last);
+    if (!this.isMeasuring) {
+      if (found !== null) this.options.picked(found);
+      return;
+    }
+    const onStock = this.stock_?.under(new Vector2((2 * x) / box.width - 1, 1 - (2 * y) / box.height), this.eye.camera);
+    const spot = onStock ?? (found === null ? null : this.spotOf(found));
+    if (spot) this.addMeasured(spot);
+  }
+
+  private spotOf(point: number): Vector3 {
+    return new Vector3(...[0, 1, 2].map((axis) => at(this.data?.points ?? new Float32Array(), 3 * point + axis)));
+  }
+
+  private addMeasured(spot: Vector3): void {
+    this.options.measured(this.measure.add(spot));
+    this.changed();
   }
 
   private toPixels(): ToPixels {
     const { x, y } = this.renderer.getSize(new Vector2());
-    const all = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).multiply(this.root.matrix);
+    const all = new Matrix4().multiplyMatrices(this.eye.camera.projectionMatrix, this.eye.camera.matrixWorldInverse).multiply(this.root.matrix);
     const e = all.elements; // by columns
     const of = (row: number, column: number): number => e[4 * column + row] ?? 0;
     const half = [x / 2, -y / 2] as const;

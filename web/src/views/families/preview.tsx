@@ -1,17 +1,17 @@
 // The program that values give for a machine, as they are typed, and its toolpath. The server renders it and
 // stores nothing.
-import { useEffect, useState } from 'preact/hooks';
-import { deskCalls } from '../../api/desk_calls';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { deskCalls, type PathOrder } from '../../api/desk_calls';
+import type { Preview as Rendering, ToolPath } from '../../api/types';
 import { bytes, count } from '../../format/numbers';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { TargetFields, useTarget } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
-import { useSettled } from '../../parts/use_settled';
+import { usePaced } from '../../parts/use_paced';
 import type { Values } from '../../rules/part_values';
 import { PathView } from '../path/path_view';
 
-const kPause_ms = 500;
 const kShownLines = 400;
 
 interface Props {
@@ -25,10 +25,16 @@ export function Preview({ family, values, failed, isShown }: Props) {
   const target = useTarget(null);
   const { machine, delivery } = target;
   const [look, setLook] = useState<'text' | 'path'>('text');
-  const asked = useSettled(JSON.stringify(values), kPause_ms);
-  const { value, error, loading } = useLoaded(machine === '' ? null : `${family} ${machine} ${delivery} ${asked}`, () =>
+  const typed = JSON.stringify(values);
+  const [asked, ask] = useState(typed);
+  const { value: now, error, loading } = useLoaded(machine === '' ? null : `${family} ${machine} ${delivery} ${asked}`, () =>
     deskCalls.preview(family, JSON.parse(asked) as Values, machine, delivery),
   );
+  usePaced(typed, asked, loading, ask);
+  // The one before stays until the next one is there.
+  const kept = useRef<{ of: string; value: Rendering } | null>(null);
+  if (now) kept.current = { of: asked, value: now };
+  const { value, of } = kept.current ?? { value: null, of: asked };
   useEffect(() => failed(error), [error]);
   if (target.names.length === 0) return null;
   return (
@@ -52,7 +58,7 @@ export function Preview({ family, values, failed, isShown }: Props) {
         </p>
       )}
       {value && look === 'text' && <PreviewText text={value.text} />}
-      {value && look === 'path' && <PreviewPath text={value.text} machine={machine} />}
+      {value && look === 'path' && <PreviewPath order={{ text: value.text, machine, delivery, nominal: { family, values: JSON.parse(of) as Values } }} />}
     </section>
   );
 }
@@ -69,17 +75,18 @@ function PreviewText({ text }: { text: string }) {
   );
 }
 
-function PreviewPath({ text, machine }: { text: string; machine: string }) {
+function PreviewPath({ order }: { order: PathOrder }) {
   const [line, setLine] = useState(0);
-  const { value, error, loading } = useLoaded(`${machine} ${text}`, () => deskCalls.pathOfText({ text, machine }));
+  const { value, error, loading } = useLoaded(JSON.stringify(order), () => deskCalls.pathOfText(order));
+  const kept = useRef<ToolPath | null>(null);
+  if (value) kept.current = value;
+  const shown = value ?? kept.current;
   return (
     <div class="path">
       <Failure error={error} />
-      {loading && (
-        <p role="status">{t('path.running')}</p>
-      )}
-      {value && <PathView path={value} line={line} chosen={setLine} />}
-      {line > 0 && <code class="path-text">{text.split('\n')[line - 1]}</code>}
+      {loading && !shown && <p role="status">{t('path.running')}</p>}
+      {shown && <PathView path={shown} isOfMachine stock={{ key: JSON.stringify(order), load: (stock) => deskCalls.stockOfText({ ...order, stock }) }} line={line} chosen={setLine} />}
+      {line > 0 && <code class="path-text">{order.text.split('\n')[line - 1]}</code>}
     </div>
   );
 }

@@ -1,6 +1,7 @@
 // A path in words and figures: for who does not see the picture, and for everybody beside it.
 import type { ToolPath } from '../../api/types';
 import { count } from '../../format/numbers';
+import { duration } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { Facts, type Fact } from '../../parts/facts';
 import { axesOf, axisFactor, axisName, lengthText, mm } from './words';
@@ -22,6 +23,7 @@ export function PathFacts({ path }: { path: ToolPath }) {
           [t('path.cut_length'), lengthText(path.cut_mm)],
           [t('path.rapid_length'), lengthText(path.rapid_mm)],
           [t('path.segments'), count(path.segments)],
+          ...(path.time ? [[t('path.cycle'), duration(path.time.cycle_s)] satisfies Fact] : []),
         ]}
       />
     </div>

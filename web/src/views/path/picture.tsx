@@ -1,71 +1,41 @@
 // The picture of a path with its buttons, keys and legend. Loaded when a path is shown first.
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import { t } from '../../i18n/i18n';
-import { feedRanges } from '../../path/data';
-import { openScene, type PathScene, type ViewName } from '../../path/scene';
-import type { Colors } from '../../path/look';
+import { coloringsOf, type ColorBy } from '../../path/color';
+import type { ViewName } from '../../path/eye';
+import type { PathScene } from '../../path/scene';
+import { boundsOf } from '../../path/data';
+import { stockBounds, type Stock } from '../../path/stock';
+import type { Section } from '../../path/stock_view';
+import { MeasureText } from './measure_text';
+import { kWholeStock, StockLegend, StockTools, type StockLook } from './stock_tools';
+import { Legend } from './legend';
 import type { PictureProps } from './path_view';
-import { axisName, feedUnit, isLathe, lengthText, mm } from './words';
+import { shapeOf } from './tool_note';
+import { useScene } from './use_scene';
+import { axisName, isLathe, lengthText, mm } from './words';
 
 const kMillViews: readonly ViewName[] = ['top', 'front', 'side', 'iso'];
 const kLatheViews: readonly ViewName[] = ['turning', 'top', 'side', 'iso'];
 
-const kKindTokens = ['--path-cut', '--path-rapid', '--path-cut', '--path-cut', '--path-cut', '--path-thread'];
-
-function colorsNow(): Colors {
-  const style = getComputedStyle(document.documentElement);
-  const token = (name: string) => style.getPropertyValue(name).trim();
-  return {
-    ground: token('--card'),
-    kinds: kKindTokens.map(token),
-    slow: token('--path-slow'),
-    fast: token('--path-fast'),
-    mark: token('--path-mark'),
-    axis: token('--line-strong'),
-  };
-}
-
 export function Picture(props: PictureProps) {
-  const { path, data, at, line } = props;
-  const host = useRef<HTMLDivElement>(null);
-  const labels = useRef<HTMLDivElement>(null);
-  const bar = useRef<HTMLDivElement>(null);
-  const scene = useRef<PathScene | null>(null);
-  const latest = useRef(props);
-  latest.current = props;
-  const [scale, setScale] = useState(0);
-  const [byFeed, setByFeed] = useState(false);
-  const [failed, setFailed] = useState(false);
-  const lathe = isLathe(path);
-  const views = lathe ? kLatheViews : kMillViews;
-  useEffect(() => {
-    const [x, y, z] = labels.current?.children ?? [];
-    if (!host.current || !bar.current || !x || !y || !z) return;
-    try {
-      scene.current = openScene({
-        host: host.current,
-        axisLabels: [x as HTMLElement, y as HTMLElement, z as HTMLElement],
-        scaleBar: bar.current,
-        scaled: setScale,
-        picked: (point) => latest.current.picked(point),
-      });
-    } catch {
-      return setFailed(true); // this browser draws no 3D
-    }
-    const recolor = () => scene.current?.color(colorsNow());
-    recolor();
-    const dark = matchMedia('(prefers-color-scheme: dark)');
-    dark.addEventListener('change', recolor);
-    return () => {
-      dark.removeEventListener('change', recolor);
-      scene.current?.close();
-      scene.current = null;
-    };
-  }, []);
-  useEffect(() => scene.current?.show(data, lathe), [data, lathe]);
-  useEffect(() => scene.current?.colorByFeed(byFeed), [byFeed, data]);
+  const { path, data, at, tool, line, stock } = props;
+  const [chosen, setChosen] = useState<ColorBy>('kind');
+  const [look, setLook] = useState<StockLook>(kWholeStock);
+  const [isMeasuring, setMeasuring] = useState(false);
+  const views = isLathe(path) ? kLatheViews : kMillViews;
+  const colorings = useMemo(() => coloringsOf(data), [data]);
+  const by = colorings.includes(chosen) ? chosen : 'kind';
+  const extent = useMemo(() => extentOf(data, stock), [data, stock]);
+  const { scene, parts, scale, spots, failed } = useScene(props);
+  useEffect(() => scene.current?.colorBy(by), [by, data]);
+  useEffect(() => scene.current?.tool(shapeOf(path, tool)), [path, tool]);
   useEffect(() => scene.current?.place(at), [at, data]);
   useEffect(() => scene.current?.mark(line), [line, data]);
+  useEffect(() => scene.current?.stock(stock), [stock]);
+  useEffect(() => scene.current?.compare(look.compares), [look.compares, stock]);
+  useEffect(() => scene.current?.section(sectionOf(look, extent)), [look, extent]);
+  useEffect(() => scene.current?.measuring(isMeasuring), [isMeasuring, data]);
   if (failed) return <p class="notice tone-waiting">{t('path.no_webgl')}</p>;
   const press = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey || !pressedIn(scene.current, views, event)) return;
@@ -74,40 +44,72 @@ export function Picture(props: PictureProps) {
   return (
     <>
       <div class="path-tools">
-        <div class="segments" role="group" aria-label={t('path.views')}>
-          {views.map((view) => (
-            <button key={view} type="button" onClick={() => scene.current?.look(view)}>
-              {t(`path_view.${view}`)}
-            </button>
-          ))}
-        </div>
-        <div class="segments" role="group" aria-label={t('path.color')}>
-          {[false, true].map((feed) => (
-            <button key={String(feed)} type="button" aria-pressed={feed === byFeed} onClick={() => setByFeed(feed)}>
-              {t(feed ? 'path.by_feed' : 'path.by_kind')}
-            </button>
-          ))}
-        </div>
+        <Segments label={t('path.views')} names={views} text={(view) => t(`path_view.${view}`)} choose={(view) => scene.current?.look(view)} />
+        <Segments label={t('path.color')} names={colorings} text={(one) => t(`path_color.${one}`)} chosen={by} choose={setChosen} />
+        <button type="button" class="button button-small" aria-pressed={isMeasuring} onClick={() => setMeasuring(!isMeasuring)}>
+          {t('path_measure.measure')}
+        </button>
+        {isMeasuring && (
+          <button type="button" class="button button-small" onClick={() => scene.current?.measureTool()}>
+            {t('path_measure.tool')}
+          </button>
+        )}
       </div>
+      {stock && <StockTools stock={stock} look={look} extent={extent} change={setLook} />}
       <div class="path-box">
         {/* Keys move the picture; what it shows stands in words below. */}
-        <div ref={host} class="path-host" role="application" tabIndex={0} aria-label={t('path.picture')} aria-describedby="path-keys" onKeyDown={press} />
-        <div ref={labels} class="path-labels" aria-hidden="true">
+        <div ref={parts.host} class="path-host" role="application" tabIndex={0} aria-label={t('path.picture')} aria-describedby="path-keys" onKeyDown={press} />
+        <div ref={parts.labels} class="path-labels" aria-hidden="true">
           {[0, 1, 2].map((axis) => (
             <span key={axis}>{axisName(path, axis)}</span>
           ))}
         </div>
+        <p ref={parts.detail} class="path-detail" aria-hidden="true" />
         <div class="path-scale" aria-hidden="true">
-          <div ref={bar} class="path-scale-bar" />
+          <div ref={parts.bar} class="path-scale-bar" />
           {scale > 0 && (scale < 1 ? `${mm(scale)} mm` : lengthText(scale))}
         </div>
       </div>
-      <Legend data={data} byFeed={byFeed} />
+      {isMeasuring && <MeasureText path={path} spots={spots} />}
+      {stock && look.compares && stock.nominal.length > 0 && <StockLegend stock={stock} />}
+      <Legend data={data} by={by} />
       <p id="path-keys" class="hint">
         {t('path.keys')}
       </p>
     </>
   );
+}
+
+interface SegmentsProps<Name extends string> {
+  label: string;
+  names: readonly Name[];
+  text: (name: Name) => string;
+  chosen?: Name; // without it they are no choice, but acts
+  choose: (name: Name) => void;
+}
+
+const Segments = <Name extends string>({ label, names, text, chosen, choose }: SegmentsProps<Name>) => (
+  <div class="segments" role="group" aria-label={label}>
+    {names.map((one) => (
+      <button key={one} type="button" aria-pressed={chosen === undefined ? undefined : one === chosen} onClick={() => choose(one)}>
+        {text(one)}
+      </button>
+    ))}
+  </div>
+);
+
+type Extent = (axis: number) => readonly [low: number, high: number];
+
+// Along which a section may lie: of the stock where there is one.
+function extentOf(data: PictureProps['data'], stock: Stock | null): Extent {
+  const { low, high } = stock ? stockBounds(stock) : boundsOf(data);
+  return (axis) => [low[axis] ?? 0, high[axis] ?? 0];
+}
+
+function sectionOf({ axis, share }: StockLook, extent: Extent): Section | null {
+  if (axis === null) return null;
+  const [low, high] = extent(axis);
+  return { axis, at_mm: low + share * (high - low) };
 }
 
 const kTurn = Math.PI / 24;
@@ -138,34 +140,4 @@ function pressedIn(scene: PathScene | null, views: readonly ViewName[], event: K
   if (view) scene.look(view);
   else if (action) action(scene);
   return Boolean(view ?? action);
-}
-
-function Legend({ data, byFeed }: { data: PictureProps['data']; byFeed: boolean }) {
-  const ranges = feedRanges(data);
-  const has = (name: string) => data.kinds.includes(data.kindNames.indexOf(name));
-  return (
-    <ul class="path-legend" aria-label={t('path.legend')}>
-      {has('rapid') && (
-        <li>
-          <span class="path-line path-line-rapid" /> {t('path_kind.rapid')}
-        </li>
-      )}
-      {!byFeed && (
-        <li>
-          <span class="path-line path-line-cut" /> {t('path_kind.cut')}
-        </li>
-      )}
-      {!byFeed && has('thread') && (
-        <li>
-          <span class="path-line path-line-thread" /> {t('path_kind.thread')}
-        </li>
-      )}
-      {byFeed &&
-        [...ranges].map(([kind, [low, high]]) => (
-          <li key={kind}>
-            {low < high && mm(low)} <span class={low < high ? 'path-ramp' : 'path-line path-line-fast'} /> {mm(high)} {feedUnit(data.kindNames[kind] ?? '')}
-          </li>
-        ))}
-    </ul>
-  );
 }
