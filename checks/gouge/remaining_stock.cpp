@@ -36,7 +36,7 @@ void for_segments(const curves::PathPiece& piece, Visit&& visit) {
   }
 }
 
-// How much of the way lies before z is reached, 0 to 1.
+// How much of the path lies before z is reached, 0 to 1.
 double share_before(const curves::Segment& centers, double z) {
   const double length = centers.b.z - centers.a.z;
   return std::fabs(length) > kUpright_mm ? std::clamp((z - centers.a.z) / length, 0.0, 1.0) : 1.0;

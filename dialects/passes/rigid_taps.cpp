@@ -262,7 +262,7 @@ bool feeds_taps_by_lead(const ir::Control& control) { return form_of(control) ==
 
 namespace {
 
-// Its name in the control's table: the code beside the usual one, with a digit after the point.
+// Its name in the control's table: the code next to the usual one, with a digit after the point.
 std::string_view rigid_name(const ir::Control& to, const ir::Code& tap) {
   const auto row = std::ranges::find_if(to.g_codes, [&](const ir::CodeRow& r) {
     return r.function == Function::drill && r.argument == tap.argument && r.number10 % 10 != 0;

@@ -39,7 +39,7 @@ app::Result<TextOf> order_of_text(const Call& call) {
                                        .revision = family->revision,
                                        .text = std::move(family->text),
                                        .values = std::move(body->nominal->values),
-                                       .is_said = true};
+                                       .is_from_request = true};
   return one;
 }
 

@@ -69,7 +69,7 @@ Members path_of_machine_members() {
                                                                     "known"))}}));
   return {{"time", or_null(object("when the points are reached on the machine; null: not known",
                                   {{"cycle_s", number("of the whole program, all waiting included")},
-                                   {"is_fed", flag("it goes over the machine's line while it runs")},
+                                   {"is_fed", flag("it is fed over the machine's line while it runs")},
                                    {"notes", notes()}}))},
           {"why_no_time", or_null(text("why no times are known; null: they are"))},
           {"deviation",

@@ -42,7 +42,7 @@ Document write_nominal(const app::NominalCase& nominal, WorkPackage& into) {
           {"revision", nominal.revision},
           {"text", into.add(nominal.text)},
           {"values", write_values(nominal.values, into)},
-          {"is_said", nominal.is_said}};
+          {"is_from_request", nominal.is_from_request}};
 }
 
 app::NominalCase read_nominal(const Document& from, const WorkPackage& package) {
@@ -50,7 +50,7 @@ app::NominalCase read_nominal(const Document& from, const WorkPackage& package) 
           .revision = from.at("revision").get<store::Revision>(),
           .text = package.text_of(from, "text"),
           .values = read_values(from.at("values"), package),
-          .is_said = from.at("is_said").get<bool>()};
+          .is_from_request = from.at("is_from_request").get<bool>()};
 }
 
 }  // namespace

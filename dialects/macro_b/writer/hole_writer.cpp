@@ -37,7 +37,7 @@ bool drills_by_cycle(const Hole& hole) {
 bool HoleWriter::fits_modal_cycle(const Hole& hole) const {
   if (!hole.constant || to_.kind != ir::MachineKind::mill || place_.plane() != Function::plane_xy) return false;
   if (hole.lead != 0.0 && !place_.turning().is_known()) return false;
-  if (hole.floats && !cutting_way(hole)) return false;
+  if (hole.floats && !cutting_direction(hole)) return false;
   if (hole.feed_in != 0.0 || hole.feed_out != 0.0 || hole.spindle != 0) return false;
   const double back = *number(hole.back);
   const double level = *number(hole.level);
@@ -46,7 +46,7 @@ bool HoleWriter::fits_modal_cycle(const Hole& hole) const {
 }
 
 bool HoleWriter::has_moves(const Hole& hole) {
-  if (hole.floats && !cutting_way(hole)) {
+  if (hole.floats && !cutting_direction(hole)) {
     place_.cannot(passes::not_known(hole.name + " where it is not known how the spindle turns"));
     return false;
   }
@@ -85,7 +85,7 @@ void HoleWriter::end_modal(const Hole& hole) {
 void HoleWriter::write_cycle(const Hole& hole, bool modal, bool to_level) {
   state_distance();
   DrillCycle cycle = hole.cycle;
-  if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
+  if (hole.floats && cutting_direction(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
   if (hole.breaks_chips) {
     cycle = DrillCycle::chip_break;
     place_.warn("the retract between the pecks at the feed, which G73 makes at rapid,");
@@ -126,7 +126,7 @@ void HoleWriter::turn_again(const Hole& hole) {
   out_.emit_block({code(after)}, {word(Address::s, whole(*turning.speed)), word(Address::f, constant(*turning.feed))});
 }
 
-std::optional<Function> HoleWriter::cutting_way(const Hole& hole) const {
+std::optional<Function> HoleWriter::cutting_direction(const Hole& hole) const {
   if (hole.reversed != 0) return hole.reversed == 4 ? Function::spindle_cw : Function::spindle_ccw;
   return place_.turning().spindle;
 }

@@ -5,9 +5,9 @@
 //   MCALL                        G80
 //
 // Otherwise each position is followed by its moves: rapid to RFP+SDIS, feed to DP, dwell, back. Pecks are left to G83
-// and G73, behind a rapid to RTP, which is then their initial level: from above it lies on the way, and from below the
+// and G73, after a rapid to RTP, which is then their initial level: from above it lies on the path, and from below the
 // tool leaves the hole to there anyway. Boring that only a modal cycle has, and levels whose side is not known, are
-// told as errors.
+// reported as errors.
 #include "dialects/macro_b/writer/raise_drilling.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ class Drilling {
     const ir::Call& call = program_.calls[place_.statement().payload];
     if (!is_drilling_cycle(call)) return out_.keep();
     const std::optional<Hole> hole = hole_of(call);
-    if (!hole) return;  // told
+    if (!hole) return;  // reported
     if (calls_in_region(program_, place_.index()))
       return place_.cannot(passes::of_call("a call of another program after MCALL"));
     if (jumps_across_region(program_, place_.index(), jumps_))
@@ -100,12 +100,12 @@ class Drilling {
       return pattern(call);
     if (!is_drilling_cycle(call)) return out_.keep();
     const std::optional<Hole> hole = hole_of(call);
-    if (!hole) return;  // told
+    if (!hole) return;  // reported
     if (holes_.fits_modal_cycle(*hole)) return holes_.write_hole(*hole);
     if (holes_.has_moves(*hole)) holes_.write_moves(*hole);
   }
 
-  // Nothing when it cannot be said here, which is told.
+  // Nothing when it cannot be stated here, which is reported.
   std::optional<Hole> hole_of(const ir::Call& call) {
     place_.state_plane();
     std::expected<Hole, std::string> hole = called_hole(program_, call);

@@ -63,7 +63,7 @@ Result<void> take_geometry(const NominalCase& nominal, Examination& e) {
   const text::Source source(nominal.family, nominal.text);
   auto made = compile::family_geometry(source, overrides_of(nominal.values));
   e.geometry = std::move(made.geometry);
-  if (!nominal.is_said) return {};
+  if (!nominal.is_from_request) return {};
   if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", nominal.family)); !fine) return fine;
   std::string values;
   for (const auto& [name, value] : nominal.values) values += fmt::format(" {}={}", name, value);

@@ -28,11 +28,11 @@ export function Differences({ receipt, text }: Props) {
       {values.value && values.value.values.length > 0 && <ChangedValues found={values.value} />}
       {values.value && values.value.values.length === 0 && values.value.why_not && (
         <p class="hint">
-          {t('received.no_values')} {values.value.why_not}
+          {t('sent_back.no_values')} {values.value.why_not}
         </p>
       )}
       <details>
-        <summary>{t('received.compare', { revision: stored.revision })}</summary>
+        <summary>{t('sent_back.compare', { revision: stored.revision })}</summary>
         {compared.loading && <p role="status">{t('compare.running')}</p>}
         <Failure error={compared.error} />
         {compared.value && <ComparedView of={compared.value} chosen={() => undefined} />}
@@ -44,10 +44,10 @@ export function Differences({ receipt, text }: Props) {
 function ChangedValues({ found }: { found: ReceivedValues }) {
   const { part, values, rest } = found;
   return (
-    <section class="card" aria-label={t('received.values')}>
-      <h3>{part === null ? t('received.values') : t('received.values_of', { part })}</h3>
+    <section class="card" aria-label={t('sent_back.values')}>
+      <h3>{part === null ? t('sent_back.values') : t('sent_back.values_of', { part })}</h3>
       <p class={`notice tone-${found.explains_all ? 'good' : 'waiting'}`} role="status">
-        {found.explains_all ? t('received.explained') : `${t('received.not_explained')} ${found.why_not ?? ''}`}
+        {found.explains_all ? t('sent_back.explained') : `${t('sent_back.not_explained')} ${found.why_not ?? ''}`}
       </p>
       <ul class="listed">
         {values.map(({ name, before, after }) => (
@@ -60,7 +60,7 @@ function ChangedValues({ found }: { found: ReceivedValues }) {
         <ul class="listed">
           {rest.map(({ line, stored, received }) => (
             <li key={line}>
-              {t('received.left_over', { line })} <code>{stored}</code> → <code>{received}</code>
+              {t('sent_back.left_over', { line })} <code>{stored}</code> → <code>{received}</code>
             </li>
           ))}
         </ul>
@@ -90,14 +90,14 @@ function TakeValues({ found, part }: { found: ReceivedValues; part: string }) {
   if (taken !== null)
     return (
       <p class="notice tone-good" role="status">
-        <a href={hrefs.part(part)}>{t('received.taken', { part, revision: taken })}</a>
+        <a href={hrefs.part(part)}>{t('sent_back.taken', { part, revision: taken })}</a>
       </p>
     );
   return (
     <>
       <Failure error={error} />
       <button type="button" class="button" disabled={busy} onClick={() => void take()}>
-        {t('received.take_values', { part })}
+        {t('sent_back.take_values', { part })}
       </button>
     </>
   );
