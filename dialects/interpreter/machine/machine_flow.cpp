@@ -301,10 +301,14 @@ bool Machine::begin_modal(const Instruction& i) {
   return passes_over_missing(i) || stack_.begin_modal(i, value_or_zero(storage_.reg(i.b)));
 }
 
-// Blocks of a contour are no moves of the program. A shape that cycles cut takes no call.
+// Blocks of a contour are no moves of the program. Whether one is called by moves of a shape that G70 finishes is not
+// known.
 bool Machine::call_modal(const Instruction& i, std::uint32_t& next) {
   if (contour_.active) return true;
-  if (shape_.active()) return report_.fail(i, DiagnosticId::cycle_shape_invalid, {"a modal call follows its moves"});
+  if (shape_.active()) {
+    report_.count({.name = "a modal call after moves of a shape"});
+    return true;
+  }
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   const auto begin = stack_.call_modal(i, next);
   next = begin.value_or(0);
