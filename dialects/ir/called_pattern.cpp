@@ -2,6 +2,7 @@
 #include "dialects/ir/called_pattern.h"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace dripfeed::ir {
@@ -56,6 +57,7 @@ std::optional<std::vector<PlanePoint>> holes_of(const CalledPattern& pattern, st
     }
   }
   std::vector<PlanePoint> holes;
+  holes.reserve(static_cast<std::size_t>(pattern.count));
   for (int n = 0; n < pattern.count; ++n)
     holes.push_back(pattern.is_circle ? at(pattern, pattern.angle_deg + n * step, pattern.radius)
                                       : at(pattern, pattern.angle_deg, start + n * step));
