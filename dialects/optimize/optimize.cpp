@@ -31,10 +31,10 @@ std::optional<Rule> find_rule(std::string_view name) {
   return {};
 }
 
-std::optional<PlaceFacts> free_place(const Work& work) {
-  std::set<std::pair<ir::Bank, std::uint32_t>> used;
-  std::set<ir::Bank> computed;
-  for (const ir::Variable& v : work.program.variables) {
+std::optional<PlaceFacts> free_place(Work& work) {
+  auto& [looked_at, used, computed] = work.numbers;
+  for (; looked_at < work.program.variables.size(); ++looked_at) {
+    const ir::Variable& v = work.program.variables[looked_at];
     if (v.index != ir::ExpressionId::none)
       computed.insert(v.bank);
     else

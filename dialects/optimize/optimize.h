@@ -21,6 +21,8 @@ struct Settings {
   std::vector<NumberRange> own = {};
   // Numbers that the program may begin to use; they count as its own.
   std::vector<NumberRange> free = {};
+  // How far the path may be changed, mm; 0: not at all, then Rule::lines and Rule::arcs have no effect.
+  double tolerance_mm = 0.0;
 };
 
 struct Result {

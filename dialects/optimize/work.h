@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -29,6 +31,13 @@ struct MadeLine {
   std::vector<std::uint32_t> comments_of = {};  // lines of the text
 };
 
+// Numbers that the program mentions. Its variables only become more, so each is looked at once.
+struct UsedNumbers {
+  std::size_t looked_at = 0;  // of Program::variables
+  std::set<std::pair<ir::Bank, std::uint32_t>> used = {};
+  std::set<ir::Bank> computed = {};  // any number of these may be meant
+};
+
 struct Work {
   ir::Program& program;
   const ir::Control& control;
@@ -39,6 +48,7 @@ struct Work {
   std::vector<Change> changes = {};
   std::uint32_t text_lines = 0;
   std::vector<MadeLine> made_lines = {};
+  UsedNumbers numbers = {};
 
   std::uint32_t new_line(std::uint32_t from, const std::vector<std::uint32_t>& with_comments_of = {}) {
     MadeLine made{.from = line_of_text(from)};
@@ -60,7 +70,7 @@ struct Work {
 };
 
 // A number of `work.free` that the program does not mention; none left: nothing.
-std::optional<PlaceFacts> free_place(const Work& work);
+std::optional<PlaceFacts> free_place(Work& work);
 
 // Each runs over the program once and says whether it changed anything.
 bool structure_jumps(Work& work, bool loops, bool branches);

@@ -23,12 +23,14 @@ struct AccuracyOptions {
 
 std::string mm(double value) { return text::format_fixed(value, 6); }
 
-std::string figures_text(const accuracy::Report& a) {
-  std::string text = fmt::format("blocks       {}\npath         max {} mm at line {}, mean {}, rmse {}\n", a.blocks,
-                                 mm(a.path.max_mm), a.path.max_line, mm(a.path.mean_mm), mm(a.path.rmse_mm));
+std::string figures_text(const accuracy::Report& a, const Measured& measured) {
+  std::string text = fmt::format("blocks       {}\npath         max {} mm at line {}{}, mean {}, rmse {}\n", a.blocks,
+                                 mm(a.path.max_mm), a.path.max_line, in_family(measured, a.path.max_line),
+                                 mm(a.path.mean_mm), mm(a.path.rmse_mm));
   if (a.surface)
-    text += fmt::format("surface cut  max {} mm at line {}, mean {}, rmse {}\n", mm(a.surface->max_mm),
-                        a.surface->max_line, mm(a.surface->mean_mm), mm(a.surface->rmse_mm));
+    text += fmt::format("surface cut  max {} mm at line {}{}, mean {}, rmse {}\n", mm(a.surface->max_mm),
+                        a.surface->max_line, in_family(measured, a.surface->max_line), mm(a.surface->mean_mm),
+                        mm(a.surface->rmse_mm));
   text += a.chord_bound_mm ? fmt::format("chord bound  {} mm (proved)\n", mm(*a.chord_bound_mm))
                            : "chord bound  none: the nominal's curvature is not bounded\n";
   text += fmt::format("covered      {}{}\n", a.covered ? "yes" : "no",
@@ -79,8 +81,9 @@ int accuracy_of(const AccuracyOptions& options) {
       !write_output(options.measure.plot, plot::svg(*report.pictures.accuracy)))
     return kWrongUse;
   const TextOptions& out = options.measure.family.text;
-  const std::string text = out.json ? json::accuracy_figures(*report.checks.accuracy, cmm, report.validated)
-                                    : figures_text(*report.checks.accuracy) + (cmm ? cmm_text(*cmm) : "");
+  const std::string text =
+      out.json ? figures_with_lines(*measured, json::accuracy_figures(*report.checks.accuracy, cmm, report.validated))
+               : figures_text(*report.checks.accuracy, *measured) + (cmm ? cmm_text(*cmm) : "");
   return write_output(out.output, text) ? kDone : kWrongUse;
 }
 

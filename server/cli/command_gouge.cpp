@@ -25,8 +25,8 @@ int gouge_of(const MeasureOptions& options) {
   const gouge::Report& g = *report.checks.gouge;
   const std::string name = report.source.name().empty() ? options.family.file : report.source.name();
   for (const checks::Finding& one : g.findings.kept()) {
-    fmt::print(stderr, "{}:{}: {}[{}]: {}\n", name, one.place.line, text::name_of(one.severity),
-               text::row_of(one.id).name, one.text);
+    fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", name, one.place.line, text::name_of(one.severity),
+               text::row_of(one.id).name, one.text, in_family(*measured, one.place.line));
   }
   for (const checks::NotChecked& one : g.not_checked.list()) fmt::print(stderr, "not checked: {}\n", one.text);
   if (!options.plot.empty() && report.pictures.gouge && !write_output(options.plot, plot::svg(*report.pictures.gouge)))
@@ -34,7 +34,7 @@ int gouge_of(const MeasureOptions& options) {
   const auto mm = [](double value) { return text::format_fixed(value, 3); };
   const std::string text =
       options.family.text.json
-          ? json::gouge_figures(g, report.validated)
+          ? figures_with_lines(*measured, json::gouge_figures(g, report.validated))
           : fmt::format("rapids   {}, deepest into stock or part {} mm\ncuts     {}, deepest below the nominal {} mm\n",
                         g.rapids, mm(g.deepest_rapid_mm), g.cuts, mm(g.deepest_cut_mm));
   if (!write_output(options.family.text.output, text)) return kWrongUse;

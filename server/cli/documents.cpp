@@ -72,15 +72,6 @@ std::string run_document(const interpreter::RunResult& result) {
 
 namespace {
 
-Document cost_document(const std::optional<compile::ComputeCost>& cost) {
-  if (!cost) return nullptr;
-  return {{"total_ms", cost->total_ms},
-          {"longest_ms", cost->longest_ms},
-          {"longest_line", cost->longest_line},
-          {"moves", cost->moves},
-          {"blocks", cost->blocks}};
-}
-
 Document text_or_null(const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); }
 Document line_or_null(std::uint32_t line) { return line == 0 ? Document(nullptr) : Document(line); }
 
@@ -97,21 +88,6 @@ std::string restart_document(const compile::Restart& made, const text::Source& s
                {"diagnostics", Document::parse(json::diagnostics(made.diagnostics, source))}});
 }
 
-std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
-                              const text::Source& source) {
-  Document changes = Document::array();
-  for (const optimize::Change& change : result.changes)
-    changes.push_back({{"line", change.line}, {"rule", optimize::row_of(change.rule).name}, {"what", change.what}});
-  return dump({{"text", text::has_error(result.diagnostics) ? Document(nullptr) : Document(result.text)},
-               {"changes", std::move(changes)},
-               {"left_because", text_or_null(result.obstacle)},
-               {"not_verified", text_or_null(result.not_verified)},
-               {"before", cost_document(result.before)},
-               {"after", cost_document(result.after)},
-               {"cost", {{"source", ir::name_of(cost.source)}, {"origin", cost.origin}, {"spread", cost.spread}}},
-               {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, source))}});
-}
-
 std::string render_document(const compile::RenderResult& result, const text::Source& family) {
   const bool refused = text::has_error(result.diagnostics);
   return dump({{"text", refused ? Document(nullptr) : Document(result.text)},
@@ -125,26 +101,42 @@ std::string render_document(const compile::RenderResult& result, const text::Sou
 
 namespace {
 
-// Next to each line of the program the family's.
-void add_family_lines(Document& list, const RenderedFrom& from) {
-  for (Document& one : list) {
-    const auto line = one.at("line").get<std::size_t>();
-    one["family_line"] = line_or_null(line > 0 && line <= from.lines.size() ? from.lines[line - 1] : 0);
+Document family_line(std::size_t line, const std::vector<std::uint32_t>& lines) {
+  return line_or_null(line > 0 && line <= lines.size() ? lines[line - 1] : 0);
+}
+
+// In each row the program's line and the family's.
+void add_family_lines(Document& list, const std::vector<std::uint32_t>& lines) {
+  for (Document& one : list) one["family_line"] = family_line(one.at("line").get<std::size_t>(), lines);
+}
+
+Document with_deepest_lines(const Document& figures, const std::vector<std::uint32_t>& lines) {
+  Document out = Document::object();
+  for (const auto& [name, value] : figures.items()) {
+    out[name] = value.is_object() ? with_deepest_lines(value, lines) : value;
+    if (name == "max_at_line") out["max_at_family_line"] = family_line(value.get<std::size_t>(), lines);
   }
+  return out;
 }
 
 void add_family(Document& file, const RenderedFrom& from) {
   file["file"] = from.file;
   if (from.mode.empty()) return;
   file["rendered"] = {{"mode", from.mode}, {"because", from.because}};
-  add_family_lines(file.at("diagnostics"), from);
+  add_family_lines(file.at("diagnostics"), from.lines);
   for (const char* name : {"envelope", "gouge", "accuracy", "timing"}) {
     Document& check = file.at(name);
-    if (check.is_object() && check.contains("findings")) add_family_lines(check.at("findings"), from);
+    if (check.is_object() && check.contains("findings")) add_family_lines(check.at("findings"), from.lines);
   }
 }
 
 }  // namespace
+
+std::string with_family_lines(const std::string& figures, const std::vector<std::uint32_t>& lines) {
+  Document document = with_deepest_lines(Document::parse(figures), lines);
+  if (document.contains("findings")) add_family_lines(document.at("findings"), lines);
+  return dump(document);
+}
 
 std::string check_document(std::span<const app::CheckReport> reports,
                            std::span<const std::optional<RenderedFrom>> families) {

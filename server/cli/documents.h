@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "dialects/compile/dialect/execute.h"
-#include "dialects/compile/render/optimized.h"
 #include "dialects/compile/render/render.h"
 #include "dialects/compile/renumber/renumber.h"
 #include "dialects/compile/restart/restart.h"
@@ -34,10 +33,6 @@ std::string run_document(const interpreter::RunResult& result);
 // {"text","preamble_line","rest_line","assumptions","compared_moves","safe_before","safe_after","diagnostics"}: the
 // text is null where it is refused, the safe lines where none was looked for or found.
 std::string restart_document(const compile::Restart& made, const text::Source& source);
-// {"text","changes":[{"line","rule","what"}],"left_because","not_verified","before","after","cost"}: the two costs are
-// null where the program was not run before and after, `left_because` is why it is as it was.
-std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
-                              const text::Source& source);
 // {"text","mode","because","blocks","bytes","variables","diagnostics"}: the text is null where it is refused.
 std::string render_document(const compile::RenderResult& result, const text::Source& family);
 
@@ -52,6 +47,10 @@ struct RenderedFrom {
 // `families` has one for each report.
 std::string check_document(std::span<const app::CheckReport> reports,
                            std::span<const std::optional<RenderedFrom>> families);
+
+// The figures of a rendered family with its lines: each finding has "family_line", each "max_at_line" a
+// "max_at_family_line" after it. `lines`: by line of the program, 0: none.
+std::string with_family_lines(const std::string& figures, const std::vector<std::uint32_t>& lines);
 
 // Of a command that found nothing to measure: {"measured": false, …} with what kept it from it.
 std::string not_measured_document(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,

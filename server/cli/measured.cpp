@@ -19,12 +19,15 @@ namespace dripfeed::cli {
 namespace {
 
 app::Result<Measured> measure_family(const MeasureOptions& options) {
-  const auto rendered = render_family(options.family);
+  auto source = read_source(find_family(options.family.file));
+  if (!source) return std::unexpected(source.error());
+  auto rendered = render_family(options.family, std::move(*source));
   if (!rendered) return std::unexpected(rendered.error());
+  print_diagnostics(rendered->result.diagnostics, rendered->source, rendered->chosen.control.title);
   if (text::has_error(rendered->result.diagnostics))
     return app::fail(app::ErrorCode::refused, "the family cannot be rendered");
   const app::Examination e = examination_of(*rendered, ir::Delivery::memory);
-  return app::measured_of(app::examine(e), e);
+  return Measured{app::measured_of(app::examine(e), e), std::move(*rendered)};
 }
 
 // While it is read: its text is not validated, and that is reported.
@@ -49,7 +52,7 @@ app::Result<Measured> measure_stream(const MeasureOptions& options, app::Examina
   report.ran = ran.result.ended == interpreter::Ended::end;
   report.blocks = ran.result.blocks;
   checks.finish(report.checks, report.pictures);
-  return app::measured_of(std::move(report), e);
+  return Measured{app::measured_of(std::move(report), e), {}};
 }
 
 app::Result<Measured> measure_file(const MeasureOptions& options, app::SurfaceScope scope) {
@@ -77,7 +80,7 @@ app::Result<Measured> measure_file(const MeasureOptions& options, app::SurfaceSc
                      .geometry = std::move(nominal->geometry),
                      .profile_lines = std::move(nominal->profile_lines)};
   if (streams) return measure_stream(options, std::move(e), *file, scope);
-  return app::measured_of(app::examine(e), e);
+  return Measured{app::measured_of(app::examine(e), e), {}};
 }
 
 }  // namespace
@@ -111,6 +114,15 @@ void add_measure_options(CLI::App& command, MeasureOptions& options) {
 
 app::Result<Measured> measure(const MeasureOptions& options, app::SurfaceScope scope) {
   return options.nominal.family.empty() ? measure_family(options) : measure_file(options, scope);
+}
+
+std::string in_family(const Measured& measured, std::uint32_t line) {
+  const std::string place = measured.family ? place_in_family(*measured.family, line) : std::string();
+  return place.empty() ? std::string() : fmt::format(" ({})", place);
+}
+
+std::string figures_with_lines(const Measured& measured, const std::string& figures) {
+  return measured.family ? with_family_lines(figures, measured.family->lines) : figures;
 }
 
 int not_measured(const MeasureOptions& options, const app::CheckReport& report) {

@@ -1,7 +1,9 @@
 // Measuring what a family's program or a program's file cuts against a nominal, for the commands accuracy and gouge.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "server/app/checks/measured.h"
 #include "server/app/checks/surface_checks.h"
@@ -34,10 +36,17 @@ struct MeasureOptions {
 };
 void add_measure_options(CLI::App& command, MeasureOptions& options);
 
-using app::Measured;
+struct Measured : app::Measured {
+  std::optional<RenderedFamily> family;  // with its lines; none: a program was measured
+};
 // A family is rendered and examined; a large program's file is run while it is read, and `scope` says for which checks.
 // Errors: what cannot be read, rendered or run.
 app::Result<Measured> measure(const MeasureOptions& options, app::SurfaceScope scope);
+
+// " (roll.family:31)" of a line of the program, "" where it comes from no family.
+std::string in_family(const Measured& measured, std::uint32_t line);
+// Figures as JSON, with the lines of the family where it is one.
+std::string figures_with_lines(const Measured& measured, const std::string& figures);
 
 // Reports what kept a check from giving figures, with --json as a document, too; returns the exit code.
 int not_measured(const MeasureOptions& options, const app::CheckReport& report);

@@ -16,6 +16,10 @@ void print_changes(const compile::OptimizeResult& result, std::string_view name)
 void print_saving(const compile::OptimizeResult& result, std::string_view name, const ir::CostModel& cost) {
   if (!result.obstacle.empty()) return print_error(fmt::format("{} is left unchanged: {}", name, result.obstacle));
   if (!result.not_verified.empty()) print_error("not verified by running it: " + result.not_verified);
+  if (!result.not_merged.empty()) print_error("no blocks are merged: " + result.not_merged);
+  if (result.off_mm)
+    fmt::print(stderr, "blocks are merged: the path is {} mm from the program's at most (proved)\n",
+               text::format_fixed(*result.off_mm, 6));
   if (!result.before || !result.after) return;
   const auto ms = [](double value) { return text::format_fixed(value, 2); };
   const compile::ComputeCost &before = *result.before, &after = *result.after;

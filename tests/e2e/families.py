@@ -143,6 +143,8 @@ def measure(family, name, mode):
     if family.name in NO_CURVE:
         return nothing_measured(done, "accuracy: no nominal is known", what)
     accuracy = json.loads(done.stdout)
+    in_family = accuracy["max_at_family_line"]
+    expect(re.match(r"\s*(cut|arc)\b", family.text.splitlines()[in_family - 1]) if in_family else accuracy["max_mm"] == 0, f"{what}: line {in_family} is no cut")
     expect(not accuracy["findings"] and accuracy["covered"] and accuracy["blocks"] > 0, f"{what}: {accuracy}")
 
 

@@ -11,9 +11,11 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/dialect/dialect.h"
+#include "dialects/compile/render/merged_blocks.h"
 #include "dialects/compile/translate/inline_moves.h"
 #include "dialects/compile/translate/recorded_run.h"
 #include "dialects/optimize/places.h"
+#include "dialects/text/number.h"
 
 namespace dripfeed::compile {
 
@@ -55,6 +57,41 @@ class Optimization {
         own_library_(request.control, [](std::string_view) { return std::nullopt; }) {}
 
   OptimizeResult run() {
+    OptimizeResult result = run_exact();
+    const optimize::Rules& rules = request_.settings.rules;
+    const MergeWishes wishes{.lines = rules.has(optimize::Rule::lines),
+                             .arcs = rules.has(optimize::Rule::arcs),
+                             .tolerance_mm = request_.settings.tolerance_mm};
+    if ((wishes.lines || wishes.arcs) && wishes.tolerance_mm > 0.0 && !text::has_error(result.diagnostics))
+      merge(wishes, result);
+    return result;
+  }
+
+ private:
+  void merge(const MergeWishes& wishes, OptimizeResult& result) {
+    const text::Source exact(request_.source.name(), result.text);
+    MergedBlocks merged = merge_blocks(exact, request_.control, library(), wishes);
+    result.not_merged = std::move(merged.obstacle);
+    if (merged.groups.empty()) return;
+    const auto line_before = [&](std::uint32_t line) {
+      return result.origin_lines.empty()          ? line
+             : line <= result.origin_lines.size() ? result.origin_lines[line - 1]
+                                                  : 0;
+    };
+    for (const MergedGroup& group : merged.groups)
+      result.changes.push_back(
+          {group.is_arc ? optimize::Rule::arcs : optimize::Rule::lines, line_before(group.first_line),
+           fmt::format("{} blocks are one, {} mm off at most", group.last_line - group.first_line + 1,
+                       text::format_fixed(group.off_mm, 6))});
+    for (std::uint32_t& line : merged.origin_lines) line = line_before(line);
+    result.off_mm = merged.most_mm;
+    result.text = std::move(merged.text);
+    result.origin_lines = std::move(merged.origin_lines);
+    const ir::ReadResult read = dialect_.read(text::Source(request_.source.name(), result.text), request_.control);
+    if (result.after) result.after = cost_of(run(read.program, 0));
+  }
+
+  OptimizeResult run_exact() {
     OptimizeResult result;
     result.text = request_.source.text();
     ir::ReadResult read = dialect_.read(request_.source, request_.control);
@@ -91,7 +128,6 @@ class Optimization {
     return result;
   }
 
- private:
   struct Attempt {
     std::string text;  // empty: as it was
     std::vector<std::uint32_t> origin_lines;

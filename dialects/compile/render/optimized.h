@@ -43,6 +43,8 @@ struct OptimizeResult {
   std::string not_verified;                 // why running does not show that both are the same; empty where it does
   std::optional<ComputeCost> before;        // of the runs that were compared
   std::optional<ComputeCost> after;
+  std::optional<double> off_mm;               // where blocks were merged: how far the paths lie apart at most, proved
+  std::string not_merged;                     // why no blocks were; empty where they were, or need not be
   std::vector<text::Diagnostic> diagnostics;  // of reading the source; with an error nothing is done
 };
 
