@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/dialect/dialect.h"
-#include "dialects/compile/translate/moves_in_place.h"
+#include "dialects/compile/translate/inline_moves.h"
 #include "dialects/compile/translate/recorded_run.h"
 #include "dialects/text/number.h"
 
