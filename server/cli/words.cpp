@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "dialects/compile/trial/word_trials.h"
+
 namespace dripfeed::cli {
 
 namespace {
@@ -24,6 +26,10 @@ with a line a word, what it does and where the control's manual states it. `drip
 - **without effect**: it neither moves nor changes what is checked.
 - **reported**: the control knows it, and what it does depends on the machine or is not followed. The report names it, and
   the verdict is `unknown` until a person waives it or the machine's profile states its effect.
+
+The column *translated to* is found by doing it: small programs with the word, which the control accepts, are translated to the
+usual control of each other dialect. It names the dialects for which one of them gives a program; `all` of them; or `none`, where
+each was refused with an error. A dash: the control accepts none of these programs. Another use of the word may end otherwise.
 
 A word that stands on no page is named as `unknown-code`, `unknown-address` or `unknown-name`; where an option or a definition file
 may bring it, that is a warning, and the verdict is no better than `unknown`. What is translated between two controls is in
@@ -59,17 +65,19 @@ bool is_same(const compile::DialectWord& a, const compile::DialectWord& b) {
 // Kinds of machine with the same words share one.
 struct Column {
   std::string title;
+  ir::Control control;
   std::vector<compile::DialectWord> words;
 };
 
 std::vector<Column> columns_of(const compile::Dialect& dialect) {
   std::vector<Column> columns;
   for (const Kind& kind : kKinds) {
-    auto words = compile::language_of(dialect, dialect.control(kind.kind, kind.system));
+    ir::Control control = dialect.control(kind.kind, kind.system);
+    auto words = compile::language_of(dialect, control);
     const auto same =
         std::ranges::find_if(columns, [&](const Column& one) { return std::ranges::equal(one.words, words, is_same); });
     if (same == columns.end())
-      columns.push_back({std::string(kind.title), std::move(words)});
+      columns.push_back({std::string(kind.title), std::move(control), std::move(words)});
     else if (kind.system == ir::GSystem::a)
       same->title += fmt::format(", {}", kind.title);
   }
@@ -79,6 +87,7 @@ std::vector<Column> columns_of(const compile::Dialect& dialect) {
 struct Row {
   compile::DialectWord word;
   std::vector<std::string_view> states;  // by column; "" where it is not known with this meaning
+  std::size_t first_column = 0;          // that knows it
 };
 
 // A word that means something else on another kind of machine has a row for each meaning.
@@ -88,7 +97,7 @@ std::vector<Row> rows_of(const std::vector<Column>& columns) {
   for (std::size_t column = 0; column < columns.size(); ++column) {
     for (const compile::DialectWord& word : columns[column].words) {
       const auto [known, is_new] = by_meaning.try_emplace({spelling_of(word), word.about}, rows.size());
-      if (is_new) rows.push_back({word, std::vector<std::string_view>(columns.size())});
+      if (is_new) rows.push_back({word, std::vector<std::string_view>(columns.size()), column});
       rows[known->second].states[column] = title_of(word.state);
     }
   }
@@ -109,13 +118,28 @@ std::string head_of_table(const std::vector<Column>& columns) {
     names += fmt::format(" {} |", column.title);
     lines += "---|";
   }
-  return fmt::format("{} manual |\n{}---|\n", names, lines);
+  return fmt::format("{} translated to | manual |\n{}---|---|\n", names, lines);
 }
 
-std::string line_of(const Row& row) {
+// What becomes of the word on the first kind of machine that knows it.
+std::string translated_to(const Row& row, const Column& column, const compile::WordTrials& trials) {
+  std::vector<std::string_view> taking;
+  std::size_t targets = 0;
+  for (const compile::Dialect& other : compile::dialects()) {
+    if (other.name == column.control.dialect) continue;
+    const auto result = trials.of(row.word, other.control(column.control.kind, column.control.g_system));
+    if (result == compile::TrialResult::not_tried) return "–";
+    ++targets;
+    if (result == compile::TrialResult::translated) taking.push_back(other.name);
+  }
+  if (taking.empty()) return "none";
+  return taking.size() == targets ? "all" : fmt::format("{}", fmt::join(taking, ", "));
+}
+
+std::string line_of(const Row& row, std::string_view translated) {
   std::string line = fmt::format("| `{}` | {} |", cell(spelling_of(row.word)), cell(row.word.about));
   for (const std::string_view state : row.states) line += fmt::format(" {} |", state.empty() ? "–" : state);
-  return fmt::format("{} {} |\n", line, row.word.reference.empty() ? "–" : cell(row.word.reference));
+  return fmt::format("{} {} | {} |\n", line, translated, row.word.reference.empty() ? "–" : cell(row.word.reference));
 }
 
 std::size_t count_of(const Column& column, ir::WordState state) {
@@ -152,10 +176,13 @@ std::string words_in_markdown(const compile::Dialect& dialect) {
       "the last column: no manual is cited.\n",
       dialect.title, dialect.name);
   const std::vector<Row> rows = rows_of(columns);
+  std::vector<compile::WordTrials> trials;
+  for (const Column& column : columns) trials.emplace_back(dialect, column.control);
   for (std::size_t sort = 0; sort < kSortTitles.size(); ++sort) {
     std::string table;
     for (const Row& row : rows)
-      if (static_cast<std::size_t>(row.word.sort) == sort) table += line_of(row);
+      if (static_cast<std::size_t>(row.word.sort) == sort)
+        table += line_of(row, translated_to(row, columns[row.first_column], trials[row.first_column]));
     if (!table.empty()) out += fmt::format("\n## {}\n\n{}{}", kSortTitles[sort], head_of_table(columns), table);
   }
   return out;
