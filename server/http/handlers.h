@@ -93,6 +93,7 @@ Response compare_text(const Call& call);
 // handlers_editing.cpp
 Response diagnose(const Call& call);
 Response convert(const Call& call);
+Response optimize(const Call& call);
 Response rewrite(const Call& call);
 Response split_text(const Call& call);
 Response statistics_of_text(const Call& call);

@@ -16,7 +16,7 @@ namespace dripfeed::http {
 
 namespace {
 
-// Longest stored text that is translated.
+// Longest stored text that is translated or optimized.
 constexpr std::uint64_t kTextLimit = std::uint64_t{64} << 20U;
 
 app::Result<void> load_program(store::Store& store, const json::ConvertBody& body, app::TranslationOrder& order) {
@@ -47,6 +47,28 @@ app::Result<app::TranslationOrder> translation_order(store::Store& store, json::
   return order;
 }
 
+app::Result<app::OptimizeOrder> optimize_order(store::Store& store, json::OptimizeBody& body) {
+  app::OptimizeOrder order{.name = "text",
+                           .text = std::move(body.text),
+                           .dialect = body.dialect,
+                           .profile = {},
+                           .caller = {},
+                           .words = std::move(body.words)};
+  if (body.program != 0) {
+    auto stored = load_text(store, body.program, body.revision, kTextLimit);
+    if (!stored) return std::unexpected(stored.error());
+    order.name = std::move(stored->name);
+    order.text = std::move(stored->text);
+    if (order.dialect.empty()) order.dialect = stored->dialect;
+    order.caller = {
+        .dialect = std::move(stored->dialect), .machine = body.machine, .folder = std::move(stored->folder)};
+  }
+  auto profile = profile_of(store, body.machine);
+  if (!profile) return std::unexpected(profile.error());
+  order.profile = std::move(*profile);
+  return order;
+}
+
 using Work = app::Result<std::string> (json::DocumentWorkers::*)(const app::DiagnoseOrder&, const app::Waiter&);
 
 Response work_on_text(const Call& call, Work work, std::string_view kind) {
@@ -69,6 +91,17 @@ Response convert(const Call& call) {
   if (!order) return problem_response(order.error());
   const std::string subject = body->program == 0 ? "text" : fmt::format("program/{}", body->program);
   const auto done = call.api.workers().convert(*order, waiter_of(call, "convert", subject, body->machine));
+  if (!done) return problem_response(done.error());
+  return json_response(200, *done);
+}
+
+Response optimize(const Call& call) {
+  auto body = json::read_optimize_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const auto order = optimize_order(call.api.application().store(), *body);
+  if (!order) return problem_response(order.error());
+  const std::string subject = body->program == 0 ? "text" : fmt::format("program/{}", body->program);
+  const auto done = call.api.workers().optimize(*order, waiter_of(call, "optimize", subject, body->machine));
   if (!done) return problem_response(done.error());
   return json_response(200, *done);
 }

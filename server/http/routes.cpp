@@ -168,6 +168,9 @@ constexpr Route kRoutes[] = {
     {post, "/api/v1/convert", programmer, heavy, convert,
      "a text or stored program in another control's language, run on both sides where it can be; it is not stored",
      body("ConvertOrder"), gives("Converted"), no_more, "", text},
+    {post, "/api/v1/optimize", programmer, heavy, optimize,
+     "a text or stored program made faster for its control, with the same moves; it is not stored",
+     body("OptimizeOrder"), gives("Optimized"), no_more, "", text},
     {post, "/api/v1/rewrite", programmer, heavy, rewrite,
      "a text that is being written with other block numbers, blanks or letters: the same program, or refused; it is "
      "not stored",

@@ -59,6 +59,7 @@ constexpr std::array kPaths = {
     PathRow{"/api/v1/convert", "Editing"},
     PathRow{"/api/v1/diagnose", "Editing"},
     PathRow{"/api/v1/split", "Editing"},
+    PathRow{"/api/v1/optimize", "Editing"},
     PathRow{"/api/v1/rewrite", "Editing"},
     PathRow{"/api/v1/statistics", "Editing"},
     PathRow{"/api/v1/path", "Editing"},

@@ -4,6 +4,7 @@
 #include "server/app/checks/measured.h"
 #include "server/json/diagnostics.h"
 #include "server/json/documents.h"
+#include "server/json/optimized.h"
 #include "server/json/reports.h"
 #include "server/json/requests.h"
 #include "server/json/stock_bytes.h"
@@ -177,6 +178,25 @@ Reply convert(const Work& work) {
   return reply;
 }
 
+Reply optimize(const Work& work) {
+  const auto texts = [&](std::string_view member) { return read_texts(work.package.head.at(member), work.package); };
+  const app::OptimizeOrder order{.name = work.text("name"),
+                                 .text = work.text("text"),
+                                 .dialect = work.text("dialect"),
+                                 .profile = work.text("profile"),
+                                 .caller = {},
+                                 .words = {.with = texts("with"),
+                                           .without = texts("without"),
+                                           .own = texts("own"),
+                                           .free = texts("free"),
+                                           .tolerance_mm = work.package.head.at("tolerance_mm").get<double>()}};
+  const auto done = app::optimize_case(order, work.documents, work.called);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(optimized(done->result, done->cost, done->source));
+  return reply;
+}
+
 Reply path(const Work& work) {
   const auto done = app::follow_path(read_text_order(work.package), work.documents, work.budget);
   if (!done) return std::unexpected(done.error());
@@ -243,7 +263,7 @@ constexpr KindRow kKinds[] = {{"check", check},     {"render", render},   {"accu
                               {"compare", compare}, {"index", index},     {"diagnose", diagnose},
                               {"convert", convert}, {"path", path},       {"restart", restart},
                               {"stock", stock},     {"rewrite", rewrite}, {"statistics", figures_of_text},
-                              {"explain", explain}};
+                              {"explain", explain}, {"optimize", optimize}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {
   const Work work{.package = package,

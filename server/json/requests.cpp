@@ -156,6 +156,32 @@ void read_members(ObjectReader& o, ConvertBody& into) {
   if (into.to.empty() == into.to_machine.empty()) o.fault("to", "either to, a dialect, or to_machine");
 }
 
+// Names of rules, or of variables.
+void read_words(ObjectReader& o, std::string_view name, std::vector<std::string>& into) {
+  constexpr std::size_t kMostWords = 64;
+  const Document* const words = o.member(name, list_of(text("one of them"), ""));
+  if (words == nullptr) return;
+  const bool are_texts =
+      words->is_array() && std::ranges::all_of(*words, [](const Document& one) { return one.is_string(); });
+  if (!are_texts || words->size() > kMostWords) return o.fault(name, "must be a list of 64 texts at most");
+  for (const Document& one : *words) into.push_back(one.get<std::string>());
+}
+
+void read_members(ObjectReader& o, OptimizeBody& into) {
+  constexpr double kMostTolerance_mm = 1.0;
+  o.text("text", into.text);
+  o.integer("program", into.program, 1, kMaxId);
+  o.integer("revision", into.revision, 1, kMaxId);
+  o.text("dialect", into.dialect);
+  o.text("machine", into.machine);
+  read_words(o, "with", into.words.with);
+  read_words(o, "without", into.words.without);
+  read_words(o, "own", into.words.own);
+  read_words(o, "free", into.words.free);
+  o.number("tolerance_mm", into.words.tolerance_mm, 0.0, kMostTolerance_mm);
+  if (o.has("text") == o.has("program")) o.fault("text", "either text or program");
+}
+
 void read_members(ObjectReader& o, ReleaseBody& into) { read_subject(o, into); }
 
 void read_restart(ObjectReader& o, RestartBody& into) {
@@ -317,6 +343,7 @@ app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
 app::Result<app::RenderOrder> read_render_body(std::string_view body) { return read_body<app::RenderOrder>(body); }
 app::Result<app::CheckOrder> read_check_body(std::string_view body) { return read_body<app::CheckOrder>(body); }
 app::Result<ConvertBody> read_convert_body(std::string_view body) { return read_body<ConvertBody>(body); }
+app::Result<OptimizeBody> read_optimize_body(std::string_view body) { return read_body<OptimizeBody>(body); }
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body) { return read_body<DiagnoseBody>(body); }
 app::Result<PathBody> read_path_body(std::string_view body) { return read_body<PathBody>(body); }
 app::Result<RewriteBody> read_rewrite_body(std::string_view body) { return read_body<RewriteBody>(body); }
@@ -371,6 +398,7 @@ Schemas request_schemas() {
       described<app::RenderOrder>("RenderOrder", read_members, "what is rendered, and for which machine"),
       described<app::CheckOrder>("CheckOrder", read_members, "what is checked, and for which machine"),
       described<ConvertBody>("ConvertOrder", read_members, "a text and the control that it is translated for"),
+      described<OptimizeBody>("OptimizeOrder", read_members, "a text, and how it is made faster for its control"),
       described<DiagnoseBody>("DiagnoseOrder", read_members, "a text that is being written; it is not stored"),
       described<PathBody>("PathOrder", read_members, "a text that is being written, and what it should make"),
       described<RewriteBody>("RewriteOrder", read_members, "a text that is being written, and how it is rewritten"),

@@ -9,6 +9,7 @@
 #include "dialects/compile/restart/restart.h"
 #include "dialects/compile/translate/convert.h"
 #include "server/app/checks/measured.h"
+#include "server/app/library/optimizing.h"
 #include "server/app/library/programs.h"
 #include "server/app/library/rewriting.h"
 #include "server/app/out/webhooks.h"
@@ -102,6 +103,18 @@ struct ConvertBody {
 };
 // Errors: invalid; of text and program, and of to and to_machine, just one is given.
 app::Result<ConvertBody> read_convert_body(std::string_view body);
+
+// A text or a stored program, and how it is made faster.
+struct OptimizeBody {
+  std::string text;
+  store::Id program = 0;
+  store::Revision revision = 0;  // 0: the newest
+  std::string dialect;           // empty: the program's, the machine's, or the one that the text looks like
+  std::string machine;           // empty: the control that the text looks like
+  app::OptimizeWords words;
+};
+// Errors: invalid; of text and program just one is given.
+app::Result<OptimizeBody> read_optimize_body(std::string_view body);
 
 struct ReleaseBody {
   store::Id program = 0;

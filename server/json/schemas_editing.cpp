@@ -1,6 +1,7 @@
 // What an editor asks for, and the toolpath next to it.
 #include "dialects/compile/dialect/language.h"
 #include "dialects/compile/dialect/outline.h"
+#include "dialects/compile/render/optimized.h"
 #include "dialects/compile/translate/convert.h"
 #include "server/app/checks/tool_path.h"
 #include "server/json/schemas.h"
@@ -103,6 +104,43 @@ Schema statistics() {
                   {"tools", list_of(tool, "in the order in which they are taken first")}});
 }
 
+Schema compute_cost(std::string of) {
+  return object(std::move(of), {{"total_ms", number("of all that is computed")},
+                                {"longest_ms", number("computed before one move, at most")},
+                                {"longest_line", integer("of the text, where that move is")},
+                                {"moves", integer("of the run")},
+                                {"blocks", integer("that were executed")}});
+}
+
+Schema optimized_schema() {
+  std::vector<std::string_view> names;
+  for (const optimize::RuleRow& row : optimize::kRuleRows) names.push_back(row.name);
+  const Schema rule = one_of(names, "that was applied");
+  return object(
+      "a text made faster for its control; it is not stored",
+      {{"text", or_null(text("the new text; unchanged where nothing was gained; null: it could not be read"))},
+       {"origins", list_of(integer("line of the given text; 0: of none"),
+                           "where each line of the new text comes from; empty: it is unchanged")},
+       {"passes", list_of(object("a rule that changed something",
+                                 {{"rule", rule}, {"edits", integer("how many changes it made")}}),
+                          "in the order of the rules")},
+       {"changes", list_of(object("a change",
+                                  {{"line", integer("of the given text")}, {"rule", rule}, {"what", text("a clause")}}),
+                           "in the order in which they were made")},
+       {"left_because", or_null(text("why the text is unchanged; null: it is not"))},
+       {"not_verified", or_null(text("why running both does not show that they move the same; null: it does"))},
+       {"proved_max_mm",
+        or_null(number("how far both paths lie apart at most, where blocks were merged; null: they are the same"))},
+       {"not_merged", or_null(text("why no blocks were merged; null: they were, or it was not asked for"))},
+       {"before", or_null(compute_cost("what the given text's run costs; null: it was not run"))},
+       {"after", or_null(compute_cost("what the new text's run costs; null: it was not run"))},
+       {"cost",
+        object("the cost model", {{"source", one_of(ir::kCostSourceNames, "of its figures")},
+                                  {"origin", text("where they are from")},
+                                  {"spread", number("each time lies between time / spread and time * spread")}})},
+       {"diagnostics", diagnostics_schema("of reading the given text")}});
+}
+
 }  // namespace
 
 Schemas editing_schemas() {
@@ -136,6 +174,7 @@ Schemas editing_schemas() {
                                    "where each line of the translation comes from; empty: the text itself")},
                {"diagnostics", diagnostics_schema("of the given text; the first of each kind")},
                {"folded", folded()}})},
+      {"Optimized", optimized_schema()},
       {"Rewritten", object("a rewritten text; it is not stored",
                            {{"text", or_null(text("the same program; null: refused"))},
                             {"numbers", integer("blocks that have a number now; where numbers were asked for")},

@@ -190,6 +190,29 @@ app::Result<std::string> DocumentWorkers::convert(const app::TranslationOrder& o
   return std::move(reply->texts.at(0));
 }
 
+app::Result<std::string> DocumentWorkers::optimize(const app::OptimizeOrder& order, const app::Waiter& waiter) {
+  std::vector<app::CalledText> called;
+  const auto make = [&](const std::vector<app::CalledText>& known) {
+    WorkPackage request;
+    request.head = {{"kind", "optimize"},
+                    {"seconds", seconds_.load()},
+                    {"name", request.add(order.name)},
+                    {"text", request.add(order.text)},
+                    {"dialect", request.add(order.dialect)},
+                    {"profile", request.add(order.profile)},
+                    {"with", write_texts(order.words.with, request)},
+                    {"without", write_texts(order.words.without, request)},
+                    {"own", write_texts(order.words.own, request)},
+                    {"free", write_texts(order.words.free, request)},
+                    {"tolerance_mm", order.words.tolerance_mm},
+                    {"called", write_called(known, request)}};
+    return request;
+  };
+  auto reply = ask_with_called(order.caller, called, make, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return std::move(reply->texts.at(0));
+}
+
 app::Result<std::string> DocumentWorkers::diagnose(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
   return of_text("diagnose", order, waiter);
 }

@@ -13,6 +13,7 @@
 #include "server/app/checks/workers.h"
 #include "server/app/jobs/restarting.h"
 #include "server/app/library/compare.h"
+#include "server/app/library/optimizing.h"
 #include "server/app/library/rewriting.h"
 #include "server/app/library/translation.h"
 #include "server/app/library/value_changes.h"
@@ -54,6 +55,9 @@ class DocumentWorkers final : public app::Workers {
   app::Result<std::string> diagnose(const app::DiagnoseOrder& order, const app::Waiter& waiter);
   // The document of json::translation.
   app::Result<std::string> convert(const app::TranslationOrder& order, const app::Waiter& waiter);
+
+  // The document of json::optimized.
+  app::Result<std::string> optimize(const app::OptimizeOrder& order, const app::Waiter& waiter);
 
   // The document of json::rewritten.
   app::Result<std::string> rewrite(const app::RewriteOrder& order, const app::Waiter& waiter);

@@ -108,6 +108,35 @@ def a_translation(client):
     control.close()
 
 
+def a_faster_text(client):
+    """The same moves in less time, by text and by stored program, with the words of the command; nothing is stored."""
+    text = "#101=3.\n#102=0\nG21 G90 G94 G17\nG0 X0\nN10 #103=SIN[#101]*COS[#101]\nG1 X[#103+#102] F100\n#102=#102+1\nIF[#102 LT 5] GOTO 10\nM30\n"
+    before = len(client.get("/programs?shelf=all")["items"])
+    order = {"text": text, "dialect": "fanuc", "own": ["#101-#103"]}
+    found = client.must("POST", "/optimize", order, role="programmer")
+    expect(found["after"]["total_ms"] < found["before"]["total_ms"] and found["not_verified"] is None and found["left_because"] is None, found)
+    expect({one["rule"]: one["edits"] for one in found["passes"]} == {one: [two["rule"] for two in found["changes"]].count(one) for one in {two["rule"] for two in found["changes"]}}, found)
+    expect(len(found["origins"]) == len(found["text"].rstrip("\n").split("\n")) and found["cost"]["source"] in ("assumed", "paper", "calibrated"), found)
+    without = client.must("POST", "/optimize", order | {"without": ["invariants", "loops"]}, role="programmer")
+    expect({"invariants", "loops"} & {one["rule"] for one in without["passes"]} == set() and without["text"] != found["text"], without)
+    chords = "G21 G90 G94 G17 G40\nT1 M6\nG54\nS900 M3\nG0 X0 Y0 Z5.\nG1 Z-1. F100\nX1. Y1.\nX2. Y2.001\nX3. Y3.\nM30\n"
+    merged = client.must("POST", "/optimize", {"text": chords, "dialect": "fanuc", "with": ["lines"], "tolerance_mm": 0.01}, role="programmer")
+    expect("X2." not in merged["text"] and 0.0007 < merged["proved_max_mm"] < 0.00071 and [one["rule"] for one in merged["passes"]] == ["lines"], merged)
+    client.refuse(422, "POST", "/optimize", {"text": chords, "dialect": "fanuc", "with": ["lines"]}, words=["need a tolerance"])
+    client.refuse(422, "POST", "/optimize", {"text": chords, "dialect": "fanuc", "with": ["lines"], "tolerance_mm": 9}, words=["tolerance_mm"])
+    stored = client.add_program(10)["id"]
+    plain = client.must("POST", "/optimize", {"program": stored}, role="programmer")
+    expect(plain["text"] == client.call("GET", f"/programs/{stored}/text").body.decode() and plain["changes"] == [], plain)
+    client.refuse(422, "POST", "/optimize", {"text": "M30", "program": stored}, words=["either text or program"])
+    client.refuse(422, "POST", "/optimize", order | {"with": ["magic"]}, words=["no rule \"magic\""])
+    client.refuse(422, "POST", "/optimize", order | {"free": ["R1-#2"]}, words=["is no range of variables"])
+    client.refuse(422, "POST", "/optimize", order | {"own": "R1"}, words=["list of 64 texts"])
+    client.refuse(422, "POST", "/optimize", order | {"dialect": "basic"}, words=["basic"])
+    client.refuse(404, "POST", "/optimize", {"text": "M30", "machine": "nobody"})
+    client.refuse(404, "POST", "/optimize", {"program": 999})
+    expect(len(client.get("/programs?shelf=all")["items"]) == before + 1, "an optimized text is stored")
+
+
 def a_preview(client):
     """What rendering gives byte for byte, and nothing of it is there afterwards."""
     control = HandControl()
@@ -183,6 +212,7 @@ def run(folder):
     which_language(client)
     words(client)
     a_translation(client)
+    a_faster_text(client)
     a_text_laid_out_anew(client)
     what_it_amounts_to(client)
     a_preview(client)

@@ -92,6 +92,7 @@ def rows(made):
         ("POST", "/api/v1/rewrite", "programmer", {}, {"text": "M30", "how": "renumber"}, {}),
         ("POST", "/api/v1/statistics", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/convert", "programmer", {}, {"text": "M30", "to": "fanuc"}, {}),
+        ("POST", "/api/v1/optimize", "programmer", {}, {"text": "M30"}, {}),
         ("GET", "/api/v1/dialects/{name}/words", "viewer", {"name": "fanuc"}, None, {}),
         ("POST", "/api/v1/checks", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "check"}),
         ("GET", "/api/v1/checks", "viewer", {}, None, {}),
@@ -172,6 +173,7 @@ ON_ONE_MACHINE = {
 }
 # Whoever operates one machine may stop them all, and try a text on no machine.
 ON_ANY = {("POST", "/api/v1/jobs/{id}/stop"), ("POST", "/api/v1/path"), ("POST", "/api/v1/stock"), ("POST", "/api/v1/diagnose"), ("POST", "/api/v1/convert"),
+          ("POST", "/api/v1/optimize"),
           ("POST", "/api/v1/rewrite"), ("POST", "/api/v1/statistics")}
 
 
