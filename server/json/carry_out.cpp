@@ -258,11 +258,11 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},     {"render", render},   {"accuracy", accuracy},
-                              {"gouge", gouge},     {"timing", timing},   {"sweep", sweep},
-                              {"compare", compare}, {"index", index},     {"diagnose", diagnose},
-                              {"convert", convert}, {"path", path},       {"restart", restart},
-                              {"stock", stock},     {"rewrite", rewrite}, {"statistics", figures_of_text},
+constexpr KindRow kKinds[] = {{"check", check},     {"render", render},    {"accuracy", accuracy},
+                              {"gouge", gouge},     {"timing", timing},    {"sweep", sweep},
+                              {"compare", compare}, {"index", index},      {"diagnose", diagnose},
+                              {"convert", convert}, {"path", path},        {"restart", restart},
+                              {"stock", stock},     {"rewrite", rewrite},  {"statistics", figures_of_text},
                               {"explain", explain}, {"optimize", optimize}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {
