@@ -1040,6 +1040,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/{id}/stock": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * the stock of a revision from the first cut to the last, as columns of numbers that its head describes
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_programs_id_stock"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/programs/{id}/archive": {
         parameters: {
             query?: never;
@@ -1180,6 +1200,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/optimize": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a text or stored program made faster for its control, with the same moves; it is not stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_optimize"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/rewrite": {
         parameters: {
             query?: never;
@@ -1214,6 +1254,26 @@ export interface paths {
          * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_path"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/stock": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * the stock of a text that is being written from the first cut to the last, as columns of numbers; it is not stored
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_stock"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2166,6 +2226,26 @@ export interface paths {
         get: operations["get_receipts_id_text"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/receipts/{id}/explain": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * which values of the part make its family give the received text; they are rendered and compared
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_receipts_id_explain"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3144,7 +3224,7 @@ export interface components {
              * @description of the sentence, the same in every version
              * @enum {string}
              */
-            id: "control_asked_anew" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_anew_restart" | "cannot_arm" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            id: "control_asked_anew" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_anew_restart" | "cannot_arm" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
             /** @description by name; `detail`: what is added in brackets */
             values: {
                 [key: string]: {
@@ -3416,6 +3496,29 @@ export interface components {
              */
             mode?: "macro" | "explicit" | null;
         };
+        /** @description a text, and how it is made faster for its control */
+        OptimizeOrder: {
+            /** @description the whole text; or program */
+            text?: string | null;
+            /** @description id of a stored program; or text */
+            program?: number | null;
+            /** @description of the program's text; not given: the newest */
+            revision?: number | null;
+            /** @description of the text; not given: the stored program's, the machine's, or the one that the text looks like */
+            dialect?: string | null;
+            /** @description whose control and cost model count; not given: the control that the text looks like, with its usual costs */
+            machine?: string | null;
+            /** @description rules that are off unless they are named here */
+            with?: string[] | null;
+            /** @description rules that are not applied */
+            without?: string[] | null;
+            /** @description variables that no other program reads: "R0-R99", "#100-#149" */
+            own?: string[] | null;
+            /** @description variables that the program may begin to use: "R100-R199" */
+            free?: string[] | null;
+            /** @description how far the path may be changed by the rules lines and arcs; not given: not at all */
+            tolerance_mm?: number | null;
+        };
         /** @description a text that is being written; it is not stored */
         DiagnoseOrder: {
             /** @description the whole text */
@@ -3429,6 +3532,31 @@ export interface components {
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
+        };
+        /** @description a text that is being written, and what it should make */
+        PathOrder: {
+            /** @description the whole text */
+            text?: string | null;
+            /** @description of a text that is not stored; not given: the machine's, or the one that the text looks like */
+            dialect?: string | null;
+            /** @description whose control and axes count; not given: the control that the text looks like, and no times */
+            machine?: string | null;
+            /**
+             * @description how the text would go to the control; not given: memory
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /** @description the family that the text is of, for deviations and stock; not given: neither is known */
+            nominal?: {
+                /** @description name of the part family whose nominal counts */
+                family: string;
+                /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+                values?: {
+                    [key: string]: string | number;
+                } | null;
+            } | null;
+            /** @description the blank as "box X0 X1 Y0 Y1 Z0 Z1" or "cylinder DIAMETER Z0 Z1", in mm; not given: the nominal's */
+            stock?: string | null;
         };
         /** @description a text that is being written, and how it is rewritten */
         RewriteOrder: {
@@ -4155,7 +4283,7 @@ export interface components {
                 } | null;
                 /** @description by how much an arc's radius may change from start to end */
                 arcs?: {
-                    /** @description at most */
+                    /** @description how far the path may be changed by the rules lines and arcs; not given: not at all */
                     tolerance_mm?: number | null;
                     /** @description or as a part of the radius, where that is more */
                     tolerance_factor?: number | null;
@@ -5814,6 +5942,103 @@ export interface components {
                 more: number;
             }[];
         };
+        /** @description a text made faster for its control; it is not stored */
+        Optimized: {
+            /** @description the new text; unchanged where nothing was gained; null: it could not be read */
+            text: string | null;
+            /** @description where each line of the new text comes from; empty: it is unchanged */
+            origins: number[];
+            /** @description in the order of the rules */
+            passes: {
+                /**
+                 * @description that was applied
+                 * @enum {string}
+                 */
+                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "lines" | "arcs";
+                /** @description how many changes it made */
+                edits: number;
+            }[];
+            /** @description in the order in which they were made */
+            changes: {
+                /** @description of the given text */
+                line: number;
+                /**
+                 * @description that was applied
+                 * @enum {string}
+                 */
+                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "lines" | "arcs";
+                /** @description a clause */
+                what: string;
+            }[];
+            /** @description why the text is unchanged; null: it is not */
+            left_because: string | null;
+            /** @description why running both does not show that they move the same; null: it does */
+            not_verified: string | null;
+            /** @description how far both paths lie apart at most, where blocks were merged; null: they are the same */
+            proved_max_mm: number | null;
+            /** @description why no blocks were merged; null: they were, or it was not asked for */
+            not_merged: string | null;
+            /** @description what the given text's run costs; null: it was not run */
+            before: {
+                /** @description of all that is computed */
+                total_ms: number;
+                /** @description computed before one move, at most */
+                longest_ms: number;
+                /** @description of the text, where that move is */
+                longest_line: number;
+                /** @description of the run */
+                moves: number;
+                /** @description that were executed */
+                blocks: number;
+            } | null;
+            /** @description what the new text's run costs; null: it was not run */
+            after: {
+                /** @description of all that is computed */
+                total_ms: number;
+                /** @description computed before one move, at most */
+                longest_ms: number;
+                /** @description of the text, where that move is */
+                longest_line: number;
+                /** @description of the run */
+                moves: number;
+                /** @description that were executed */
+                blocks: number;
+            } | null;
+            /** @description the cost model */
+            cost: {
+                /**
+                 * @description of its figures
+                 * @enum {string}
+                 */
+                source: "assumed" | "paper" | "calibrated";
+                /** @description where they are from */
+                origin: string;
+                /** @description each time lies between time / spread and time * spread */
+                spread: number;
+            };
+            /** @description of reading the given text */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+        };
         /** @description a rewritten text; it is not stored */
         Rewritten: {
             /** @description the same program; null: refused */
@@ -5950,6 +6175,49 @@ export interface components {
                 /** @description by which the control itself would name it */
                 alarm: string | null;
             }[];
+            /** @description when the points are reached on the machine; null: not known */
+            time: {
+                /** @description of the whole program, all waiting included */
+                cycle_s: number;
+                /** @description it is fed over the machine's line while it runs */
+                is_fed: boolean;
+                /** @description what they leave out */
+                notes: string[];
+            } | null;
+            /** @description why no times are known; null: they are */
+            why_no_time: string | null;
+            /** @description how far from the nominal the blocks cut; null: no nominal is known */
+            deviation: {
+                /** @description that the tool leaves; otherwise of the path */
+                of_surface: boolean;
+                /** @description what they leave out */
+                notes: string[];
+            } | null;
+            /** @description in the order in which they are taken first */
+            tools: {
+                /** @description as the program names it; null: none is taken */
+                tool: string | null;
+                /** @description its shape, as the machine's profile or the family has it; null: not known */
+                shape: {
+                    /** @description of a mill; null: not known */
+                    diameter_mm: number | null;
+                    /** @description of a mill: 0 is flat */
+                    corner_radius_mm: number;
+                    /** @description of a turning tool */
+                    nose_radius_mm: number;
+                    /** @description of a turning tool, 0 to 9; 0 of others */
+                    tip: number;
+                    /** @description from the gauge line to the tip; null: not known */
+                    length_mm: number | null;
+                } | null;
+            }[];
+            /** @description in the order of the path */
+            tool_changes: {
+                /** @description from 0 */
+                point: number;
+                /** @description of tools, from 0 */
+                tool: number;
+            }[];
             /** @description rows of the columns */
             points: number;
             /** @description by the numbers of the column */
@@ -5964,51 +6232,15 @@ export interface components {
                 lines: string;
                 /** @description as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind */
                 feeds: string;
-                /** @description x */
+                /** @description when the point is reached, 32-bit floats; NaN: not known; empty: of none */
                 times_s: string;
-                /** @description x */
+                /** @description mean speed of the segment to the point, mm/min, 32-bit floats; NaN: not known; empty: of none */
                 speeds: string;
-                /** @description x */
+                /** @description bytes in the control when the motion to the point begins, 32-bit integers; empty: nothing is fed */
                 buffer: string;
-                /** @description x */
+                /** @description of what the point's block cuts from the nominal, 32-bit floats; positive: material is left; NaN: not measured; empty: of none */
                 deviations_mm: string;
             };
-            time: {
-                /** @description x */
-                cycle_s: number;
-                /** @description x */
-                is_fed: boolean;
-                /** @description what they leave out */
-                notes: string[];
-            } | null;
-            why_no_time: string | null;
-            deviation: {
-                /** @description x */
-                of_surface: boolean;
-                /** @description what they leave out */
-                notes: string[];
-            } | null;
-            /** @description x */
-            tools: {
-                tool: string | null;
-                shape: {
-                    diameter_mm: number | null;
-                    /** @description x */
-                    corner_radius_mm: number;
-                    /** @description x */
-                    nose_radius_mm: number;
-                    /** @description x */
-                    tip: number;
-                    length_mm: number | null;
-                } | null;
-            }[];
-            /** @description x */
-            tool_changes: {
-                /** @description x */
-                point: number;
-                /** @description x */
-                tool: number;
-            }[];
         };
         /** @description what a text amounts to; without the programs that it calls */
         Statistics: {
@@ -6817,6 +7049,41 @@ export interface components {
             decided_reason: string | null;
             /** @description when; milliseconds since 1970, UTC */
             decided_at_ms: number | null;
+        };
+        /** @description which values of a part make its family give a received text */
+        ReceivedValues: {
+            /** @description id of the stored program of the same name */
+            program: number;
+            /** @description of its text, the newest */
+            revision: number;
+            /** @description from which that was rendered */
+            family: string;
+            /** @description whose values it has; null: of none */
+            part: string | null;
+            /** @description of the part's values */
+            part_revision: number | null;
+            /** @description rendered with these values, every number is the received one */
+            explains_all: boolean;
+            /** @description why not; null: they explain all */
+            why_not: string | null;
+            /** @description in the family's order */
+            values: {
+                /** @description of the parameter */
+                name: string;
+                /** @description with its unit */
+                before: string;
+                /** @description with its unit */
+                after: string;
+            }[];
+            /** @description 20 at most */
+            rest: {
+                /** @description of the received text */
+                line: number;
+                /** @description the line there */
+                stored: string;
+                /** @description the line */
+                received: string;
+            }[];
         };
         /** @description what an operator asked for at the control */
         OperatorRequest: {
@@ -10790,8 +11057,10 @@ export interface operations {
             query?: {
                 /** @description of the text; the newest without */
                 revision?: number;
-                /** @description for which the motions are computed */
+                /** @description for which motions and times are computed; no times without */
                 machine?: string;
+                /** @description how the text would go to the control; memory without */
+                delivery?: "drip" | "memory";
             };
             header?: never;
             path: {
@@ -10809,6 +11078,54 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ToolPath"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs_id_stock: {
+        parameters: {
+            query?: {
+                /** @description of the text; the newest without */
+                revision?: number;
+                /** @description whose tools cut */
+                machine?: string;
+                /** @description how the text would go to the control; memory without */
+                delivery?: "drip" | "memory";
+                /** @description the blank as `box X0 X1 Y0 Y1 Z0 Z1` or `cylinder DIAMETER Z0 Z1`, in mm; without: that of the family */
+                stock?: string;
+            };
+            header?: never;
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the stock of a revision from the first cut to the last, as columns of numbers that its head describes */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
                 };
             };
             400: components["responses"]["Problem400"];
@@ -11152,6 +11469,53 @@ export interface operations {
             };
         };
     };
+    post_optimize: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OptimizeOrder"];
+            };
+        };
+        responses: {
+            /** @description a text or stored program made faster for its control, with the same moves; it is not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Optimized"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_rewrite: {
         parameters: {
             query?: never;
@@ -11211,7 +11575,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["DiagnoseOrder"];
+                "application/json": components["schemas"]["PathOrder"];
             };
         };
         responses: {
@@ -11222,6 +11586,53 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ToolPath"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_stock: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PathOrder"];
+            };
+        };
+        responses: {
+            /** @description the stock of a text that is being written from the first cut to the last, as columns of numbers; it is not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
                 };
             };
             400: components["responses"]["Problem400"];
@@ -13705,6 +14116,51 @@ export interface operations {
             401: components["responses"]["Problem401"];
             403: components["responses"]["Problem403"];
             404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_receipts_id_explain: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description which values of the part make its family give the received text; they are rendered and compared */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReceivedValues"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
             422: components["responses"]["Problem422"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];

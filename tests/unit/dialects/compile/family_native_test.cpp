@@ -18,7 +18,7 @@ constexpr std::string_view kAll =
 std::string refused_for(const text::Source& family, const std::string& dialect = "fanuc") {
   const RenderResult result = rendered(family, dialect, RenderMode::macro, {});
   EXPECT_TRUE(result.text.empty());
-  return result.diagnostics.empty() ? "" : said({result.diagnostics.front()}, family);
+  return result.diagnostics.empty() ? "" : messages_of({result.diagnostics.front()}, family);
 }
 
 TEST(FamilyPlanes, ArcsLieInTheirPlane) {
