@@ -110,7 +110,7 @@ def a_translation(client):
 
 def a_faster_text(client):
     """The same moves in less time, by text and by stored program, with the words of the command; nothing is stored."""
-    text = "#101=3.\n#102=0\nG21 G90 G94 G17\nG0 X0\nN10 #103=SIN[#101]*COS[#101]\nG1 X[#103+#102] F100\n#102=#102+1\nIF[#102 LT 5] GOTO 10\nM30\n"
+    text = "#101=3.\n#102=0\nG21 G90 G94 G17\nG0 X0\nWHILE[#102 LT 5] DO1\n#103=SIN[#101]*COS[#101]\nG1 X[#103+#102] F100\n#102=#102+1\nEND1\nM30\n"
     before = len(client.get("/programs?shelf=all")["items"])
     order = {"text": text, "dialect": "fanuc", "own": ["#101-#103"]}
     found = client.must("POST", "/optimize", order, role="programmer")
@@ -128,7 +128,7 @@ def a_faster_text(client):
     plain = client.must("POST", "/optimize", {"program": stored}, role="programmer")
     expect(plain["text"] == client.call("GET", f"/programs/{stored}/text").body.decode() and plain["changes"] == [], plain)
     client.refuse(422, "POST", "/optimize", {"text": "M30", "program": stored}, words=["either text or program"])
-    client.refuse(422, "POST", "/optimize", order | {"with": ["magic"]}, words=["no rule \"magic\""])
+    client.refuse(422, "POST", "/optimize", order | {"with": ["magic"]}, words=["there is no rule"])
     client.refuse(422, "POST", "/optimize", order | {"free": ["R1-#2"]}, words=["is no range of variables"])
     client.refuse(422, "POST", "/optimize", order | {"own": "R1"}, words=["list of 64 texts"])
     client.refuse(422, "POST", "/optimize", order | {"dialect": "basic"}, words=["basic"])

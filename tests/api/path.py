@@ -128,7 +128,7 @@ def stated_blank(client):
     order = {"text": MILL, "dialect": "fanuc"}
     client.refuse(422, "POST", "/stock", order, words=["no stock is known"])
     head, stock = stock_of(client, "/stock", {**order, "stock": "box 0 10 0 10 -5 0"})
-    expect(not stock["places"] and any("diameter" in one for one in head["notes"]), head["notes"])
+    expect(not stock["places"] and any("without a known tool" in one for one in head["notes"]), head["notes"])
     client.refuse(422, "POST", "/stock", {**order, "stock": "box"}, words=["stock must be"])
     lathe = client.get("/programs?name=O0001")["items"][0]["id"]
     client.refuse(422, "GET", f"/programs/{lathe}/stock?machine=lathe&stock=box+0+1+0+1+0+1", words=["cylinder"])

@@ -234,8 +234,10 @@ async function plain(page) {
   await until(async () => /T77: its shape is in no profile/.test(await page.locator('.path-tool').innerText()), 'a mark stands for it');
   await timeSlider(page).focus();
   await page.keyboard.press('Home');
-  for (let i = 0; i < 4; i += 1) await page.keyboard.press('PageUp');
-  await until(async () => /T1: ⌀ 10 mm, 100 mm long/.test(await page.locator('.path-tool').innerText()), 'one that is in it is drawn with its figures');
+  await until(async () => {
+    await page.keyboard.press('PageUp');
+    return /T1: ⌀ 10 mm, 100 mm long/.test(await page.locator('.path-tool').innerText());
+  }, 'one that is in it is drawn with its figures');
   await shot(page, 'stock-tool');
   // Without a machine there is no time.
   await page.goto(`${url}/#/programs/${id}?path=1`);
