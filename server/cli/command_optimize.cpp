@@ -14,7 +14,7 @@
 #include "server/cli/inputs.h"
 #include "server/cli/optimize_report.h"
 #include "server/cli/output.h"
-#include "server/json/optimized.h"
+#include "server/json/translation.h"
 
 namespace dripfeed::cli {
 

@@ -118,7 +118,8 @@ app::Result<Measured> measure(const MeasureOptions& options, app::SurfaceScope s
 
 std::string in_family(const Measured& measured, std::uint32_t line) {
   const std::string place = measured.family ? place_in_family(*measured.family, line) : std::string();
-  return place.empty() ? std::string() : fmt::format(" ({})", place);
+  // Its file is the one that was named: the folder says nothing new.
+  return place.empty() ? std::string() : fmt::format(" ({})", place.substr(place.rfind('/') + 1));
 }
 
 std::string figures_with_lines(const Measured& measured, const std::string& figures) {

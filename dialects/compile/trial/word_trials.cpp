@@ -140,7 +140,7 @@ constexpr auto kNamedFunctions = std::to_array<std::string_view>({
     "R1=@(1,2,3)\nG1 X=R1",
     "R1=7 @ 2\nG1 X=R1",
     "G1 X=@(20)",
-    "$P_UIFR[1]=@(X,1)\nG54",
+    "DEF FRAME MYFRAME\nMYFRAME=@(X,1)\nG54",
 });
 constexpr auto kNamedCycles = std::to_array<std::string_view>({
     "@",

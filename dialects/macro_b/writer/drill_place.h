@@ -78,7 +78,7 @@ class DrillPlace {
   const ir::Program& program_;
   const ir::Control& to_;
   facts::Resolved facts_;
-  std::optional<facts::Facts> here_;             // nothing: no path leads there
+  std::optional<facts::Facts> here_;                 // nothing: no path leads there
   std::set<std::pair<std::string, bool>> reported_;  // and whether it was an error
   std::vector<text::Diagnostic> diagnostics_;
   std::uint32_t index_ = 0;
