@@ -84,10 +84,11 @@ def checks_with_nominal(s, faulty):
 
 
 def a_line_later(figures):
-    """The server's text names the family's revision in a line of its own, which the command's does not know."""
+    """The server's text names the family's revision in a line of its own, which the command's does not know; the command's figures name the
+    family's lines, too."""
     if not isinstance(figures, dict):
         return figures
-    return {name: value + 1 if name == "max_at_line" else a_line_later(value) for name, value in figures.items()}
+    return {name: value + 1 if name == "max_at_line" else a_line_later(value) for name, value in figures.items() if name != "max_at_family_line"}
 
 
 def a_macro_made_faster(s):
