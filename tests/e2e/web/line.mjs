@@ -178,7 +178,7 @@ async function german(page) {
   await page.reload();
   const alarms = page.getByRole('region', { name: 'Alarme' });
   await alarms.getByText(/zwischen Byte \d+ und \d+ von \d+ können bei der Steuerung angekommen sein/).first().waitFor();
-  await alarms.getByText(/ein Satz ist abgerissen: die Steuerung zurücksetzen und das bestätigen/).first().waitFor();
+  await alarms.getByText(/ein Satz ist zerrissen: die Steuerung zurücksetzen und das bestätigen/).first().waitFor();
   expect((await page.getByText(/may have reached the control/).count()) === 0, 'no English sentence beside it');
   await shot(page, 'german-torn');
   await page.locator('.who summary').click();
