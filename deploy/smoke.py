@@ -39,7 +39,7 @@ def feed(server, binary, folder, station):
     """Render, check, release, arm and feed one station; the row of the table."""
     machine = station["machine"]
     profile, path, url = write_profile(folder, station)
-    control = shop.Control(binary, url, path, "--operator", "0.5", "--speed", station["speed"], "--record", folder / f"{machine}.wire").start()
+    control = shop.Control(binary, url, path, "--operator", "2", "--speed", station["speed"], "--record", folder / f"{machine}.wire").start()
     server.add_machine(profile)
     rendered = server.post("/render", {"part": "ROLL-196", "machine": machine, "mode": "auto", "delivery": "drip", "name": station["name"]})
     check = server.post("/checks", {"program": rendered["program"], "machine": machine, "delivery": "drip"})
