@@ -23,7 +23,7 @@ bool is_operand(TokenKind kind, std::string_view text) {
          text == ")";
 }
 
-// A block of an address O or a name after '%' alone is the program's own number.
+// A block of O and a number alone: the program's own.
 bool is_program_number(const NumbersOf& of, std::size_t first) {
   return of.words.size() == first + 2 && of.words[first] == "O" && of.words.back() == "0";
 }
@@ -80,10 +80,9 @@ std::optional<std::uint32_t> first_other_word(const NumbersOf& expected, const N
 }
 
 std::vector<std::size_t> other_numbers(const NumbersOf& expected, const NumbersOf& found) {
-  constexpr double kSame = 1e-9;
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < std::min(expected.numbers.size(), found.numbers.size()); ++i)
-    if (std::abs(expected.numbers[i].value - found.numbers[i].value) > kSame) others.push_back(i);
+    if (std::abs(expected.numbers[i].value - found.numbers[i].value) > kSameNumber) others.push_back(i);
   return others;
 }
 

@@ -11,6 +11,9 @@
 
 namespace dripfeed::app {
 
+// Numbers that differ by no more are the same.
+inline constexpr double kSameNumber = 1e-9;
+
 struct ProgramNumber {
   double value = 0.0;  // with its sign
   std::uint32_t line = 0;

@@ -20,9 +20,8 @@ namespace {
 
 using compile::ParameterDescription;
 
-constexpr double kMove = 0.01;        // of the range, or of the value
-constexpr double kSameNumber = 1e-9;  // as in numbers_of.h
-constexpr int kDecimals = 6;          // as people write values
+constexpr double kMove = 0.01;  // of the range, or of the value
+constexpr int kDecimals = 6;    // as people write values
 
 // A parameter with one number: its value now, and the numbers of the text that follow it.
 struct Handle {

@@ -26,7 +26,7 @@ struct ChangedValue {
 // A block that the values do not explain.
 struct LeftOver {
   std::uint32_t line = 0;  // of the received text, from 1
-  std::string stored;      // the block there; "" where the values' own is meant by none
+  std::string stored;      // the stored program's block
   std::string received;
 };
 

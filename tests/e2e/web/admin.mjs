@@ -1,6 +1,6 @@
 // An administrator's day: people and tokens, a machine's profile as a form with the test of its line, and the store with its
 // verification and backups.
-import { accessible, expect, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, main, shot, signIn, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -11,11 +11,6 @@ const { url, tokens } = await rig.base();
 const dialog = (page) => page.getByRole('dialog');
 const field = (page, pointer) => page.locator(`[data-pointer="${pointer}"]`);
 const unfold = (page, name) => page.locator(`[data-section="${name}"] > summary`).click();
-
-async function fits(page, what) {
-  const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-  expect(over <= 0, `nothing is wider than the screen: ${what} (${over})`);
-}
 
 // A person with a PIN, a group of machines, a token, and what was done.
 async function people(page) {

@@ -106,6 +106,16 @@ export async function until(check, what, timeout_ms = 20_000) {
   }
 }
 
+// Names what is wider than the screen.
+export async function fits(page, what) {
+  const wide = await page.evaluate(() => {
+    const most = document.documentElement.clientWidth;
+    if (document.documentElement.scrollWidth <= most) return [];
+    return [...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most).map((one) => `${one.tagName}.${one.className}`);
+  });
+  expect(wide.length === 0, `nothing is wider than the screen: ${what} (${wide.join(', ')})`);
+}
+
 export const card = (page, machine) => page.getByRole('article', { name: `Machine ${machine}`, exact: true });
 
 // Every state that the machine's card showed, in order, however short.

@@ -1,6 +1,6 @@
 // A machine's line on the page: what passes on it, its test with a loopback plug, what is ahead of a feed, and where the
 // machine's times are from.
-import { accessible, expect, focused, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, focused, main, shot, signIn, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -12,11 +12,6 @@ const dialog = (page) => page.getByRole('dialog');
 const terminal = (page) => page.getByRole('region', { name: 'Wire terminal' });
 const rows = (page) => terminal(page).getByRole('listitem');
 const open = (page, machine, more = '') => page.goto(`${url}/#/machines/${machine}${more}`);
-
-async function fits(page, what) {
-  const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-  expect(over <= 0, `nothing is wider than the screen: ${what} (${over})`);
-}
 
 async function armByApi(job) {
   const armed = await rig.call('POST', `/jobs/${job}/arm`, {}, 'operator');

@@ -1,6 +1,6 @@
 // The guided tour of the demo shop, to its end: each of the five steps shows something that is there, in both languages, and
 // nothing is covered or wider than the screen. DRIPFEED_URL and DRIPFEED_TOKEN as for round.mjs.
-import { accessible, expect, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, main, shot, signIn, until, withPage } from './browser.mjs';
 
 const url = process.env.DRIPFEED_URL;
 const token = process.env.DRIPFEED_TOKEN;
@@ -13,15 +13,6 @@ const kSteps = [
 ];
 
 const tour = (page) => page.getByRole('region', { name: 'Guided tour' });
-
-async function fits(page, what) {
-  const wide = await page.evaluate(() => {
-    const most = document.documentElement.clientWidth;
-    if (document.documentElement.scrollWidth <= most) return [];
-    return [...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most).map((one) => `${one.tagName}.${one.className}`);
-  });
-  expect(wide.length === 0, `nothing is wider than the screen: ${what} (${wide.join(', ')})`);
-}
 
 async function take(page) {
   await page.locator('details.who > summary').click();

@@ -54,7 +54,6 @@ export const calls = {
 
   machines: () => everything<MachineItem>('/machines'),
   machine: (name: string) => request<MachineWhole>('GET', `/machines/${enc(name)}`),
-  addMachine: (profile: unknown, key: string) => request<MachineWhole>('POST', '/machines', { body: profile, key }),
   testLine: (name: string, key: string) =>
     request<LineTest>('POST', `/machines/${enc(name)}/line-test`, { key, timeoutMs: kLineTestMs }),
   confirmReset: (name: string, reason: string, key: string) =>

@@ -45,7 +45,6 @@ export const peopleCalls = {
 
   // The API's own description of a profile.
   profileSchema: () => requestRoot<{ components: { schemas: Record<string, SchemaNode> } }>('/api/openapi.json').then(({ components }) => components.schemas['Profile'] ?? {}),
-  machine: (name: string) => request<MachineWhole>('GET', `/machines/${enc(name)}`),
   addMachine: (profile: unknown, key: string) => request<MachineWhole>('POST', '/machines', { body: profile, key }),
   changeMachine: (machine: MachineWhole, profile: unknown, key: string) =>
     request<MachineWhole>('PUT', `/machines/${enc(machine.name)}`, { body: profile, ifMatch: machine.revision, key }),

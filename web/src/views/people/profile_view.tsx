@@ -1,12 +1,15 @@
 // A machine's profile as a form: changed, copied for another machine, read from a file and written to one. The server
 // reads it as it reads a file, and each fault stands at its field.
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
+import { calls } from '../../api/calls';
 import { ApiError, newOrderKey } from '../../api/client';
 import { peopleCalls } from '../../api/people_calls';
 import type { LineTest, MachineWhole } from '../../api/types';
 import { t } from '../../i18n/i18n';
 import { showDialog } from '../../parts/dialog';
 import { Failure } from '../../parts/failure';
+import { saveFile } from '../../parts/save_file';
+import { useLeaving } from '../../parts/use_leaving';
 import { useLoaded } from '../../parts/use_loaded';
 import { goUnlessLeft, hrefs } from '../../router';
 import { faultsAt, fieldPointers, membersOf, pointerTo, withValue, type JsonObject, type SchemaNode } from '../../rules/profile_form';
@@ -20,7 +23,7 @@ import { Section, type FormState } from './profile_fields';
 export function ProfileView({ name, copyOf }: { name: string | null; copyOf: string | null }) {
   const from = name ?? copyOf;
   const schema = useLoaded('schema', peopleCalls.profileSchema);
-  const machine = useLoaded(from, () => peopleCalls.machine(from ?? ''));
+  const machine = useLoaded(from, () => calls.machine(from ?? ''));
   const may = atLeast(name === null ? person().role : roleOn(name), 'admin');
   const isReady = schema.value !== null && (from === null || machine.value !== null);
   return (
@@ -61,7 +64,7 @@ function ProfileForm({ schema, machine, start, may, saved }: FormProps) {
   const [key, setKey] = useState(newOrderKey);
   const [done, setDone] = useState<string | null>(null);
   const isChanged = document !== start;
-  useGuard(isChanged);
+  useLeaving(isChanged);
   const faults = useMemo(() => faultsAt(error instanceof ApiError ? error.places : [], fieldPointers(schema, document)), [error, document]);
   const form: FormState = {
     document,
@@ -119,7 +122,7 @@ function ProfileForm({ schema, machine, start, may, saved }: FormProps) {
             {busy ? t('dialog.sending') : machine ? t('parts.save', { next: machine.revision + 1 }) : t('machine.add_confirm')}
           </button>
         )}
-        <button type="button" class="button" onClick={() => saveFile(document)}>
+        <button type="button" class="button" onClick={() => saveProfile(document)}>
           {t('profile.to_file')}
         </button>
         {may && (
@@ -176,20 +179,7 @@ function LineTesting({ name, isChanged }: { name: string; isChanged: boolean }) 
 }
 
 // The file has what the form has, saved or not.
-function saveFile(profile: JsonObject): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([`${JSON.stringify(profile, null, 2)}\n`], { type: 'application/json' }));
-  link.download = `${typeof profile['name'] === 'string' ? profile['name'] : 'profile'}.json`;
-  link.click();
-  URL.revokeObjectURL(link.href);
-}
-
-// A reload or a closed tab asks first while something is not saved.
-function useGuard(isChanged: boolean): void {
-  useEffect(() => {
-    if (!isChanged) return;
-    const ask = (event: BeforeUnloadEvent) => event.preventDefault();
-    addEventListener('beforeunload', ask);
-    return () => removeEventListener('beforeunload', ask);
-  }, [isChanged]);
+function saveProfile(profile: JsonObject): void {
+  const name = typeof profile['name'] === 'string' ? profile['name'] : 'profile';
+  saveFile(`${name}.json`, 'application/json', `${JSON.stringify(profile, null, 2)}\n`);
 }

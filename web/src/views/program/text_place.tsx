@@ -8,6 +8,7 @@ import { bytes } from '../../format/numbers';
 import { clockTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
+import { useLeaving } from '../../parts/use_leaving';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
 import { person } from '../../state/shop';
@@ -195,16 +196,6 @@ function Notices({ program, isOld, writing }: { program: Program; isOld: boolean
       )}
     </>
   );
-}
-
-// The browser asks before the tab is closed. What is typed is kept all the same.
-function useLeaving(isChanged: boolean): void {
-  useEffect(() => {
-    if (!isChanged) return;
-    const ask = (event: BeforeUnloadEvent) => event.preventDefault();
-    addEventListener('beforeunload', ask);
-    return () => removeEventListener('beforeunload', ask);
-  }, [isChanged]);
 }
 
 function useSaveKey(save: () => Promise<void>): void {
