@@ -65,6 +65,9 @@ enum class CycleValue : std::uint8_t {
   pattern_step,   // distance or angle between holes
   pattern_radius,
   pattern_count,
+  screen_geometry,  // modes of the operator's screen, a digit each
+  screen_plane,
+  screen_kinds,
   contour,  // name of a program, or of two labels
 };
 

@@ -151,10 +151,16 @@ std::string_view program_name_of_path(std::string_view path) {
     }
     return true;
   };
-  if (starts(path, "_N_")) path.remove_prefix(3);
-  constexpr std::size_t kEnding = 4;
-  for (const std::string_view ending : {"_SPF", "_MPF", ".SPF", ".MPF"})
-    if (path.size() > kEnding && starts(path.substr(path.size() - kEnding), ending)) path.remove_suffix(kEnding);
+  const auto drop_one_of = [&](std::initializer_list<std::string_view> endings) {
+    constexpr std::size_t kEnding = 4;
+    for (const std::string_view ending : endings)
+      if (path.size() > kEnding && starts(path.substr(path.size() - kEnding), ending))
+        return path.remove_suffix(kEnding);
+  };
+  const bool of_control = starts(path, "_N_");
+  if (of_control) path.remove_prefix(3);
+  drop_one_of({"_SPF", "_MPF", ".SPF", ".MPF", ".CYC", ".DEF"});
+  if (of_control) drop_one_of({"_CYC", "_DEF"});  // elsewhere a name may end so
   return path;
 }
 

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -29,7 +30,10 @@ ir::Control infer_control(const text::Source& source);
 ir::ReadResult read(const text::Source& source, const ir::Control& control);
 
 // What a definition file (GUD or macros) declares, added to what others did; sizes by macros of those before it count.
-void add_definitions(const text::Source& file, const ir::Control& control, ir::SharedDefinitions& into);
+// The answer: the definition files that it calls, which a builder's file does for each option of the machine. They
+// count where they exist, whatever condition (ISFILE) stands before the call.
+std::vector<std::string> add_definitions(const text::Source& file, const ir::Control& control,
+                                         ir::SharedDefinitions& into);
 
 // Plain blocks of a text of that control, in batches. `control` must outlive it.
 std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control);
@@ -37,6 +41,10 @@ std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control);
 // What the control would alarm on, or what can be seen from the program to be wrong, in the order of the text; those of
 // reading are not repeated.
 std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery);
+
+// Errors in blocks that no run comes to become warnings, with the reason: the control reads a block when a run comes to
+// it. Structures that do not match are the whole program's.
+void soften_unreached(const ir::Program& program, std::vector<text::Diagnostic>& diagnostics);
 
 // The alarms of ISO mode, and what only it alarms on, in blocks that were read in its language for the control as it is
 // there.

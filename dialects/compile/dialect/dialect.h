@@ -41,7 +41,8 @@ struct Dialect {
   // Text of a program that the control brings along (a standard cycle), empty without one; nullptr: it has none.
   std::string_view (*standard_program)(std::string_view name) = nullptr;
   // Adds what a definition file declares for every program of the control; nullptr: it has no such files.
-  void (*add_definitions)(const text::Source& file, const ir::Control& control, ir::SharedDefinitions& into) = nullptr;
+  std::vector<std::string> (*add_definitions)(const text::Source& file, const ir::Control& control,
+                                              ir::SharedDefinitions& into) = nullptr;
 };
 
 std::span<const Dialect> dialects();

@@ -200,17 +200,20 @@ ir::ReadResult read_sinumerik(const text::Source& source, const ir::Control& con
   ir::ReadResult result = sinumerik::read(source, control);
   if (!result.program.foreign_parts.empty())
     join(result.diagnostics, read_iso_parts(result.program, iso_control(control)).diagnostics, result.program);
+  sinumerik::soften_unreached(result.program, result.diagnostics);
   return result;
 }
 
 std::vector<text::Diagnostic> validate_sinumerik(const ir::Program& program, const ir::Control& control,
                                                  ir::Delivery delivery) {
   std::vector<text::Diagnostic> found = sinumerik::validate(program, control, delivery);
-  if (program.foreign_parts.empty()) return found;
-  const ir::Control iso = iso_control(control);
-  const ir::ReadResult parts = read_iso_parts(program, iso);
-  join(found, fanuc::Stages::validate(parts.program, iso, delivery), program);
-  join(found, sinumerik::validate_iso(parts.program, iso), program);
+  if (!program.foreign_parts.empty()) {
+    const ir::Control iso = iso_control(control);
+    const ir::ReadResult parts = read_iso_parts(program, iso);
+    join(found, fanuc::Stages::validate(parts.program, iso, delivery), program);
+    join(found, sinumerik::validate_iso(parts.program, iso), program);
+  }
+  sinumerik::soften_unreached(program, found);
   return found;
 }
 

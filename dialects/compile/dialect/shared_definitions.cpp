@@ -1,8 +1,12 @@
 // Macros come first in the list of files: sizes of arrays may be written by them.
 #include "dialects/compile/dialect/shared_definitions.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "dialects/compile/dialect/dialect.h"
 
@@ -13,8 +17,14 @@ ir::Control with_definitions(ir::Control control, const FindText& find_text) {
   if (control.shared != nullptr || !find_text || dialect == nullptr || dialect->add_definitions == nullptr)
     return control;
   ir::SharedDefinitions found;
-  for (const std::string& name : control.definition_files)
-    if (const auto file = find_text(name)) dialect->add_definitions(*file, control, found);
+  // A file that another one calls is read after it, once.
+  std::vector<std::string>& names = control.definition_files;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto file = find_text(names[i]);
+    if (!file) continue;
+    for (std::string& called : dialect->add_definitions(*file, control, found))
+      if (std::ranges::find(names, called) == names.end()) names.push_back(std::move(called));
+  }
   if (!found.variables.empty() || !found.macros.empty())
     control.shared = std::make_shared<const ir::SharedDefinitions>(std::move(found));
   return control;

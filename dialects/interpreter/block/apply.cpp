@@ -113,6 +113,7 @@ void take_length(const BlockRules& rules, ModalState& state) {
 void set_tool(const PlainBlock& block, const BlockRules& rules, ModalState& state, Effects& effects) {
   effects.announces = true;
   if (block.has(Address::t) || block.tool_name != kNoText) {
+    state.tool_stated = true;
     const double value = block.at(Address::t);
     if (block.tool_name != kNoText)
       state.selected = {.name = block.tool_name};

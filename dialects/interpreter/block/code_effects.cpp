@@ -76,6 +76,7 @@ void feed(CodeContext& c, ir::FeedMode mode) {
 }
 void unit(CodeContext& c, bool inch) {
   c.state.modes.inch = inch;
+  c.state.modes.unit_of_feed = c.code.argument == 0;
   if (c.code.argument == 0) c.state.modes.inch_feed = inch;
 }
 void comp(CodeContext& c, ir::CompSide side) {
@@ -256,6 +257,7 @@ void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& s
       if (state.drilling.active) state.drilling = {};
       if (state.turning.active) state.turning = {};
     } else if (const auto rule = kCodeRules[static_cast<std::size_t>(code.function)]; rule != nullptr) {
+      state.stated |= 1U << static_cast<unsigned>(code.group);
       CodeContext context{rules, block, state, effects, code};
       rule(context);
     }

@@ -20,6 +20,13 @@ void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::str
     made.notes.push_back(
         {made.span, "it was not among the programs that were given: it may be in the control's memory"});
   }
+  // How many R parameters there are is a machine datum (MD28050): without the machine it is a guess.
+  const bool is_beyond = id == DiagnosticId::variable_out_of_range && made.arguments.front().starts_with('R') &&
+                         !made.arguments.front().starts_with("R-");
+  if (is_beyond && !control_.from_profile && made.severity == text::Severity::error) {
+    made.severity = text::Severity::warning;
+    made.notes.push_back({made.span, "a machine profile that states the R parameters settles this"});
+  }
   const bool certain = !uncertain_ || id == DiagnosticId::call_target_missing;
   if (!certain && made.severity == text::Severity::error) {
     // A program that guards itself is no fault of its own: whether the guard strikes, those values decide.

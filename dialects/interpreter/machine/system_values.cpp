@@ -69,8 +69,19 @@ Function function_of(ir::LengthOffset offset) {
   return offset == ir::LengthOffset::plus ? Function::length_offset_plus : Function::length_offset_minus;
 }
 
+bool is_stated(const ModalState& state, ir::ModalGroup group) {
+  return (state.stated >> static_cast<unsigned>(group) & 1U) != 0;
+}
+
+// A tool that the program has not named is the one from before it.
+std::optional<double> number_of(const ir::Control& control, const Tool& tool, const ModalState& state, double number) {
+  const bool may_be_older = control.semantics.unset_is_unknown && !state.tool_stated;
+  return tool.name != kNoText || may_be_older ? std::nullopt : std::optional(number);
+}
+
 // Place of the active code in a G group of SINUMERIK, counted as its list of G functions does (PG, "G functions").
-std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
+std::optional<double> index_in_group(std::uint32_t group, const ir::Control& control, const ModalState& state) {
+  const Modes& modes = state.modes;
   constexpr std::uint32_t kMotion = 1;
   constexpr std::uint32_t kPlane = 6;
   constexpr std::uint32_t kComp = 7;
@@ -79,21 +90,28 @@ std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
   constexpr std::uint32_t kDistance = 14;
   constexpr std::uint32_t kFeed = 15;
   constexpr std::uint32_t kDiameter = 29;
-  // None of the control's groups: the texts of its cycles ask by it in what unit they are called. 1 mm, 2 inch.
+  // None of the control's groups: by them the texts of its cycles ask in what unit and plane they are called. 1 is mm.
   constexpr std::uint32_t kUnitOfCycle = 1013;
+  constexpr std::uint32_t kPlaneOfCycle = 1006;
   if (group == kUnitOfCycle) return modes.inch ? 2.0 : 1.0;
+  if (group == kPlaneOfCycle) return 1.0 + static_cast<double>(modes.plane);
   if (group == kMotion && modes.motion_given && modes.motion <= Function::arc_ccw)
     return 1.0 + static_cast<double>(modes.motion) - static_cast<double>(Function::rapid);
-  if (group == kPlane) return 1.0 + static_cast<double>(modes.plane);
-  if (group == kComp) return 1.0 + static_cast<double>(modes.comp);
+  // What the program has not stated is what was in effect before it.
+  const auto may_be_older = [&](ir::ModalGroup of) {
+    return control.semantics.unset_is_unknown && !control.semantics.power_on_known && !is_stated(state, of);
+  };
+  if (group == kPlane && !may_be_older(ir::ModalGroup::plane)) return 1.0 + static_cast<double>(modes.plane);
+  if (group == kComp && !may_be_older(ir::ModalGroup::comp)) return 1.0 + static_cast<double>(modes.comp);
   if (group == kOffset && modes.work_offset >= 0) return 1.0 + static_cast<double>(modes.work_offset);
-  if (group == kUnit && modes.inch) return modes.inch_feed ? 3.0 : 1.0;  // G71 and G710 cannot be told apart
-  if (group == kDistance) return modes.absolute ? 1.0 : 2.0;
-  if (group == kFeed) {
+  if (group == kUnit && !may_be_older(ir::ModalGroup::unit))
+    return (modes.inch ? 1.0 : 2.0) + (modes.unit_of_feed ? 2.0 : 0.0);  // G70, G71, G700, G710
+  if (group == kDistance && !may_be_older(ir::ModalGroup::distance)) return modes.absolute ? 1.0 : 2.0;
+  if (group == kFeed && !may_be_older(ir::ModalGroup::feed)) {
     if (modes.surface_speed) return 4.0;
     return modes.feed_mode == ir::FeedMode::inverse_time ? 1.0 : modes.feed_mode == ir::FeedMode::per_min ? 2.0 : 3.0;
   }
-  if (group == kDiameter) return 1.0 + static_cast<double>(modes.diameter);
+  if (group == kDiameter && !may_be_older(ir::ModalGroup::diameter)) return 1.0 + static_cast<double>(modes.diameter);
   return std::nullopt;
 }
 
@@ -142,17 +160,17 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
       if (indices[0] > 1) return std::nullopt;  // another spindle
       return programmed_speed(state);
     case ir::SystemValue::tool_number:
-      return state.tool.name == kNoText ? std::optional(static_cast<double>(state.tool.number)) : std::nullopt;
+      return number_of(control, state.tool, state, static_cast<double>(state.tool.number));
     case ir::SystemValue::selected_tool:
-      return state.selected.name == kNoText ? std::optional(static_cast<double>(state.selected.number)) : std::nullopt;
-    case ir::SystemValue::tool_edge: return static_cast<double>(state.tool.offset);
+      return number_of(control, state.selected, state, static_cast<double>(state.selected.number));
+    case ir::SystemValue::tool_edge: return number_of(control, Tool{}, state, static_cast<double>(state.tool.offset));
     case ir::SystemValue::spindle_direction:
       if (indices[0] > 1) return std::nullopt;
       return state.spindle == ir::SpindleState::clockwise ? 3.0
              : state.spindle == ir::SpindleState::stopped ? 5.0
                                                           : 4.0;
     case ir::SystemValue::constant: return static_cast<double>(row.first);
-    case ir::SystemValue::active_code: return index_in_group(indices[0], state.modes);
+    case ir::SystemValue::active_code: return index_in_group(indices[0], control, state);
     case ir::SystemValue::not_modelled:
     case ir::SystemValue::programmable_frame:
     case ir::SystemValue::base_frame:
@@ -203,9 +221,7 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::tool_number: return given(static_cast<double>(state.tool.number));
     case SystemValue::comp_number: return given(state.comp_number);
     case SystemValue::length_number: return given(state.length_number);
-    case SystemValue::active_code:
-      if (modes_unknown_) return std::nullopt;
-      return active_code(number % kGroupNumbers, state);
+    case SystemValue::active_code: return active_code(number % kGroupNumbers, state);
     case SystemValue::clock_ms:
       return value_of(milliseconds_, state.clock_ms, state).transform([](double ms) { return std::floor(ms); });
     case SystemValue::clock_hours: return value_of(hours_, state.clock_ms / kMsPerHour, state);
@@ -382,6 +398,9 @@ std::optional<double> SystemValues::active_code(std::uint32_t group, const Modal
   // Lathes number these otherwise, each control by its own rules.
   const bool otherwise = group == 2 || group == 13 || group == 15;
   if (control_.kind == ir::MachineKind::lathe && otherwise) return std::nullopt;
+  const ir::ModalGroup of = group == kLength ? ir::ModalGroup::length_offset : kGroups[group];
+  if (modes_unknown_ && !is_stated(state, of) && !(of == ir::ModalGroup::motion && state.modes.motion_given))
+    return std::nullopt;
   const Function function =
       group == kLength ? function_of(state.length_offset) : function_of(kGroups[group], state.modes);
   if (function == Function::none) return std::nullopt;

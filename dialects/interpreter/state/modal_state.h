@@ -39,7 +39,8 @@ struct Modes {
   ir::DiameterMode diameter = ir::DiameterMode::radius;
   ir::CompSide comp = ir::CompSide::off;
   bool inch = false;
-  bool inch_feed = false;  // feeds are in inch, too
+  bool inch_feed = false;     // feeds are in inch, too
+  bool unit_of_feed = false;  // the unit was stated by a code that holds for feeds, too: G700, G710
   bool absolute = true;
   bool exact_stop = false;
   bool surface_speed = false;  // G96
@@ -228,6 +229,8 @@ struct ModalState {
   Drilling drilling;
   Turning turning;
   Repetitive repetitive;
+  std::uint32_t stated = 0;          // bit per ir::ModalGroup: the program stated a code of it
+  bool tool_stated = false;          // … a tool
   AxisValues position{};             // in the active work offset
   std::uint16_t unknown = kAllAxes;  // bit per axis: `position` is the last that was known, not where it is
   AxisValues coordinate_shift{};     // G92

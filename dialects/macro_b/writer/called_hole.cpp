@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "dialects/ir/called_cycle.h"
@@ -27,7 +28,8 @@ class HoleReader {
   std::expected<Hole, std::string> read() {
     if (!is_drilling_cycle(call_)) return std::unexpected(name_.empty() ? std::string("a modal call") : name_);
     Hole hole{.name = name_, .cycle = call_.cycle->hole, .floats = call_.cycle->floats};
-    std::string fault = levels(hole);
+    std::string fault = screen();
+    if (fault.empty()) fault = levels(hole);
     if (fault.empty()) fault = details(hole);
     if (fault.empty() && has(CycleValue::spindle)) fault = spindle(hole);
     if (fault.empty() && hole.cycle == DrillCycle::tap_right) fault = hole.floats ? floating(hole) : tap(hole);
@@ -37,6 +39,20 @@ class HoleReader {
 
  private:
   // Each gives what cannot be written, empty for nothing.
+
+  // What the operator's screen states of the values (PGA, "Programming cycles externally").
+  std::string screen() {
+    const std::optional<double> geometry = number_or(CycleValue::screen_geometry, 0.0);
+    const std::optional<double> plane = number_or(CycleValue::screen_plane, 0.0);
+    const std::optional<double> kinds = number_or(CycleValue::screen_kinds, 0.0);
+    if (!geometry || !plane || !kinds) return " with computed modes of its screen";
+    kinds_ = static_cast<std::uint32_t>(std::abs(*kinds));
+    if (digit(static_cast<std::uint32_t>(std::abs(*geometry)), kTens) == 1)
+      return " with a depth to the shank of its tool, or by a diameter";
+    // G17 is what a mill has; whether the program has it, the verification by running sees.
+    return digit(static_cast<std::uint32_t>(std::abs(*plane)), 1) > 1 ? " in a plane of its own" : "";
+  }
+
   std::string levels(Hole& hole) {
     hole.back = value(CycleValue::return_level);
     const ExpressionId reference = value(CycleValue::surface);
@@ -55,19 +71,24 @@ class HoleReader {
     return {};
   }
 
+  // A depth below the surface goes before one in coordinates.
   bool set_depth(Hole& hole, ExpressionId reference, double side) {
-    hole.depth = value(CycleValue::depth);
-    if (hole.depth != ExpressionId::none) return true;
-    const std::optional<double> relative = number(value(CycleValue::depth_below_surface));
+    const std::optional<double> relative = number_or(CycleValue::depth_below_surface, 0.0);
+    if (!relative) return false;
+    if (*relative == 0.0) {
+      hole.depth = value(CycleValue::depth);
+      return hole.depth != ExpressionId::none;
+    }
     const std::optional<double> surface = number(reference);
-    if (!relative || !surface) return false;
+    if (!surface) return false;
     hole.depth = constant(*surface - side * std::abs(*relative));
     return true;
   }
 
   std::string details(Hole& hole) {
     const std::optional<double> dwell = number_or(CycleValue::dwell, 0.0);
-    if (!dwell || *dwell < 0.0) return " with a dwell in turns or a computed one";
+    const bool in_turns = dwell && *dwell != 0.0 && digit(kinds_, kTens) == kTurns;
+    if (!dwell || *dwell < 0.0 || in_turns) return " with a dwell in turns or a computed one";
     hole.dwell_s = *dwell;
     if (hole.cycle == DrillCycle::drill && hole.dwell_s != 0.0) hole.cycle = DrillCycle::drill_dwell;
     if (hole.cycle == DrillCycle::feed_out) {
@@ -150,15 +171,35 @@ class HoleReader {
     const std::optional<double> surface = number(value(CycleValue::surface));
     if (!first || !each || !less || !kind || !last || !surface) return " with computed pecks";
     if (has_own_axis()) return " with an axis of its own (AXN)";
-    if (*less != 0.0 || hole.dwell_s != 0.0 || number_or(CycleValue::first_peck_feed, 1.0).value_or(0.0) != 1.0)
+    if (!are_alike(*less) || hole.dwell_s != 0.0 || !has_one_feed())
       return " with pecks that grow less, dwells or feeds of their own";
-    hole.peck = *first < kNotGiven ? std::abs(*surface - *first) : std::abs(*each);
+    if (*last != 0.0 && digit(kinds_, kHundreds) == kTurns) return " with a dwell in turns or a computed one";
+    hole.peck = *each != 0.0 ? std::abs(*each) : *first < kNotGiven ? std::abs(*surface - *first) : 0.0;
     if (hole.peck <= 0.0) return " without a depth of its pecks";
     hole.breaks_chips = *kind == 0.0;
     hole.pecks_below_level = number_or(CycleValue::clearance, 0.0) != 0.0;
     hole.dwell_s = *last;
     return {};
   }
+
+  // DAM takes nothing off, or is the factor 1, by itself or in percent, without a shortest stroke.
+  [[nodiscard]] bool are_alike(double less) const {
+    if (less == 0.0) return true;
+    const bool percent = digit(kinds_, kHundredThousands) == kPercent;
+    const double factor = percent ? std::abs(less) / 100.0 : less < 0.0 ? -less : 0.0;
+    return factor == 1.0 && number_or(CycleValue::least_peck, 0.0) == 0.0;
+  }
+  // FRF: left out, a factor of 1, or 100 percent.
+  [[nodiscard]] bool has_one_feed() const {
+    const std::optional<double> factor = number_or(CycleValue::first_peck_feed, 1.0);
+    return factor && (*factor == 0.0 || *factor == 1.0 || (*factor == 100.0 && kinds_ > 0));
+  }
+  static constexpr std::uint32_t kTens = 10;
+  static constexpr std::uint32_t kHundreds = 100;
+  static constexpr std::uint32_t kHundredThousands = 100'000;
+  static constexpr std::uint32_t kTurns = 2;
+  static constexpr std::uint32_t kPercent = 2;
+  static std::uint32_t digit(std::uint32_t modes, std::uint32_t place) { return modes / place % 10; }
 
   // AXN: another one than that which stands on the plane.
   [[nodiscard]] bool has_own_axis() const {
@@ -184,6 +225,7 @@ class HoleReader {
   ir::Program& program_;
   const ir::Call call_;  // a copy: the program grows
   std::string name_;
+  std::uint32_t kinds_ = 0;  // AM
 };
 
 }  // namespace

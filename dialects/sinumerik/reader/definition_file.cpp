@@ -36,7 +36,8 @@ void add_macro(const ir::Program& program, const ir::Statement& s, ir::SharedDef
 
 }  // namespace
 
-void add_definitions(const text::Source& file, const ir::Control& control, ir::SharedDefinitions& into) {
+std::vector<std::string> add_definitions(const text::Source& file, const ir::Control& control,
+                                         ir::SharedDefinitions& into) {
   ir::Control with_others = control;
   with_others.shared = std::make_shared<const ir::SharedDefinitions>(into);
   const ir::Program program = read(file, with_others).program;
@@ -48,6 +49,13 @@ void add_definitions(const text::Source& file, const ir::Control& control, ir::S
   for (const ir::Statement& s : program.statements)
     if (s.kind == ir::StatementKind::native && program.strings.at(program.natives[s.payload].name) == "DEFINE")
       add_macro(program, s, into);
+  std::vector<std::string> called;
+  for (const ir::Statement& s : program.statements) {
+    if (s.kind != ir::StatementKind::call) continue;
+    const ir::Call& call = program.calls[s.payload];
+    if (call.name != ir::StringId::none) called.emplace_back(program.strings.at(call.name));
+  }
+  return called;
 }
 
 }  // namespace dripfeed::sinumerik

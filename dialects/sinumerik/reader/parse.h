@@ -172,11 +172,18 @@ class Parser {
   [[nodiscard]] bool returns_usually(std::uint8_t& levels, bool& has_target) const;
 
   // macros: parse_macros.cpp
+  struct Macro {
+    std::string name;  // upper case
+    ir::TokenRange body;
+  };
   void macro_definition(text::Span head);
   bool expand_macro();
+  void assign_macro(const Macro& macro, text::Span name, const TokenCursor& after);
   bool expand_shared_macro(std::string_view name, text::Span span, const TokenCursor& after);
   std::optional<ir::ExpressionId> macro_value();
   ir::ExpressionId shared_macro_value(std::string_view body, text::Span span);
+  ir::ExpressionId unknown_value(text::Span span);
+  std::optional<ir::ExpressionId> macro_operator();
   [[nodiscard]] bool is_variable(std::string_view name) const;
 
   // the rest: parse_statements.cpp
@@ -228,11 +235,7 @@ class Parser {
   ir::ExpressionId repeats_ = ir::ExpressionId::none;  // P= before a call
   text::Span repeats_span_;
   bool has_call_ = false;
-  bool has_invalid_ = false;  // anywhere in the text
-  struct Macro {
-    std::string name;  // upper case
-    ir::TokenRange body;
-  };
+  bool has_invalid_ = false;   // anywhere in the text
   std::vector<Macro> macros_;  // DEFINE … AS
   bool in_macro_ = false;
   std::set<ir::StringId> externs_;  // names that EXTERN declares: programs, whatever else they may be

@@ -219,7 +219,8 @@ ir::ExpressionId Parser::parenthesized() {
   }
   ++nesting_;
   ++brackets_;
-  const ir::ExpressionId value = binary(kWeakestRank);
+  ir::ExpressionId value = binary(kWeakestRank);
+  if (const auto known_to_control = macro_operator()) value = *known_to_control;
   --brackets_;
   --nesting_;
   expect(')');

@@ -113,6 +113,10 @@ bool Parser::expand_macro() {
     if (!faulty_) diagnostics_.back().alarm = "12250";
     return false;
   }
+  if (after.is_symbol('=') || after.is_symbol('[')) {
+    assign_macro(*macro, name, after);
+    return true;
+  }
   in_macro_ = true;
   cursor_.go_to(macro->body.first);
   while (cursor_.index() < macro->body.last && !cursor_.at_block_end()) {
@@ -123,6 +127,22 @@ bool Parser::expand_macro() {
   in_macro_ = false;
   cursor_.go_to(after.index());
   return true;
+}
+
+// NAME=…, of a macro that stands for a variable; with anything else in it, what the block does is not known.
+void Parser::assign_macro(const Macro& macro, text::Span name, const TokenCursor& after) {
+  const std::uint32_t last = macro.body.last;
+  in_macro_ = true;
+  cursor_.go_to(macro.body.first);
+  const bool names_one =
+      cursor_.kind() == TokenKind::variable || (cursor_.kind() == TokenKind::name && !find_keyword(cursor_.text()));
+  const auto target = names_one ? std::optional(variable()) : std::nullopt;
+  const bool whole = target && after.is_symbol('=') && (cursor_.index() >= last || cursor_.at_block_end());
+  in_macro_ = false;
+  cursor_.go_to(after.index());
+  if (whole) return assignment(*target, name);
+  skip_block();
+  lower_.keep_as_native(UpperName(name.in(cursor_.whole())).view(), false, to_here(name), true);
 }
 
 // The codes of a macro of a definition file; with anything else in it, what the block does is not known.
@@ -174,6 +194,23 @@ std::optional<ir::ExpressionId> Parser::macro_value() {
 // A number; everything else is a value that is not known here.
 ir::ExpressionId Parser::shared_macro_value(std::string_view body, text::Span span) {
   if (const auto number = text::parse_number(body)) return program_.add_constant(*number, span, true);
+  return unknown_value(span);
+}
+
+// (A _DEC2): a name in the place of an operator, which only a macro can be ("MOD 100"); what follows belongs to it.
+std::optional<ir::ExpressionId> Parser::macro_operator() {
+  if (cursor_.kind() != TokenKind::name || find_keyword(cursor_.text()) != nullptr) return std::nullopt;
+  const text::Span name = cursor_.span();
+  const UpperName written(cursor_.text());
+  const bool is_defined = std::ranges::find(macros_, written.view(), &Macro::name) != macros_.end() ||
+                          (control_.shared != nullptr && control_.shared->macros.contains(written.view()));
+  if (!is_defined) report(DiagnosticId::unknown_name, name, {std::string(cursor_.text())});
+  for (int open = 0; !cursor_.at_block_end() && (open > 0 || !cursor_.is_symbol(')')); cursor_.advance())
+    open += cursor_.is_symbol('(') ? 1 : cursor_.is_symbol(')') ? -1 : 0;
+  return unknown_value(to_here(name));
+}
+
+ir::ExpressionId Parser::unknown_value(text::Span span) {
   ir::Variable value;
   value.bank = ir::Bank::system;
   value.number = find_system_variable("$");

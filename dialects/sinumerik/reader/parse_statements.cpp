@@ -5,6 +5,7 @@
 
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/transformation_use.h"
+#include "dialects/sinumerik/reader/data_file.h"
 #include "dialects/sinumerik/reader/parse.h"
 #include "dialects/sinumerik/tables/name_index.h"
 
@@ -51,6 +52,11 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
     case Role::word_mode:
     case Role::type:
     case Role::attribute:
+      // APR 7 APW 11: who may read and write what the file declares from here on.
+      if (keyword.role == Role::attribute && is_data_file(program_)) {
+        cursor_.advance();
+        return native(keyword.name, true, head);
+      }
       return give_up(DiagnosticId::syntax_error, head, {std::string(keyword.name) + " does not begin a statement"});
     case Role::statement: break;
   }
@@ -219,6 +225,12 @@ void Parser::execute_statement(text::Span head) {
 void Parser::message(text::Span head) {
   ir::Message message;
   operator_ = head;
+  // MSG alone clears, too, on controls in use; the manual writes MSG().
+  if (cursor_.at_block_end() && !faulty_) {
+    report(DiagnosticId::missing_bracket, head, {"("});
+    diagnostics_.back().severity = text::Severity::warning;
+    return lower_.add_message(StatementKind::message, message, head);
+  }
   if (!cursor_.is_symbol('(')) return give_up(DiagnosticId::missing_bracket, head, {"("});
   cursor_.advance();
   if (!cursor_.is_symbol(')')) {

@@ -52,6 +52,9 @@ constexpr ParameterRow kHoleParameters[] = {
     {"RPA", CycleValue::shift_first},
     {"RPO", CycleValue::shift_second},
     {"RPAP", CycleValue::lift},
+    {"GM", CycleValue::screen_geometry},
+    {"DM", CycleValue::screen_plane},
+    {"AM", CycleValue::screen_kinds},
 };
 constexpr ParameterRow kPatternParameters[] = {
     {"SPCA", CycleValue::pattern_first}, {"SPCO", CycleValue::pattern_second}, {"CPA", CycleValue::pattern_first},
@@ -106,7 +109,7 @@ CycleValue value_called(std::string_view parameter, CalledSort sort) {
   return is_pattern ? find_in(kPatternParameters) : CycleValue::other;
 }
 
-// "REAL DP=1EX30" is DP, "STRING[15] PITM" is PITM.
+// "REAL PX1=1EX30" is PX1, "STRING[15] PITM" is PITM.
 std::string_view name_of_parameter(std::string_view written) {
   written = written.substr(0, written.find('='));
   return written.substr(written.rfind(' ') + 1);

@@ -1,11 +1,15 @@
 // CYCLE81 to CYCLE89 and the rows and circles of holes (PGZ, "Drilling cycles and drilling patterns"). The lead of a
 // tap is K whatever its axis: the interpreter takes I, J and K alike. After CYCLE84 the spindle has the speed again
 // that it had before the call. It was turned by its position: after the cycle it turns only where SDAC is 3 or 4.
-// Steps of DAM that is not 0 break chips (VARI 1, back by VRT) or remove them (VARI 2).
+// Strokes of DAM that is not 0 break chips (VARI 1, back by VRT) or remove them (VARI 2: out at the speed of the
+// retract, and at the same speed back in up to VRT above the last stroke).
 //
 // CYCLE83: DAM above 0 makes each stroke that much shorter, but not shorter than DAM; where at most 2 DAM are left, the
-// last two strokes are alike. Below 0 it is the factor of each stroke to the one before, and MDEP the shortest one; by
-// a factor alone the hole never ends, which is taken as an alarm.
+// last two strokes are alike, and no stroke leaves less than DAM. Below 0 it is the factor of each stroke to the one
+// before, and MDEP the shortest one: where a stroke would leave less than MDEP, the last two are alike. By a factor
+// alone the hole never ends, which is taken as an alarm. Without DAM all strokes are alike but the last (the cycle of
+// the 840D powerline, V06.02, halves the last two there, too). AM states DAM in percent by the digit of 100000, and
+// FRF, which is a factor up to 1, is one in percent then.
 #include <array>
 
 #include "dialects/sinumerik/tables/cycle_texts.h"
@@ -21,8 +25,9 @@ M17
 )"},
     {"CYCLE82", R"(PROC CYCLE82(@hole, REAL DTB, @screen) SAVE DISPLOF
 @axes
-@plane
-@depth
+@plane_of_screen
+@depth_of_screen
+@dwell_of_screen
 G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
 G1 AX[TOOLAX]=DP
 @dwell
@@ -30,30 +35,48 @@ G0 AX[TOOLAX]=RTP
 M17
 )"},
     {"CYCLE83",
-     R"(PROC CYCLE83(@hole, REAL FDEP=1EX30, REAL FDPR, REAL DAM, REAL DTB, REAL DTS, REAL FRF=1, INT VARI, INT AXN, REAL MDEP, REAL VRT, REAL DTD, REAL DIS1, @screen) SAVE DISPLOF
+     R"(PROC CYCLE83(@hole, REAL FDEP, REAL FDPR, REAL DAM, REAL DTB, REAL DTS, REAL FRF, INT VARI, INT AXN, REAL MDEP, REAL VRT, REAL DTD, REAL DIS1, @screen) SAVE DISPLOF
 @axes
-DEF REAL STROKE, AT, NEXT, LEFT, LEAD, FEED, LEAST
+DEF REAL STROKE, AT, NEXT, REST, LEAD, FEED
 @unit
-@plane
+@plane_of_screen
 @axis
-@depth
-IF FDEP>1EX29
+@depth_of_screen
+@dwell_of_screen
+IF (AM DIV 100) MOD 10==2
+DTD=-ABS(DTD)
+ENDIF
+IF (AM DIV 1000) MOD 10==2
+DTS=-ABS(DTS)
+ENDIF
+IF (AM DIV 100000) MOD 10==2
+DAM=-ABS(DAM)/100
+ENDIF
+IF FDPR<>0
 FDEP=RFP-SIDE*ABS(FDPR)
 ENDIF
-IF FRF==0
+FRF=ABS(FRF)
+IF (FRF>1) AND (AM>0)
+FRF=FRF/100
+ENDIF
+IF (FRF==0) OR (FRF>1)
 FRF=1
 ENDIF
-IF VRT==0
+FRF=MAXVAL(FRF,0.001)
+IF VRT<=0
 VRT=MM
+ENDIF
+IF DTD==0
+DTD=DTB
 ENDIF
 FEED=$P_F
 STROKE=ABS(RFP-FDEP)
-LEAST=MDEP
-IF DAM>0
-LEAST=DAM
-ENDIF
 IF STROKE==0
 STROKE=ABS(RFP-DP)
+ENDIF
+IF DAM==0
+DAM=-1
+MDEP=0
 ENDIF
 G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
 AT=RFP
@@ -87,26 +110,27 @@ ENDIF
 ENDIF
 G0 AX[TOOLAX]=AT+SIDE*LEAD
 ENDIF
+REST=ABS(AT-DP)
 IF DAM>0
-STROKE=MAXVAL(STROKE-DAM,LEAST)
-ENDIF
-IF DAM<0
-STROKE=MAXVAL(STROKE*ABS(DAM),LEAST)
+STROKE=MAXVAL(STROKE-DAM,DAM)
+@next_stroke
+ELSE
+STROKE=MAXVAL(STROKE*ABS(DAM),MDEP)
 IF STROKE<0.001*MM
 SETAL(61107)
 ENDIF
-ENDIF
-LEFT=ABS(AT-DP)
-IF (DAM>0) AND (LEFT>STROKE) AND (LEFT<=2*DAM)
-STROKE=LEFT/2
-ENDIF
 NEXT=AT-SIDE*STROKE
+IF (STROKE<=REST) AND (REST-STROKE<MDEP)
+NEXT=AT-SIDE*REST/2
+ENDIF
+ENDIF
 ENDLOOP
 BOTTOM:
 IF DTD>0
 G4 F=DTD
-ELSE
-@dwell
+ENDIF
+IF DTD<0
+G4 S=-DTD
 ENDIF
 G0 AX[TOOLAX]=RTP
 M17
@@ -114,38 +138,51 @@ M17
     {"CYCLE84",
      R"(PROC CYCLE84(@hole, REAL DTB, INT SDAC, REAL MPIT, REAL PIT, REAL POSS, REAL SST, REAL SST1, INT AXN, INT PITA, INT TECHNO, INT VARI, REAL DAM, REAL VRT, STRING[15] PITM, STRING[20] PTAB, STRING[20] PTABA, @screen) SAVE DISPLOF
 @axes
-DEF REAL LEAD, SPEED, NEXT
+DEF REAL LEAD, SPEED, AT, NEXT, REST, STROKE
 DEF INT SIZE
 SPEED=$P_S
 @unit
-@lead
-@plane
+@lead_of_screen
+@plane_of_screen
 @axis
 @depth
-IF SST1==0
+IF SST1<=0
 SST1=SST
+ENDIF
+DAM=ABS(DAM)
+VARI=VARI MOD 10
+IF VRT<=0
+VRT=MM
 ENDIF
 G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
 NEXT=DP
-IF (VARI>0) AND (DAM<>0)
-IF VRT==0
-VRT=MM
+STROKE=DAM
+IF (VARI>0) AND (DAM>0)
+NEXT=RFP-SIDE*DAM
+IF SIDE*(NEXT-DP)<0
+SETAL(61809)
 ENDIF
-NEXT=RFP-SIDE*ABS(DAM)
-WHILE SIDE*(NEXT-DP)>0
+ENDIF
+LOOP
 G331 AX[TOOLAX]=NEXT K=LEAD S=SST
-IF VARI==1
-G332 AX[TOOLAX]=NEXT+SIDE*VRT K=LEAD S=SST1
-ELSE
-G332 AX[TOOLAX]=RFP+SIDE*SDIS K=LEAD S=SST1
-ENDIF
-NEXT=NEXT-SIDE*ABS(DAM)
-ENDWHILE
-ENDIF
-G331 AX[TOOLAX]=DP K=LEAD S=SST
+AT=NEXT
 IF DTB>0
 G4 F=DTB
 ENDIF
+IF AT==DP GOTOF BOTTOM
+IF VARI==1
+G332 AX[TOOLAX]=AT+SIDE*VRT K=LEAD S=SST1
+ELSE
+G332 AX[TOOLAX]=RFP+SIDE*SDIS K=LEAD S=SST1
+IF DTB>0
+G4 F=DTB
+ENDIF
+G331 AX[TOOLAX]=AT+SIDE*VRT K=LEAD S=SST1
+ENDIF
+REST=ABS(AT-DP)
+@next_stroke
+ENDLOOP
+BOTTOM:
 G332 AX[TOOLAX]=RFP+SIDE*SDIS K=LEAD S=SST1
 G0 AX[TOOLAX]=RTP
 IF SPEED>0
@@ -165,9 +202,9 @@ DEF REAL LEAD
 DEF INT SIZE
 @unit
 IF ENC==1 GOTOF WITHOUT_LEAD
-@lead
+@lead_of_screen
 WITHOUT_LEAD:
-@plane
+@plane_of_screen
 @axis
 @depth
 IF SDR==0
@@ -210,7 +247,7 @@ M17
 )"},
     {"CYCLE85", R"(PROC CYCLE85(@hole, REAL DTB, REAL FFR, REAL RFF, @screen) SAVE DISPLOF
 @axes
-@plane
+@plane_of_screen
 @depth
 G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
 IF FFR>0
@@ -228,7 +265,7 @@ M17
     {"CYCLE86",
      R"(PROC CYCLE86(@hole, REAL DTB, INT SDIR, REAL RPA, REAL RPO, REAL RPAP, REAL POSS, @screen) SAVE DISPLOF
 @axes
-@plane
+@plane_of_screen
 @depth
 @spindle
 G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS

@@ -2,9 +2,10 @@
 // do is then the interpreter's. Parameters and sequence: Programming Manual Cycles (PGZ). Other standard cycles are
 // kept as they are written.
 //
-// A depth DP that is not given is RFP less DPR on the side of the hole: 1EX30 stands for "not given". Alarms are those
-// of the cycles. The drilling axis is the one that stands on the plane. GM, DM and AM are modes of the operator's
-// screen.
+// A depth that DPR gives goes before DP; a hole without depth is not drilled. Alarms are those of the cycles. The
+// drilling axis is the one that stands on the plane. GM, DM and AM are modes of the operator's screen, a digit each
+// (PGA, "Programming cycles externally"): GM 10 measures the depth to the shank or gives the diameter instead, which
+// the tool's point decides; DM is the plane of the cycle, AM the kind of each value.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -18,8 +19,16 @@ namespace dripfeed::sinumerik {
 namespace {
 
 constexpr auto kFragments = std::to_array<CycleText>({
-    {"hole", "REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR"},
+    {"hole", "REAL RTP, REAL RFP, REAL SDIS, REAL DP, REAL DPR"},
     {"screen", "INT GM, INT DM, INT AM"},
+    // PITA: PIT is 1 mm, 2 threads an inch, 3 inch; 0 the unit of the call.
+    {"lead_of_screen", R"(CASE (PITA) OF 1 GOTOF IN_MM 2 GOTOF BY_INCH 3 GOTOF IN_INCH DEFAULT GOTOF AS_CALLED
+IN_MM: PIT=PIT*MM GOTOF AS_CALLED
+BY_INCH: IF PIT==0 GOTOF AS_CALLED
+PIT=25.4*MM/PIT GOTOF AS_CALLED
+IN_INCH: PIT=25.4*MM*PIT
+AS_CALLED:
+@lead)"},
     // PIT, or that of the metric thread M<MPIT>; 61001: neither.
     {"lead", R"(LEAD=PIT
 IF LEAD==0
@@ -53,20 +62,28 @@ ENDIF
 ENDIF)"},
     // The axes of the plane and the one that stands on it.
     {"axes", R"(DEF AXIS TOOLAX, FIRST, SECOND
-DEF REAL SIDE=1, MM=1)"},
+DEF REAL SIDE=1, MM=1
+DEF INT PLANE)"},
     // A millimetre in the unit of the call: distances that are not given, and leads of metric threads.
     {"unit", R"(IF $P_GG[1013]==2
 MM=1/25.4
 ENDIF)"},
-    {"plane", R"(TOOLAX=AXNAME("Z")
+    {"plane", R"(PLANE=$P_GG[1006]
+@axes_of_plane)"},
+    {"plane_of_screen", R"(PLANE=$P_GG[1006]
+IF DM MOD 10>0
+PLANE=DM MOD 10
+ENDIF
+@axes_of_plane)"},
+    {"axes_of_plane", R"(TOOLAX=AXNAME("Z")
 FIRST=AXNAME("X")
 SECOND=AXNAME("Y")
-IF $P_GG[6]==2
+IF PLANE==2
 TOOLAX=AXNAME("Y")
 FIRST=AXNAME("Z")
 SECOND=AXNAME("X")
 ENDIF
-IF $P_GG[6]==3
+IF PLANE==3
 TOOLAX=AXNAME("X")
 FIRST=AXNAME("Y")
 SECOND=AXNAME("Z")
@@ -82,17 +99,40 @@ ENDIF)"},
     {"depth", R"(IF RTP<RFP
 SIDE=-1
 ENDIF
-IF DP>1EX29
+IF DPR<>0
 DP=RFP-SIDE*ABS(DPR)
 ENDIF
 IF (RTP-RFP)*(RFP-DP)<0
 SETAL(61101)
+ENDIF
+IF DP==RFP
+M17
+ENDIF)"},
+    // … to the shank, or of a diameter: by the tool's data, which are not known.
+    {"depth_of_screen", R"(@depth
+IF (GM DIV 10) MOD 10==1
+DP=DP-$P_TOOLR
 ENDIF)"},
     {"dwell", R"(IF DTB>0
 G4 F=DTB
 ENDIF
 IF DTB<0
 G4 S=-DTB
+ENDIF)"},
+    // The sign of a dwell states its unit, or a digit of AM: 2 is turns.
+    {"dwell_of_screen", R"(IF (AM DIV 10) MOD 10==2
+DTB=-ABS(DTB)
+ENDIF)"},
+    // The next of strokes of STROKE from AT, where REST is left: none leaves less than DAM.
+    {"next_stroke", R"(NEXT=AT-SIDE*STROKE
+IF REST-STROKE<DAM
+NEXT=DP+SIDE*DAM
+ENDIF
+IF REST<=2*DAM
+NEXT=AT-SIDE*REST/2
+ENDIF
+IF REST<=STROKE
+NEXT=DP
 ENDIF)"},
     // 61102: no direction of the spindle.
     {"spindle", R"(IF (SDIR<>3) AND (SDIR<>4)
@@ -106,6 +146,7 @@ M4
 ENDIF)"},
 });
 
+// A fragment may name others.
 std::string with_fragments(std::string_view text) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
@@ -114,7 +155,7 @@ std::string with_fragments(std::string_view text) {
     if (mark == text.size()) break;
     const std::size_t end = std::min(text.find_first_of(",)\n ", mark), text.size());
     const auto fragment = std::ranges::find(kFragments, text.substr(mark + 1, end - mark - 1), &CycleText::name);
-    if (fragment != kFragments.end()) out += fragment->text;
+    if (fragment != kFragments.end()) out += with_fragments(fragment->text);
     at = end;
   }
   return out;

@@ -108,18 +108,18 @@ void check_based_numbers(const Check& check) {
   }
 }
 
-// A real has at most eight digits before its point (PG, "Values"); a whole number may be a bit pattern of ten.
-void check_digits(const Check& check) {
+// The value of an address has at most eight digits before its point (PG, "Values"); those of variables are doubles.
+void check_digits(const Check& check, const ir::Block& block) {
   constexpr std::size_t kWholeDigits = 8;
-  for (const ir::Token& token : check.program.tokens) {
-    if (token.kind != ir::TokenKind::number) continue;
-    const std::string_view written = check.text_of(token.span);
-    const std::size_t point = written.find('.');
-    if (point == std::string_view::npos) continue;
-    const std::size_t first = std::min(written.find_first_not_of('0'), point);
-    if (point - first <= kWholeDigits) continue;
-    check.report(DiagnosticId::too_many_digits, token.span,
-                 {std::string(written), std::to_string(point - first), std::to_string(kWholeDigits)});
+  for (const ir::Word& word : check.program.words_of(block)) {
+    const ir::Expression* number = constant_of(check.program, word.value);
+    if (number == nullptr || number->span.empty()) continue;
+    std::string_view written = check.text_of(number->span);
+    written.remove_prefix(std::min(written.find_first_not_of("+-0 "), written.size()));
+    const std::size_t digits = written.find('.');
+    if (digits == std::string_view::npos || digits <= kWholeDigits) continue;
+    check.report(DiagnosticId::too_many_digits, number->span,
+                 {std::string(check.text_of(number->span)), std::to_string(digits), std::to_string(kWholeDigits)});
   }
 }
 
@@ -135,10 +135,10 @@ void check_limits(const Check& check) {
     if (s.kind != StatementKind::block) continue;
     check_feed(check, check.block_of(s));
     check_frame(check, check.block_of(s));
+    check_digits(check, check.block_of(s));
   }
   check_indices(check);
   check_based_numbers(check);
-  check_digits(check);
 }
 
 }  // namespace dripfeed::sinumerik

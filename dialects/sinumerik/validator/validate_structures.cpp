@@ -63,10 +63,6 @@ class Nesting {
     if (s.kind == StatementKind::else_begin) middle(i, s);
     // An opener and a closer belong to what is around them: a jump to them is allowed.
     enclosing_[i] = open_.empty() || s.kind == StatementKind::else_begin ? ir::kNoIndex : open_.back().part;
-    if (s.kind != StatementKind::empty) {
-      after_jump_ =
-          s.kind == StatementKind::go_to && check_.program.jumps[s.payload].condition != ir::ExpressionId::none;
-    }
     if (const StructureWords* words = row_of_begin(s.kind)) {
       open_.push_back({i, i, words});
       if (open_.size() == check_.control.limits.loop_nesting + std::size_t{1}) {
@@ -89,6 +85,7 @@ class Nesting {
   void close(const ir::Statement& s, const StructureWords& words) {
     const auto partner = std::find_if(open_.rbegin(), open_.rend(), [&](const Open& o) { return o.words == &words; });
     if (partner == open_.rend()) {
+      if (s.kind == StatementKind::if_end) return surplus_end(s);
       faulty_ = true;
       check_.report(DiagnosticId::end_without_begin, s.span,
                     {std::string(words.end_word), std::string(words.begin_word)});
@@ -100,6 +97,13 @@ class Nesting {
                     {std::string(words.end_word), std::string(open_.back().words->begin_word)});
     }
     open_.erase(std::prev(partner.base()), open_.end());
+  }
+
+  // ENDIF after IF … GOTOF, and one too many: programs in use have it, and controls run them.
+  void surplus_end(const ir::Statement& s) {
+    text::Diagnostic& d = check_.report(DiagnosticId::end_without_begin, s.span, {"ENDIF", "IF"});
+    d.severity = text::Severity::warning;
+    d.notes.push_back({s.span, "it closes nothing; IF with a jump in the same block needs no ENDIF"});
   }
 
   // A jump may leave structures, never enter one: its target's structure must be around the jump, too.
@@ -150,7 +154,6 @@ class Nesting {
   std::vector<Open> open_;
   std::vector<std::uint32_t> enclosing_;  // the opener or ELSE around each statement
   bool faulty_ = false;
-  bool after_jump_ = false;  // the last statement was IF … GOTO
 };
 
 }  // namespace

@@ -96,8 +96,12 @@ void check_alone(const Check& check, const ir::Block& block) {
     return w.address == Address::t || w.address == Address::d || w.address == Address::h;
   });
   if (!function && !word) return;
-  check.report(DiagnosticId::statement_not_alone, alone->span, {std::string(check.text_of(alone->span))}).alarm =
-      "12120";
+  text::Diagnostic& d =
+      check.report(DiagnosticId::statement_not_alone, alone->span, {std::string(check.text_of(alone->span))});
+  d.alarm = "12120";
+  if (alone->function != Function::dwell) return;
+  d.severity = text::Severity::warning;
+  d.notes.push_back({alone->span, "the manual asks for a block of its own; controls in use take M functions with it"});
 }
 
 // X=DC(…): the shortest way round is of an axis that turns.
@@ -115,10 +119,11 @@ void check_ways(const Check& check, const ir::Word& word) {
       .alarm = row->alarm;
 }
 
-// System variables have no elements below zero, and edges are counted from 1.
+// System variables have no elements below zero, and edges are counted from 1; $TC_DP1[t,0]=0 deletes all of a tool.
 void check_indices(const Check& check, const ir::Variable& v) {
   if (v.bank != ir::Bank::system || v.name == ir::StringId::none) return;
-  const bool edges = check.program.strings.at(v.name).starts_with("$TC_DP");
+  const std::string_view name = check.program.strings.at(v.name);
+  const bool edges = name.starts_with("$TC_DP") && name != "$TC_DP1";
   const std::array indices = {v.index, v.index2, v.index3};
   for (std::size_t n = 0; n < indices.size(); ++n) {
     if (indices[n] == ir::ExpressionId::none) continue;

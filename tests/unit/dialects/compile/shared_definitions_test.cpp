@@ -34,6 +34,19 @@ TEST(SharedDefinitions, MacrosComeBeforeTheDataThatTheySize) {
   EXPECT_FALSE(ir::is_shared(c.shared.get(), "OTHER"));
 }
 
+// A builder's file calls one for each option of the machine, where it exists.
+TEST(SharedDefinitions, AFileThatAnotherOneCallsIsRead) {
+  const ir::Control c = with_definitions(
+      control_of("sinumerik-840d"),
+      files({{"MGUD",
+              "APR 7 APW 11\nIF ISFILE(\"/_N_DEF_DIR/_N_MGUD_PROBE_DEF\")\nCALL \"/_N_DEF_DIR/_N_MGUD_PROBE_DEF\"\n"
+              "ENDIF\nIF ISFILE(\"/_N_DEF_DIR/_N_MGUD_OTHER_DEF\")\nCALL \"/_N_DEF_DIR/_N_MGUD_OTHER_DEF\"\nENDIF\n"
+              "M30\n"},
+             {"MGUD_PROBE", "DEF NCK REAL PROBE_RADIUS\nM30\n"}}));
+  ASSERT_NE(c.shared, nullptr);
+  EXPECT_TRUE(ir::is_shared(c.shared.get(), "PROBE_RADIUS"));
+}
+
 TEST(SharedDefinitions, WithoutFilesNothingIsKnown) {
   EXPECT_EQ(with_definitions(control_of("sinumerik-840d"), files({})).shared, nullptr);
   EXPECT_EQ(with_definitions(control_of("sinumerik-840d"), {}).shared, nullptr);

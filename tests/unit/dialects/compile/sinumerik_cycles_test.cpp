@@ -59,20 +59,27 @@ TEST(SinumerikCycles, DeepHoles) {
   EXPECT_EQ(depths, "-5 -4 -10 -9 -15 ");
 }
 
-// PGZ, CYCLE83, "Degression": each stroke is DAM shorter than the one before and never shorter than DAM; where at most
-// 2 DAM are left, the last two are alike. DAM below 0 is the factor of each stroke, and MDEP the shortest one then.
+// PGZ, CYCLE83, "Degression", as the control's cycle (V06.02.09) cuts it: each stroke is DAM shorter than the one
+// before and never shorter than DAM; where at most 2 DAM are left, the last two are alike, and no stroke leaves less
+// than DAM. DAM below 0 is the factor of each stroke, and MDEP the shortest one then: where a stroke would leave less
+// than MDEP, the last two are alike.
 std::vector<double> strokes_by_the_manual(double depth, double first, double degression, double least) {
   std::vector<double> ends;
   double stroke = first;
+  double next = first;
   for (double at = 0.0; at < depth;) {
-    at = std::min(at + stroke, depth);
+    at = std::min(at + next, depth);
     ends.push_back(-at);
     const double left = depth - at;
     if (degression > 0.0) {
       stroke = std::max(stroke - degression, degression);
-      if (stroke < left && left <= 2.0 * degression) stroke = left / 2.0;
+      next = left <= stroke                ? left
+             : left <= 2.0 * degression    ? left / 2.0
+             : left - stroke >= degression ? stroke
+                                           : left - degression;
     } else if (degression < 0.0) {
       stroke = std::max(-stroke * degression, least);
+      next = stroke <= left && left - stroke < least ? left / 2.0 : stroke;
     }
   }
   return ends;
@@ -120,7 +127,8 @@ TEST(SinumerikCycles, DeepHolesByAFactorEnd) {
   EXPECT_EQ(ran.result.ended, interpreter::Ended::alarm);
 }
 
-// PGZ, CYCLE84: VARI 1 breaks chips by VRT, 2 goes out of the hole; each step is DAM. The spindle was turned by its
+// PGZ, CYCLE84: VARI 1 breaks chips by VRT, 2 goes out of the hole and back in up to VRT above the last step; each step
+// is DAM, and the last two are alike where at most 2 DAM are left. The spindle was turned by its
 // position: without SDAC 3 or 4 it stands.
 TEST(SinumerikCycles, TapsByStepsAndTheSpindleAfterThem) {
   const auto ends_of = [](const std::string& steps) {
@@ -132,9 +140,9 @@ TEST(SinumerikCycles, TapsByStepsAndTheSpindleAfterThem) {
     return out;
   };
   EXPECT_EQ(ends_of("0,5,1"), "-12 3 ");
-  EXPECT_EQ(ends_of("1,5,2"), "-5 -3 -10 -8 -12 3 ");
-  EXPECT_EQ(ends_of("1,5"), "-5 -4 -10 -9 -12 3 ");
-  EXPECT_EQ(ends_of("2,5,2"), "-5 3 -10 3 -12 3 ");
+  EXPECT_EQ(ends_of("1,5,2"), "-5 -3 -8.5 -6.5 -12 3 ");
+  EXPECT_EQ(ends_of("1,5"), "-5 -4 -8.5 -7.5 -12 3 ");
+  EXPECT_EQ(ends_of("2,5,2"), "-5 3 -3 -8.5 3 -6.5 -12 3 ");
   for (const auto& [sdac, state] : {std::pair("3", ir::SpindleState::clockwise),
                                     {"4", ir::SpindleState::counterclockwise},
                                     {"5", ir::SpindleState::stopped},
@@ -144,6 +152,52 @@ TEST(SinumerikCycles, TapsByStepsAndTheSpindleAfterThem) {
                            ",,1.5,0,400,400)\nG0 X5\nM30\n");
     EXPECT_EQ(ran.motions[ran.motions.size() - 2].spindle, state) << sdac << "\n" << ran.trace;
   }
+}
+
+// PGZ, CYCLE81: of two depths that of DPR counts; a hole without depth is not drilled.
+TEST(SinumerikCycles, ADepthBelowThePlaneGoesBeforeOneInCoordinates) {
+  const auto drilled = [](const std::string& call) {
+    std::string out;
+    for (const ir::Motion& m : run("G17 G90 G94 G0 X0 Y0 Z50\nF100 S500 M3\n" + call + "\nM30\n").motions)
+      if (m.kind == ir::MotionKind::linear) out += fmt::format("{} ", m.end[2]);
+    return out;
+  };
+  EXPECT_EQ(drilled("CYCLE81(20,5,2,-12,10)"), "-5 ");
+  EXPECT_EQ(drilled("CYCLE81(20,5,2)"), "0 ");
+  EXPECT_EQ(drilled("CYCLE82(20,0,2)"), "");
+  EXPECT_EQ(drilled("CYCLE83(20,0,2,,12,-5,7,0,0,0,1,1)"), "-7 -12 ");
+}
+
+// The modes of the operator's screen (PGA, "Programming cycles externally"): percents, dwells in turns, planes.
+TEST(SinumerikCycles, ModesOfTheScreen) {
+  const std::string begin = "G17 G90 G94 G0 X0 Y0 Z50\nF100 S600 M3\n";
+  const Result percent = run(begin + "CYCLE83(10,0,2,,20,,5,100,0,0,90,1,0,0,1,0,1,0,1,11211111)\nM30\n");
+  std::string cut;
+  for (const ir::Motion& m : percent.motions)
+    if (m.kind == ir::MotionKind::linear) cut += fmt::format("{} {}, ", m.end[2], m.feed);
+  EXPECT_EQ(cut, "-5 90, -10 100, -15 100, -20 100, ");
+  const Result turns = run(begin + "CYCLE82(10,0,2,-5,,3,0,1,22)\nM30\n");
+  EXPECT_TRUE(turns.trace.contains("dwell P0.3000")) << turns.trace;
+  const Result plane = run(begin + "CYCLE82(10,0,2,-5,,0,0,2,12)\nM30\n");
+  EXPECT_TRUE(plane.trace.contains("linear X0.0000 Y-5.0000 Z50.0000")) << plane.trace;
+  const Result shank = run(begin + "CYCLE82(10,0,2,-5,,0,10,1,12)\nM30\n");
+  EXPECT_TRUE(shank.names("$P_TOOLR"));
+  EXPECT_TRUE(shank.names("Z from a value that is not known"));
+}
+
+// PITA: 1 is mm, 2 threads an inch, 3 inch.
+TEST(SinumerikCycles, TheUnitOfALead) {
+  const auto lead_of = [](const std::string& unit, const std::string& values) {
+    for (const ir::Motion& m :
+         run("G17 G90 G94 " + unit + " G0 X0 Y0 Z2\nS400 M3\nCYCLE84(1,0,0.1,-0.5,,0,3,," + values + ")\nM30\n")
+             .motions)
+      if (m.kind == ir::MotionKind::thread) return m.feed;
+    return 0.0;
+  };
+  EXPECT_NEAR(lead_of("G710", "20,0,400,400,0,2"), 1.27, 1e-9);
+  EXPECT_NEAR(lead_of("G710", "0.05,0,400,400,0,3"), 1.27, 1e-9);
+  EXPECT_NEAR(lead_of("G700", "20,0,400,400,0,2"), 1.27, 1e-9);
+  EXPECT_NEAR(lead_of("G700", "1.5,0,400,400,0,1"), 1.5, 1e-9);
 }
 
 // PGZ, HOLES1: from the end that is nearer to where the tool stands.

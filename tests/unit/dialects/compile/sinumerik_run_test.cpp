@@ -8,6 +8,28 @@ namespace {
 
 // --- inputs
 
+// What was in effect before the program is not known: neither the tool in the spindle nor a mode that it does not
+// state.
+TEST(SinumerikInputs, TheStateBeforeTheProgramIsOne) {
+  const ir::Control control = test::control("sinumerik-840d", ir::MachineKind::mill);
+  const Result before = run_on(control, "R1=$P_TOOLNO\nR2=$P_TOOL\nR3=$P_GG[6]\nIF $P_TOOLNO>0\nG0 X1\nENDIF\nM30\n");
+  EXPECT_TRUE(before.names("$P_TOOLNO"));
+  EXPECT_TRUE(before.names("$P_TOOL"));
+  EXPECT_TRUE(before.names("$P_GG[6]"));
+  EXPECT_TRUE(before.names("a condition on a value that is not known"));
+  const Result stated =
+      run_on(control, "G18 G90 G710 T2 D1\nM6\nR1=$P_TOOLNO\nR2=$P_TOOL\nR3=$P_GG[6]\nR4=$P_GG[13]\nM30\n");
+  EXPECT_EQ(stated.value("R1"), 2.0);
+  EXPECT_EQ(stated.value("R2"), 1.0);
+  EXPECT_EQ(stated.value("R3"), 2.0);
+  EXPECT_EQ(stated.value("R4"), 4.0);
+}
+
+TEST(SinumerikInputs, AMacroOfAVariableIsThatVariable) {
+  const Result ran = run("DEFINE COUNTED AS R5\nCOUNTED=3\nCOUNTED=COUNTED+1\nM30\n");
+  EXPECT_EQ(ran.value("R5"), 4.0);
+}
+
 TEST(SinumerikInputs, WhatIsComputedFromAnInputIsNoAlarm) {
   const Result ran = run("R1=10/INI[3]\nG0 X=R1 Y5\nG1 Z=SQRT(R1-100) F100\nM30\n");
   EXPECT_EQ(ran.result.ended, interpreter::Ended::end);
