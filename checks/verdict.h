@@ -71,12 +71,19 @@ struct CheckReport {
   NotCheckedList not_checked;  // of no single check
 };
 
+// Calls visit(one) for the report of each check that ran, in the order in which they are printed. Whatever concerns all
+// checks uses it: a new check is a member above and a line here.
+template <class Report, class Visit>
+void for_each_check(Report& report, Visit&& visit) {
+  if (report.envelope) visit(*report.envelope);
+  if (report.gouge) visit(*report.gouge);
+  if (report.accuracy) visit(*report.accuracy);
+  if (report.timing) visit(*report.timing);
+}
+
 inline Verdict verdict_of(const CheckReport& report) {
   Verdict worst = verdict_of(report.diagnostics);
-  if (report.envelope) worst = std::max(worst, verdict_of(report.envelope->findings));
-  if (report.gouge) worst = std::max(worst, verdict_of(report.gouge->findings));
-  if (report.accuracy) worst = std::max(worst, verdict_of(report.accuracy->findings));
-  if (report.timing) worst = std::max(worst, verdict_of(report.timing->findings));
+  for_each_check(report, [&](const auto& one) { worst = std::max(worst, verdict_of(one.findings)); });
   const bool unjudged =
       (report.gouge && report.gouge->has_unjudged_cuts) || (report.accuracy && report.accuracy->has_unmeasured_cuts);
   return report.has_unknown_effects || unjudged ? std::max(worst, Verdict::unknown) : worst;
@@ -88,10 +95,7 @@ inline std::vector<NotChecked> not_checked_of(const CheckReport& report) {
   const auto append = [&all](const NotCheckedList& list) {
     all.insert(all.end(), list.list().begin(), list.list().end());
   };
-  if (report.envelope) append(report.envelope->not_checked);
-  if (report.gouge) append(report.gouge->not_checked);
-  if (report.accuracy) append(report.accuracy->not_checked);
-  if (report.timing) append(report.timing->not_checked);
+  for_each_check(report, [&](const auto& one) { append(one.not_checked); });
   append(report.not_checked);
   return all;
 }

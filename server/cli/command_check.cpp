@@ -60,10 +60,7 @@ void print_report(const Checked& checked) {
       print_help(one.id);
     }
   };
-  if (report.checks.envelope) print_findings(report.checks.envelope->findings);
-  if (report.checks.gouge) print_findings(report.checks.gouge->findings);
-  if (report.checks.accuracy) print_findings(report.checks.accuracy->findings);
-  if (report.checks.timing) print_findings(report.checks.timing->findings);
+  checks::for_each_check(report.checks, [&](const auto& one) { print_findings(one.findings); });
   for (const checks::NotChecked& one : checks::not_checked_of(report.checks))
     fmt::print(stderr, "{}: not checked: {}\n", report.source.name(), one.text);
   const std::string why = !report.inferred           ? ""

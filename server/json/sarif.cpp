@@ -124,10 +124,7 @@ void Log::add(const app::CheckReport& report) {
   };
   for (const text::DiagnosticFold::Row& row : fold.folded())
     notify("note", fmt::format("{} more of {} are not listed", row.more, text::row_of(row.id).name));
-  if (report.checks.envelope) add(report.checks.envelope->findings, report);
-  if (report.checks.gouge) add(report.checks.gouge->findings, report);
-  if (report.checks.accuracy) add(report.checks.accuracy->findings, report);
-  if (report.checks.timing) add(report.checks.timing->findings, report);
+  checks::for_each_check(report.checks, [&](const auto& one) { add(one.findings, report); });
   for (const checks::NotChecked& one : checks::not_checked_of(report.checks))
     notify("note", "not checked: " + one.text);
   const bool passed = report.verdict == checks::Verdict::pass;

@@ -33,9 +33,7 @@ class Faults {
     for (const text::Diagnostic& one : report_.checks.diagnostics)
       if (fold.shows(one)) add(one);
     for (const text::DiagnosticFold::Row& row : fold.folded()) add(row);
-    const auto& checks = report_.checks;
-    if (checks.envelope) add(checks.envelope->findings);
-    if (checks.timing) add(checks.timing->findings);
+    checks::for_each_check(report_.checks, [this](const auto& one) { add(one.findings); });
     return std::move(out_);
   }
 

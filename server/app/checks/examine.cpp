@@ -64,11 +64,7 @@ class Checks {
     if (report_.checks.envelope && report_.checks.envelope->lost_place) report_.checks.has_unknown_effects = true;
     if (timing_ && !report_.checks.timing->is_whole) report_.checks.has_unknown_effects = true;
     surfaces_.finish(report_.checks, report_.pictures);
-    checks::CheckReport& done = report_.checks;
-    if (done.envelope) name_alarms(done.envelope->findings);
-    if (done.timing) name_alarms(done.timing->findings);
-    if (done.gouge) name_alarms(done.gouge->findings);
-    if (done.accuracy) name_alarms(done.accuracy->findings);
+    checks::for_each_check(report_.checks, [this](auto& one) { name_alarms(one.findings); });
   }
 
  private:

@@ -46,10 +46,7 @@ sweep::Trial trial_of(const checks::FindingList& findings) {
 sweep::Trial trial_of(const CheckReport& report) {
   if (report.verdict != checks::Verdict::fail) return {true, {}, {}};
   std::vector<sweep::Trial> trials = {trial_of(report.checks.diagnostics)};
-  if (report.checks.envelope) trials.push_back(trial_of(report.checks.envelope->findings));
-  if (report.checks.gouge) trials.push_back(trial_of(report.checks.gouge->findings));
-  if (report.checks.accuracy) trials.push_back(trial_of(report.checks.accuracy->findings));
-  if (report.checks.timing) trials.push_back(trial_of(report.checks.timing->findings));
+  checks::for_each_check(report.checks, [&](const auto& one) { trials.push_back(trial_of(one.findings)); });
   const auto failed = std::ranges::find(trials, false, &sweep::Trial::passes);
   return failed == trials.end() ? sweep::Trial{false, "verdict", "the verdict is fail"} : *failed;
 }

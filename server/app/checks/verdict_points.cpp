@@ -16,10 +16,7 @@ class Points {
 
   std::vector<std::string> run() {
     for (const text::Diagnostic& one : report_.checks.diagnostics) take(one);
-    take(report_.checks.envelope);
-    take(report_.checks.gouge);
-    take(report_.checks.accuracy);
-    take(report_.checks.timing);
+    checks::for_each_check(report_.checks, [this](const auto& one) { take(one.findings); });
     if (report_.checks.has_unknown_effects) add("it has effects that are not known: see what was not checked");
     if (report_.checks.gouge && report_.checks.gouge->has_unjudged_cuts)
       add("some cuts were not held against stock and part");
@@ -42,12 +39,10 @@ class Points {
     add(fmt::format("{}line {}: {}", where, in.position(one.span.begin).line, text::message_of(one)));
   }
 
-  template <class Report>
-  void take(const std::optional<Report>& report) {
-    if (!report) return;
-    for (const checks::Finding& one : report->findings.kept())
+  void take(const checks::FindingList& findings) {
+    for (const checks::Finding& one : findings.kept())
       if (one.severity == text::Severity::warning) add(fmt::format("{}: {}", place_of(one.place), one.text));
-    for (const checks::FindingList::Kind& kind : report->findings.kinds())
+    for (const checks::FindingList::Kind& kind : findings.kinds())
       if (kind.worst.severity == text::Severity::warning && kind.count > kind.kept)
         add(fmt::format("{} more like it: {}", kind.count - kind.kept, kind.worst.text));
   }
