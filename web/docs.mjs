@@ -5,8 +5,15 @@ import { copyFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises'
 import path from 'node:path';
 import { Marked } from 'marked';
 
-// The order in which the pages are listed; others follow by name.
-const kFirst = ['getting-started', 'concepts', 'safety', 'families', 'dialects', 'checks', 'diagnostics', 'optimizing', 'connecting', 'profiles', 'page', 'editor', 'operating', 'api'];
+// The groups in which the pages are listed; those without a group follow by name.
+const kGroups = [
+  ['Start', ['index', 'getting-started', 'concepts', 'safety']],
+  ['Programs', ['families', 'checks', 'diagnostics', 'optimizing', 'editor']],
+  ['Languages', ['dialects', 'words', 'words-fanuc', 'words-haas', 'words-mazak', 'words-mitsubishi-m80', 'words-sinumerik-840d']],
+  ['Machines', ['connecting', 'profiles']],
+  ['Server', ['page', 'operating', 'integrating', 'api', 'api-reference', 'scheduling', 'threads', 'measurements']],
+];
+const kOthers = 'Development';
 
 const kLicences = '<!-- bundled packages -->';
 
@@ -84,7 +91,7 @@ function pageOf({ title, body, list, style, icon, script }) {
 <header class="docs-top"><a class="docs-brand" href="/docs">dripfeed</a><a class="docs-to-list" href="#pages">All pages</a><a href="/">Machines</a></header>
 <div class="docs-body">
 <nav class="docs-list" id="pages" aria-label="Documentation">
-<ul>${list}</ul>
+${list}
 </nav>
 <main>
 ${body}</main>
@@ -92,6 +99,25 @@ ${body}</main>
 </body>
 </html>
 `;
+}
+
+// "Checks" of "Checks: verdicts, models, formulas"; a page of words has the control's name.
+function labelOf({ name, markdown }) {
+  const [first, rest] = titleOf(markdown).split(': ');
+  return name.startsWith('words-') ? rest : first;
+}
+
+// The links to all pages, by groups. `current`: the name of the page that shows them.
+function listOf(pages, current) {
+  const grouped = new Set(kGroups.flatMap(([, names]) => names));
+  const others = pages.map(({ name }) => name).filter((name) => !grouped.has(name));
+  const link = (name) => {
+    const page = pages.find((one) => one.name === name);
+    if (!page) throw new Error(`docs: no page is named ${name}`);
+    const href = name === 'index' ? '/docs' : `/docs/${name}`;
+    return `<li><a href="${href}"${name === current ? ' aria-current="page"' : ''}>${escape(labelOf(page))}</a></li>`;
+  };
+  return [...kGroups, [kOthers, others]].map(([title, names]) => `<p>${title}</p>\n<ul>${names.map(link).join('\n')}</ul>`).join('\n');
 }
 
 const kReference = {
@@ -106,8 +132,7 @@ export async function writeDocs({ repository, into, style, icon, script, licence
   await mkdir(into, { recursive: true });
   const read = (...parts) => readFile(path.join(repository, ...parts), 'utf8');
   const names = (await readdir(path.join(repository, 'docs'))).filter((name) => name.endsWith('.md')).map((name) => name.slice(0, -3));
-  const place = (name) => (kFirst.includes(name) ? kFirst.indexOf(name) : kFirst.length);
-  names.sort((a, b) => place(a) - place(b) || a.localeCompare(b));
+  names.sort();
   const drawings = new Map();
   for (const name of (await readdir(path.join(repository, 'docs', 'pictures'))).filter((one) => one.endsWith('.svg'))) drawings.set(name, await read('docs', 'pictures', name));
   const pages = [{ name: 'index', markdown: await read('README.md') }];
@@ -115,15 +140,9 @@ export async function writeDocs({ repository, into, style, icon, script, licence
   const shipped = pages.find(({ markdown }) => markdown.includes(kLicences));
   if (!shipped) throw new Error(`docs: no page has the place ${kLicences}`);
   shipped.markdown = shipped.markdown.replace(kLicences, () => licences);
-  pages.splice(pages.findIndex(({ name }) => name === 'api') + 1, 0, kReference);
+  pages.push(kReference);
   for (const { name, markdown, body } of pages) {
-    const list = pages
-      .map((page) => {
-        const current = page.name === name ? ' aria-current="page"' : '';
-        const href = page.name === 'index' ? '/docs' : `/docs/${page.name}`;
-        return `<li><a href="${href}"${current}>${escape(titleOf(page.markdown))}</a></li>`;
-      })
-      .join('\n');
+    const list = listOf(pages, name);
     const page = pageOf({ title: titleOf(markdown), body: body ?? htmlOf(markdown, drawings), list, style, icon, script: body && script });
     await writeFile(path.join(into, `${name}.html`), page);
   }
