@@ -335,10 +335,10 @@ void PlaneAccuracy::find_gaps() {
       report_.gaps.push_back({0.0, width});
       if (report_.has_unmeasured_cuts) return;
       report_.findings.add(text::DiagnosticId::nominal_not_covered, last_place_, width, 0.0, [&] {
-        const auto said = [](curves::Point at) {
+        const auto written = [](curves::Point at) {
           return fmt::format("x {} y {}", text::format_fixed(at.z, 3), text::format_fixed(at.x, 3));
         };
-        return std::vector<std::string>{said(from), said(to)};
+        return std::vector<std::string>{written(from), written(to)};
       });
     };
     for (const curves::Range& one : covered_[i]) {

@@ -49,7 +49,7 @@ bool moves_in_plane(const ir::Motion& move) {
 }
 
 // Next to the path by `by`, to the left where positive; an arc that has no radius left keeps a hair of one.
-PathPiece beside(const PathPiece& path, double by) {
+PathPiece parallel_path(const PathPiece& path, double by) {
   if (const auto* segment = std::get_if<Segment>(&path)) {
     const Point shift = by * left_of(segment->direction());
     return Segment{segment->a + shift, segment->b + shift};
@@ -140,7 +140,7 @@ Compensation::Piece Compensation::piece_of(const ir::Motion& move, double radius
       notes_.add("an arc is tighter than the cutter: the control would alarm, the axis was taken to turn on the spot",
                  move.place.line);
   }
-  piece.led = beside(piece.path, side_of(move.comp) * radius);
+  piece.led = parallel_path(piece.path, side_of(move.comp) * radius);
   return piece;
 }
 

@@ -66,8 +66,8 @@ bool brings_tool_by_t(const ir::Control& control) {
 
 // At power-on nothing does.
 bool may_change_lead(Known<Setting> motion) {
-  if (motion.changer == kPowerOn && motion.origin == kNobody && !motion.inherited) return false;
-  if (motion.changer == kPowerOn) motion.changer = kNobody;
+  if (motion.changer == kPowerOn && motion.origin == kNoStatement && !motion.inherited) return false;
+  if (motion.changer == kPowerOn) motion.changer = kNoStatement;
   return motion.may_be({.function = Function::thread_changing});
 }
 

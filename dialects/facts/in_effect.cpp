@@ -38,7 +38,7 @@ std::optional<Setting> InEffect::agreed(Mode mode) const {
 
 std::uint32_t InEffect::origin(Mode mode) const {
   if (is_stated_here(mode)) return statement_;
-  return certain(mode) ? (*here_)[mode].origin : kNobody;
+  return certain(mode) ? (*here_)[mode].origin : kNoStatement;
 }
 
 text::Span InEffect::span(Mode mode) const {
@@ -52,7 +52,7 @@ text::Span InEffect::span(Mode mode) const {
   return found;
 }
 
-State InEffect::beside(Mode mode, ir::Function off) const {
+State InEffect::state_against(Mode mode, ir::Function off) const {
   const std::optional<Setting> setting = certain(mode);
   if (!setting) return State::uncertain;
   return setting->function == off ? State::off : State::on;
@@ -74,9 +74,11 @@ bool InEffect::lacks(Kept word) const {
 bool InEffect::lacks(Number number) const {
   if (here_ == nullptr || !begins_) return false;
   const Known<double>& fact = (*here_)[number];
-  return fact.origin == kNobody && fact.may_be_unstated();
+  return fact.origin == kNoStatement && fact.may_be_unstated();
 }
 
-std::uint32_t InEffect::origin(Kept word) const { return certain(word) != nullptr ? (*here_)[word].origin : kNobody; }
+std::uint32_t InEffect::origin(Kept word) const {
+  return certain(word) != nullptr ? (*here_)[word].origin : kNoStatement;
+}
 
 }  // namespace dripfeed::facts

@@ -45,7 +45,7 @@ class InEffect {
   // … as it is written.
   [[nodiscard]] std::string_view written(Mode mode) const { return span(mode).in(program_.source.text()); }
   // off: certainly the function; on: certainly another.
-  [[nodiscard]] State beside(Mode mode, ir::Function off) const;
+  [[nodiscard]] State state_against(Mode mode, ir::Function off) const;
   // On some path the machine's state decides.
   [[nodiscard]] bool may_be_unstated(Mode mode) const;
 

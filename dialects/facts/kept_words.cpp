@@ -28,8 +28,9 @@ bool is_computed(const Written& word) { return !word.is_number && word.value != 
 template <class Which>
 void forget_where(Facts& facts, Which&& which) {
   for (Known<Written>& word : facts.kept) {
-    if (word.origin != kNobody && is_computed(word.value) && which(word.value)) word.value.value = ExpressionId::none;
-    if (word.other_origin != kNobody && is_computed(word.other) && which(word.other))
+    if (word.origin != kNoStatement && is_computed(word.value) && which(word.value))
+      word.value.value = ExpressionId::none;
+    if (word.other_origin != kNoStatement && is_computed(word.other) && which(word.other))
       word.other.value = ExpressionId::none;
   }
 }

@@ -38,8 +38,8 @@ bool bends_the_end(Address a) {
 
 // What a caller outside of the text or a called program there left on is not looked for.
 bool may_be_on(const Known<Setting>& fact, Function off) {
-  return fact.more || (fact.origin != kNobody && fact.value.function != off) ||
-         (fact.other_origin != kNobody && fact.other.function != off);
+  return fact.more || (fact.origin != kNoStatement && fact.value.function != off) ||
+         (fact.other_origin != kNoStatement && fact.other.function != off);
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ void PositionEffects::run() {
   const Known<Setting>& motion = facts[Mode::motion];
   const bool plain = facts[Mode::cycle].is({.function = Function::cycle_off}) && !motion.is_open() &&
                      ends_at_its_words(motion.value) &&
-                     (motion.other_origin == kNobody || ends_at_its_words(motion.other));
+                     (motion.other_origin == kNoStatement || ends_at_its_words(motion.other));
   if (!plain) return facts.forget_positions(statement);
   for (const ir::Word& word : values.words) take_axis(word);
 }

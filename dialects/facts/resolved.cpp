@@ -115,8 +115,8 @@ std::vector<std::string> Resolved::paths(const Known<Setting>& fact) const {
     return fmt::format("{} from line {}{}", what, program_.statements[origin].line, name.empty() ? "" : " of " + name);
   };
   std::vector<std::string> out;
-  if (fact.origin != kNobody) out.push_back(path(fact.value, fact.origin));
-  if (fact.other_origin != kNobody) out.push_back(path(fact.other, fact.other_origin));
+  if (fact.origin != kNoStatement) out.push_back(path(fact.value, fact.origin));
+  if (fact.other_origin != kNoStatement) out.push_back(path(fact.other, fact.other_origin));
   if (fact.inherited) out.emplace_back("what a caller outside of this text has set");
   return out;
 }
@@ -378,8 +378,8 @@ void Resolved::step_over_modal_calls(std::uint32_t statement, Facts& facts) cons
     CalledCycleEffects{program_, control_, caller, facts}.at_position(moving == Moving::yes && called.is_certain());
   };
   if (called.more) facts.forget_all(called.other_origin);
-  if (called.origin != kNobody) call(called.value);
-  if (called.other_origin != kNobody) call(called.other);
+  if (called.origin != kNoStatement) call(called.value);
+  if (called.other_origin != kNoStatement) call(called.other);
 }
 
 // Back to whoever called the program.

@@ -8,7 +8,7 @@ std::optional<ir::Function> stated_spindle(const ir::Program& program, const Fac
   if (!spindle.agrees()) return std::nullopt;
   const bool is_block = spindle.changer < program.statements.size() &&
                         program.statements[spindle.changer].kind == ir::StatementKind::block;
-  if (spindle.changer != kNobody && !is_block) return std::nullopt;
+  if (spindle.changer != kNoStatement && !is_block) return std::nullopt;
   return spindle.value.function;
 }
 

@@ -18,10 +18,10 @@ bool goes_elsewhere(const ir::Program& program, std::uint32_t changer) {
 }  // namespace
 
 ToolIn tool_in(const ir::Program& program, const Known<Written>& tool) {
-  if (tool.origin == kNobody) return {};
+  if (tool.origin == kNoStatement) return {};
   const bool elsewhere = goes_elsewhere(program, tool.changer);
   const bool is_known = tool.value.is_number || tool.value.value != ir::ExpressionId::none;
-  if (!tool.agrees() || (tool.changer != kNobody && !elsewhere) || (tool.value.is_stated && !is_known))
+  if (!tool.agrees() || (tool.changer != kNoStatement && !elsewhere) || (tool.value.is_stated && !is_known))
     return {.state = ToolIn::State::differs};
   if (!tool.value.is_stated) return {};
   return {.state = ToolIn::State::tool,

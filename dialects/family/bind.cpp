@@ -342,12 +342,13 @@ class Binder {
     const std::optional<double> by = compute(step.values[2]);
     if (!from || !to || !by) return;
     const double span = step.down ? *from - *to : *to - *from;
-    const auto said = [](double value) { return text::format_shortest(value); };
+    const auto written = [](double value) { return text::format_shortest(value); };
     if (*by <= 0.0) {
-      report(DiagnosticId::family_bad_loop, step.span, {fmt::format("has the step {}; steps are positive", said(*by))});
+      report(DiagnosticId::family_bad_loop, step.span,
+             {fmt::format("has the step {}; steps are positive", written(*by))});
     } else if (span < -kStepTolerance * *by) {
       report(DiagnosticId::family_bad_loop, step.span,
-             {fmt::format("counts {} from {} to {}", step.down ? "down" : "up", said(*from), said(*to))});
+             {fmt::format("counts {} from {} to {}", step.down ? "down" : "up", written(*from), written(*to))});
     } else if (span / *by > kLargestTrips) {
       report(DiagnosticId::family_bad_loop, step.span, {"runs more than ten million times"});
     }
@@ -409,12 +410,12 @@ class Binder {
   }
 
   static std::string fault_of_hole(ir::Address address, double value, const std::optional<double>& top) {
-    const std::string said = text::format_shortest(value);
+    const std::string written = text::format_shortest(value);
     if (address == ir::Address::z && top && value >= *top)
-      return fmt::format("leads from {} to {}, which is not down", text::format_shortest(*top), said);
-    if (address == ir::Address::q && value <= 0.0) return fmt::format("has pecks of {}", said);
-    if (address == ir::Address::f && value <= 0.0) return fmt::format("has the pitch {}", said);
-    if (address == ir::Address::p && value < 0.0) return fmt::format("has a dwell of {} s", said);
+      return fmt::format("leads from {} to {}, which is not down", text::format_shortest(*top), written);
+    if (address == ir::Address::q && value <= 0.0) return fmt::format("has pecks of {}", written);
+    if (address == ir::Address::f && value <= 0.0) return fmt::format("has the pitch {}", written);
+    if (address == ir::Address::p && value < 0.0) return fmt::format("has a dwell of {} s", written);
     return {};
   }
 

@@ -34,7 +34,7 @@ bool DrillWriter::taps() const { return step_ != nullptr && begins_taps(*step_);
 void DrillWriter::begin(const Step& step) {
   step_ = &step;
   words_.clear();
-  is_said_ = false;
+  is_in_effect_ = false;
   depth_ = 0;
   for (std::uint32_t i = 0; i < step.word_count; ++i) {
     const StepWord& word = bound_.family->words[step.first_word + i];
@@ -64,7 +64,7 @@ std::vector<EmittedWord> DrillWriter::cycle_words() {
 
 void DrillWriter::hole(std::vector<EmittedWord> place, const std::vector<EmittedWord>& feed) {
   std::vector<EmittedCode> codes;
-  if (!is_said_) {
+  if (!is_in_effect_) {
     if (taps()) codes.push_back({Function::feed_per_rev});
     codes.push_back({step_->values[0] == ExpressionId::none ? Function::return_to_r : Function::return_to_initial});
     codes.push_back({Function::drill, static_cast<std::int16_t>(step_->number)});
@@ -72,26 +72,26 @@ void DrillWriter::hole(std::vector<EmittedWord> place, const std::vector<Emitted
   }
   place.insert(place.end(), feed.begin(), feed.end());
   emit_.block(codes, place);
-  is_said_ = true;
+  is_in_effect_ = true;
   // The word that makes a tap rigid must not come while one is in effect (Fanuc M29).
   if (taps() && depth_ > 0) cancel();
 }
 
 void DrillWriter::fork(StepKind kind) {
-  if (taps() && is_said_) cancel();
-  is_said_ = false;
+  if (taps() && is_in_effect_) cancel();
+  is_in_effect_ = false;
   if (opens(kind)) ++depth_;
   if (kind != StepKind::if_else && !opens(kind)) --depth_;
 }
 
 void DrillWriter::end() {
-  if (!taps() || is_said_) cancel();
+  if (!taps() || is_in_effect_) cancel();
   step_ = nullptr;
 }
 
 void DrillWriter::cancel() {
   emit_.block({Function::rapid, Function::cycle_off}, {});
-  is_said_ = false;
+  is_in_effect_ = false;
 }
 
 }  // namespace dripfeed::family

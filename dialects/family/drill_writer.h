@@ -38,8 +38,8 @@ class DrillWriter {
   const Step* step_ = nullptr;
   std::vector<std::pair<ir::Address, ValueWriter::Bound>> words_;
   ValueWriter::Bound return_level_;
-  bool is_said_ = false;  // on every path that leads here
-  int depth_ = 0;         // of loops and conditions among the holes
+  bool is_in_effect_ = false;  // on every path that leads here
+  int depth_ = 0;              // of loops and conditions among the holes
 };
 
 }  // namespace dripfeed::family

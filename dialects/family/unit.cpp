@@ -35,7 +35,7 @@ constexpr auto kUnits = std::to_array<Unit>({
 
 struct DimensionRow {
   Dimension dimension;
-  std::string_view said;
+  std::string_view shown;
   std::string_view unit;
 };
 constexpr auto kDimensions = std::to_array<DimensionRow>({
@@ -70,7 +70,7 @@ const Unit* find_unit(std::string_view name) {
 }
 
 std::string describe(Dimension dimension) {
-  if (const DimensionRow* row = row_of(dimension)) return std::string(row->said);
+  if (const DimensionRow* row = row_of(dimension)) return std::string(row->shown);
   const std::array<std::pair<std::string_view, std::int8_t>, 5> parts = {{{"mm", dimension.length},
                                                                           {"deg", dimension.angle},
                                                                           {"min", dimension.time},

@@ -133,7 +133,7 @@ enum class AlarmDetail : std::uint8_t {
   write_only,       // a variable that only takes values
   program_number,   // 0 of a program, not of a block
   block_number,     // … too large for a block
-  beside_return,    // words in the block of M99
+  with_return,      // words in the block of M99
   second_macro,     // G65 twice in a block
   second_device,    // M198 in what M198 called
   name_characters,  // of a name that SETVN gives
@@ -153,7 +153,7 @@ enum class AlarmDetail : std::uint8_t {
   no_end_point,      // two angles, and no end after them
   not_an_end,        // an end that the angle does not lead to
   skip,              // a move that a signal ends
-  beside_tool,       // a tool or its offset in the block that measures it
+  with_tool,         // a tool or its offset in the block that measures it
   without_offset,    // … and none before it
   below,             // the travel
   above,

@@ -98,11 +98,11 @@ class Structurer {
 
   // The jumps of CASE are one block.
   [[nodiscard]] bool shares_its_line(std::uint32_t i) const {
-    const auto is_beside = [&](std::uint32_t other) {
+    const auto is_neighbour = [&](std::uint32_t other) {
       return program_.statements[other].kind == StatementKind::go_to &&
              program_.statements[other].line == program_.statements[i].line;
     };
-    return (i > 0 && is_beside(i - 1)) || (i + 1 < program_.statements.size() && is_beside(i + 1));
+    return (i > 0 && is_neighbour(i - 1)) || (i + 1 < program_.statements.size() && is_neighbour(i + 1));
   }
 
   [[nodiscard]] bool is_plain_jump(std::uint32_t i) const {

@@ -251,7 +251,8 @@ class Settling {
           {std::string(row_of(mode).name), fmt::format("{}", fmt::join(flow_.paths(fact), ", or "))}));
       return false;
     }
-    if (fact.changer != facts::kNobody && reported_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
+    if (fact.changer != facts::kNoStatement &&
+        reported_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
       diagnostics_.push_back(
           text::make_diagnostic(text::DiagnosticId::unknown_modal_state, span,
                                 {std::string(row_of(mode).name),

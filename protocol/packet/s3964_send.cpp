@@ -68,7 +68,7 @@ Heard S3964SendRules::hear_call(std::uint8_t byte) {
   }
   if (byte != kStx) return {Signal::noise};
   // Both called. The side with priority goes on waiting for its DLE, the other withdraws and receives first.
-  if (!settings_.gives_way) return {};
+  if (!settings_.yields_on_collision) return {};
   if (has_telegram_) {
     owed_ = kNak;
     not_ready_ = true;

@@ -48,8 +48,8 @@ struct Settings {
   std::optional<Time> answer_patience{};
   std::uint32_t payload = 128;  // text bytes in a frame of 3964 and of the remote buffer
   bool counted = false;         // 3964: two bytes at the head of each frame number it, so that a repeated one is known
-  bool gives_way = true;        // 3964: of two that call at once this side withdraws
-  bool end_is_cr = false;       // remote buffer: a message ends with CR instead of ETX
+  bool yields_on_collision = true;  // 3964: of two that call at once this side withdraws
+  bool end_is_cr = false;           // remote buffer: a message ends with CR instead of ETX
 };
 
 enum class SettingsFault : std::uint8_t { payload, char_time, seven_bits, end_inside };

@@ -116,14 +116,14 @@ Received XmodemReceiveRules::judge_header() {
   left_.reset();
   const auto name_end = std::ranges::find(data, std::byte{0});
   std::uint64_t length = 0;
-  bool told = false;
+  bool has_length = false;
   for (auto at = name_end == data.end() ? name_end : name_end + 1; at != data.end(); ++at) {
     const auto digit = static_cast<std::uint8_t>(*at);
     if (digit < '0' || digit > '9' || length > kLongestFile) break;
     length = length * 10 + (digit - '0');
-    told = true;
+    has_length = true;
   }
-  if (told) left_ = length;
+  if (has_length) left_ = length;
   return {ReceiveInput::aside};
 }
 

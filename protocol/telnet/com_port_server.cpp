@@ -59,8 +59,8 @@ void ComPortServer::set_modem_lines(std::uint8_t lines) {
 }
 
 void ComPortServer::notify_line(std::uint8_t bits) {
-  const auto told = static_cast<std::uint8_t>(bits & line_mask_);
-  if (told != 0) answer_octet(ComPort::notify_linestate, told);
+  const auto reported = static_cast<std::uint8_t>(bits & line_mask_);
+  if (reported != 0) answer_octet(ComPort::notify_linestate, reported);
 }
 
 void ComPortServer::ask_suspend(bool suspend) { answer(suspend ? ComPort::flow_suspend : ComPort::flow_resume, {}); }

@@ -23,7 +23,7 @@ enum class Meaning : std::uint8_t {
   stop,     // at the end of the block; one more at once; one more ends the process
   hang_up,  // a server reloads; a transfer stops at the end of the block. It never counts as the second one, because a
             // terminal that closes sends it twice: the system and the shell
-  said,     // is ignored, and the log says so
+  logged,   // is ignored, and the log says so
   ignored,  // is ignored: the call that failed says what there is to say
 };
 
@@ -37,24 +37,24 @@ struct Row {
 // (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS); and those that do nothing by themselves (SIGCHLD,
 // SIGCONT, SIGURG, SIGWINCH).
 constexpr std::array kRows = {
-    Row{SIGINT, "SIGINT", Meaning::stop},        // Ctrl-C
-    Row{SIGTERM, "SIGTERM", Meaning::stop},      // a supervisor
-    Row{SIGQUIT, "SIGQUIT", Meaning::stop},      // Ctrl-\.
-    Row{SIGHUP, "SIGHUP", Meaning::hang_up},     // the terminal closed; a supervisor's reload
-    Row{SIGTSTP, "SIGTSTP", Meaning::said},      // Ctrl-Z: a stopped process starves its controls
-    Row{SIGUSR1, "SIGUSR1", Meaning::said},      //
-    Row{SIGUSR2, "SIGUSR2", Meaning::said},      //
-    Row{SIGALRM, "SIGALRM", Meaning::said},      //
-    Row{SIGVTALRM, "SIGVTALRM", Meaning::said},  //
-    Row{SIGPROF, "SIGPROF", Meaning::said},      //
-    Row{SIGIO, "SIGIO", Meaning::said},          //
-    Row{SIGPWR, "SIGPWR", Meaning::said},        // a power supply's daemon
-    Row{SIGSTKFLT, "SIGSTKFLT", Meaning::said},  //
-    Row{SIGXCPU, "SIGXCPU", Meaning::said},      // the soft limit of CPU time
-    Row{SIGXFSZ, "SIGXFSZ", Meaning::ignored},   // the limit of a file's size: the write fails
-    Row{SIGPIPE, "SIGPIPE", Meaning::ignored},   // an output or a socket without a reader: the write fails
-    Row{SIGTTIN, "SIGTTIN", Meaning::ignored},   // reading from a terminal in the background: the read fails
-    Row{SIGTTOU, "SIGTTOU", Meaning::ignored},   // writing to one: it is written
+    Row{SIGINT, "SIGINT", Meaning::stop},          // Ctrl-C
+    Row{SIGTERM, "SIGTERM", Meaning::stop},        // a supervisor
+    Row{SIGQUIT, "SIGQUIT", Meaning::stop},        // Ctrl-\.
+    Row{SIGHUP, "SIGHUP", Meaning::hang_up},       // the terminal closed; a supervisor's reload
+    Row{SIGTSTP, "SIGTSTP", Meaning::logged},      // Ctrl-Z: a stopped process starves its controls
+    Row{SIGUSR1, "SIGUSR1", Meaning::logged},      //
+    Row{SIGUSR2, "SIGUSR2", Meaning::logged},      //
+    Row{SIGALRM, "SIGALRM", Meaning::logged},      //
+    Row{SIGVTALRM, "SIGVTALRM", Meaning::logged},  //
+    Row{SIGPROF, "SIGPROF", Meaning::logged},      //
+    Row{SIGIO, "SIGIO", Meaning::logged},          //
+    Row{SIGPWR, "SIGPWR", Meaning::logged},        // a power supply's daemon
+    Row{SIGSTKFLT, "SIGSTKFLT", Meaning::logged},  //
+    Row{SIGXCPU, "SIGXCPU", Meaning::logged},      // the soft limit of CPU time
+    Row{SIGXFSZ, "SIGXFSZ", Meaning::ignored},     // the limit of a file's size: the write fails
+    Row{SIGPIPE, "SIGPIPE", Meaning::ignored},     // an output or a socket without a reader: the write fails
+    Row{SIGTTIN, "SIGTTIN", Meaning::ignored},     // reading from a terminal in the background: the read fails
+    Row{SIGTTOU, "SIGTTOU", Meaning::ignored},     // writing to one: it is written
 };
 
 struct Taken {
@@ -105,7 +105,7 @@ class Waiter {
         if (reload_) return reload();
         if (seen_ == 0) stop();
         return;
-      case Meaning::said:
+      case Meaning::logged:
       case Meaning::ignored:
         return say(fmt::format("{} is ignored: it would stop the lines inside a block", row->name));
     }

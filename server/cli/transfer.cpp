@@ -117,7 +117,7 @@ class Following {
 
   void command(feed::Command command, std::string_view sentence) {
     say(sentence);
-    if (const auto told = line_.command(command); !told) say(told.error());
+    if (const auto done = line_.command(command); !done) say(done.error());
   }
 
   app::Line& line_;

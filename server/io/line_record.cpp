@@ -122,13 +122,13 @@ std::string text_of_time(std::int64_t at_ms) {
 }
 
 std::string describe(const LineRecord& record) {
-  const auto said = [&](std::string_view end) {
+  const auto sentence = [&](std::string_view end) {
     return fmt::format("{} by {} at {} {}", record.what, record.by, text_of_time(record.at_ms), end);
   };
   switch (record.state) {
     case RecordState::clean: return {};
-    case RecordState::sending: return said("did not live to report how it ended");
-    case RecordState::torn: return said(fmt::format("broke off inside a block: {}", record.why));
+    case RecordState::sending: return sentence("did not live to report how it ended");
+    case RecordState::torn: return sentence(fmt::format("broke off inside a block: {}", record.why));
   }
   return {};
 }

@@ -117,7 +117,7 @@ class MosquittoBroker final : public app::Broker {
   // The same sentence once, however often it comes. The log has a queue: nothing waits for it.
   void say(std::string_view sentence, spdlog::level::level_enum level = spdlog::level::info) noexcept {
     try {
-      if (std::exchange(said_, sentence) != sentence) spdlog::log(level, "mqtt: {}", sentence);
+      if (std::exchange(last_sentence_, sentence) != sentence) spdlog::log(level, "mqtt: {}", sentence);
     } catch (const std::exception&) {
       return;  // no memory for a sentence
     }
@@ -135,7 +135,7 @@ class MosquittoBroker final : public app::Broker {
   std::chrono::milliseconds delay_ = kFirstDelay;
   std::uint64_t connections_ = 0;
   std::vector<std::int64_t> confirmed_;
-  std::string said_;
+  std::string last_sentence_;
 };
 
 std::string MosquittoBroker::start(const MqttSettings& settings, const Place& place) {

@@ -102,11 +102,11 @@ const ProblemCode* by_sentence(unsigned status, std::string_view id) {
 
 // By the sentence itself, or by one that it names: "lathe cannot be armed: the disk is full".
 const ProblemCode& refined(const ProblemCode& plain, std::string_view sentence) {
-  const auto found = said(sentence);
+  const auto found = sentence_of(sentence);
   if (!found) return plain;
   if (const ProblemCode* row = by_sentence(plain.status, found->id)) return *row;
   for (const auto& [name, value] : found->values) {
-    const auto inner = said(value);
+    const auto inner = sentence_of(value);
     if (!inner) continue;
     if (const ProblemCode* row = by_sentence(plain.status, inner->id)) return *row;
   }

@@ -312,7 +312,7 @@ void read_link(ObjectReader& object, machine::LineSettings& line) {
   object.number("answer_s", line.answer_s, 1.0, 86'400.0);
   object.integer("payload_bytes", line.payload_bytes, 1, packet::kMaxPayload);
   object.flag("counted_frames", line.counted_frames);
-  object.flag("gives_way", line.gives_way);
+  object.flag("gives_way", line.yields_on_collision);
   object.flag("messages_end_with_cr", line.messages_end_with_cr);
   object.number("arming_minutes", line.arming_minutes, 0.1, 60.0);
   read_character_set(object, line);

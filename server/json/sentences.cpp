@@ -15,7 +15,7 @@ struct Row {
 };
 constexpr std::array kRows = {
     // alarms
-    Row{"control_asked_anew",
+    Row{"control_asked_again",
         "the control asked for a program (DC1) while the feed was stopped: it may have been reset. The job cannot be "
         "resumed: cancel it"},
     Row{"nothing_leaves", "nothing leaves on its line: {why}"},
@@ -106,7 +106,7 @@ constexpr std::array kRows = {
     // refusals of a line, and its state
     Row{"no_effect", "the command has no effect in this state"},
     Row{"no_text", "the job has no text"},
-    Row{"asked_anew_restart",
+    Row{"asked_again_restart",
         "the control asked for a program (DC1) while the feed was stopped: it may have been reset. Cancel the job; a "
         "restart is a new job"},
     // jobs
@@ -182,7 +182,7 @@ constexpr std::array kRows = {
 };
 
 // Whether `sentence` is as `pattern` has it, to its end.
-bool fits(std::string_view pattern, std::string_view sentence, Said& found) {
+bool fits(std::string_view pattern, std::string_view sentence, KnownSentence& found) {
   found.values.clear();
   while (true) {
     const std::size_t open = pattern.find('{');
@@ -202,7 +202,7 @@ bool fits(std::string_view pattern, std::string_view sentence, Said& found) {
 }
 
 // What the store adds: "the disk is full (ledger)".
-bool fits_with_detail(std::string_view pattern, std::string_view sentence, Said& found) {
+bool fits_with_detail(std::string_view pattern, std::string_view sentence, KnownSentence& found) {
   if (pattern.find('{') != std::string_view::npos || !sentence.starts_with(pattern)) return false;
   sentence.remove_prefix(pattern.size());
   if (!sentence.starts_with(" (") || !sentence.ends_with(')')) return false;
@@ -212,9 +212,9 @@ bool fits_with_detail(std::string_view pattern, std::string_view sentence, Said&
 
 }  // namespace
 
-std::optional<Said> said(std::string_view sentence) {
+std::optional<KnownSentence> sentence_of(std::string_view sentence) {
   for (const Row& row : kRows) {
-    Said found{.id = row.id, .values = {}};
+    KnownSentence found{.id = row.id, .values = {}};
     if (fits(row.pattern, sentence, found) || fits_with_detail(row.pattern, sentence, found)) return found;
   }
   return std::nullopt;

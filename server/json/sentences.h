@@ -10,14 +10,14 @@
 
 namespace dripfeed::json {
 
-struct Said {
+struct KnownSentence {
   std::string_view id;
   // By the names in the pattern; `detail` is what the store added in brackets.
   std::vector<std::pair<std::string_view, std::string_view>> values;
 };
 
 // Into `sentence`.
-std::optional<Said> said(std::string_view sentence);
+std::optional<KnownSentence> sentence_of(std::string_view sentence);
 // All ids, in the order of the table.
 std::vector<std::string_view> sentence_ids();
 

@@ -71,7 +71,7 @@ std::expected<packet::Settings, std::string> packet_settings_of(const LineSettin
   if (line.answer_s) settings.answer_patience = packet::Time(static_cast<std::int64_t>(*line.answer_s * 1e9));
   settings.payload = line.payload_bytes;
   settings.counted = line.counted_frames;
-  settings.gives_way = line.gives_way;
+  settings.yields_on_collision = line.yields_on_collision;
   settings.end_is_cr = line.messages_end_with_cr;
   if (const auto valid = packet::validate(settings); !valid)
     return std::unexpected(std::string(packet::message(valid.error())));

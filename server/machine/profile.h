@@ -99,7 +99,7 @@ struct LineSettings {
   std::optional<double> answer_s;
   std::uint32_t payload_bytes = 128;    // 3964, remote buffer
   bool counted_frames = false;          // 3964: frames carry a number; both sides must know of it
-  bool gives_way = true;                // 3964: withdraws where both call at once
+  bool yields_on_collision = true;      // 3964: withdraws where both call at once
   bool messages_end_with_cr = false;    // remote buffer: CR instead of ETX
   std::string character_set = "ascii";  // a name of tape_code::character_sets()
   ReceiveSettings receive;

@@ -31,7 +31,7 @@ packet::Settings packet_settings(const ControlSettings& settings, packet::Protoc
       packet::Time(std::int64_t{1'000'000'000} * settings.framing.bits_per_char() / std::max(settings.baud, 1U));
   packet.payload = settings.payload_bytes;
   packet.counted = settings.counted_frames;
-  packet.gives_way = false;  // the host withdraws
+  packet.yields_on_collision = false;  // the host withdraws
   packet.end_is_cr = settings.messages_end_with_cr;
   return packet;
 }

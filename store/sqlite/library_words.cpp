@@ -54,22 +54,22 @@ std::string code_match(const CodeWord& word, bool begins) {
   return forms.size() == 1 ? out : "(" + out + ")";
 }
 
-SearchTerm term_of(std::string_view said) {
-  const bool begins = said.ends_with('*');
-  while (said.ends_with('*')) said.remove_suffix(1);
+SearchTerm term_of(std::string_view typed) {
+  const bool begins = typed.ends_with('*');
+  while (typed.ends_with('*')) typed.remove_suffix(1);
   constexpr std::size_t kLeastBeginning = 2;  // with an asterisk
   constexpr std::size_t kLeastWord = 3;       // without
   SearchTerm term;
-  for (const char c : said) term.word += lower(c);
-  const auto code = code_word(said);
+  for (const char c : typed) term.word += lower(c);
+  const auto code = code_word(typed);
   if (code) {
     term.in_head = code_match(*code, begins || code->letter.empty());
-    term.in_text = code_match(*code, begins && said.size() >= kLeastBeginning && !code->letter.empty());
+    term.in_text = code_match(*code, begins && typed.size() >= kLeastBeginning && !code->letter.empty());
     return term;
   }
-  const bool begins_in_text = said.size() >= (begins ? kLeastBeginning : kLeastWord);
-  term.in_head = in_quotes(said) + "*";
-  term.in_text = begins_in_text ? term.in_head : in_quotes(said);
+  const bool begins_in_text = typed.size() >= (begins ? kLeastBeginning : kLeastWord);
+  term.in_head = in_quotes(typed) + "*";
+  term.in_text = begins_in_text ? term.in_head : in_quotes(typed);
   return term;
 }
 
@@ -111,12 +111,12 @@ std::vector<SearchTerm> terms_of(std::string_view words) {
   std::vector<SearchTerm> terms;
   while (!words.empty() && terms.size() < kMostTerms) {
     bool is_phrase = false;
-    const std::string_view said = next_term(words, is_phrase).substr(0, kLongestTerm);
-    if (!has_word(said)) continue;
+    const std::string_view typed = next_term(words, is_phrase).substr(0, kLongestTerm);
+    if (!has_word(typed)) continue;
     if (is_phrase)
-      terms.push_back({.word = {}, .in_head = in_quotes(said), .in_text = in_quotes(said)});
+      terms.push_back({.word = {}, .in_head = in_quotes(typed), .in_text = in_quotes(typed)});
     else
-      terms.push_back(term_of(said));
+      terms.push_back(term_of(typed));
   }
   return terms;
 }

@@ -17,8 +17,8 @@ using store::ErrorCode;
 using store::Result;
 
 std::string unsound(Query& row) {
-  std::string said = row.text();
-  return said == "ok" ? std::string() : said;
+  std::string report = row.text();
+  return report == "ok" ? std::string() : report;
 }
 
 std::string loose_reference(Query& row) {

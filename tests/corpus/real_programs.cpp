@@ -139,7 +139,7 @@ class Corpus {
     const auto begin = std::chrono::steady_clock::now();
     const std::string name = fs::relative(path, options_.folder).string();
     const text::Source source(name, read_file(path));
-    const ir::Control control = compile::with_definitions(dialect.infer_control(source), definitions_beside(path));
+    const ir::Control control = compile::with_definitions(dialect.infer_control(source), definitions_next_to(path));
     ir::ReadResult read = dialect.read(source, control);
     if (const auto fault = fault_of(read.program, source.text())) complain(name, *fault);
     std::vector<text::Diagnostic> found = std::move(read.diagnostics);
@@ -157,7 +157,7 @@ class Corpus {
   }
 
   // Definition files in the program's folder, and in one named DEF next to it, as a control keeps them.
-  static compile::FindText definitions_beside(const fs::path& program) {
+  static compile::FindText definitions_next_to(const fs::path& program) {
     return [program](std::string_view name) -> std::optional<text::Source> {
       const fs::path own = program.parent_path();
       for (const fs::path& folder : {own, own.parent_path() / "DEF"}) {

@@ -10,7 +10,7 @@ namespace {
 
 // A refusal names what is wrong.
 template <class T>
-void require_told(const app::Result<T>& read) {
+void require_reported(const app::Result<T>& read) {
   if (read) return;
   fuzz::require(!read.error().text.empty(), "a refusal has a sentence");
   for (const app::ErrorPlace& place : read.error().places) {
@@ -22,29 +22,29 @@ void require_told(const app::Result<T>& read) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view body = fuzz::text_of(data, size);
-  require_told(json::read_profile(body));
-  require_told(json::read_text_body(body));
-  require_told(json::read_program_body(body));
-  require_told(json::read_part_body(body, true));
-  require_told(json::read_part_body(body, false));
-  require_told(json::read_render_body(body));
-  require_told(json::read_check_body(body));
-  require_told(json::read_measure_body(body, json::Measure::accuracy));
-  require_told(json::read_sweep_body(body));
-  require_told(json::read_release_body(body));
-  require_told(json::read_reason_body(body, true));
-  require_told(json::read_reason_body(body, false));
-  require_told(json::read_transition_body(body));
-  require_told(json::read_job_body(body));
-  require_told(json::read_arm_body(body));
-  require_told(json::read_session_body(body));
-  require_told(json::read_user_body(body));
-  require_told(json::read_user_change_body(body));
-  require_told(json::read_token_body(body));
-  require_told(json::read_group_body(body));
-  require_told(json::read_audit_row(body));
+  require_reported(json::read_profile(body));
+  require_reported(json::read_text_body(body));
+  require_reported(json::read_program_body(body));
+  require_reported(json::read_part_body(body, true));
+  require_reported(json::read_part_body(body, false));
+  require_reported(json::read_render_body(body));
+  require_reported(json::read_check_body(body));
+  require_reported(json::read_measure_body(body, json::Measure::accuracy));
+  require_reported(json::read_sweep_body(body));
+  require_reported(json::read_release_body(body));
+  require_reported(json::read_reason_body(body, true));
+  require_reported(json::read_reason_body(body, false));
+  require_reported(json::read_transition_body(body));
+  require_reported(json::read_job_body(body));
+  require_reported(json::read_arm_body(body));
+  require_reported(json::read_session_body(body));
+  require_reported(json::read_user_body(body));
+  require_reported(json::read_user_change_body(body));
+  require_reported(json::read_token_body(body));
+  require_reported(json::read_group_body(body));
+  require_reported(json::read_audit_row(body));
   const app::Result<app::Values> values = json::read_values(body);
-  require_told(values);
+  require_reported(values);
   if (values) {
     const app::Result<app::Values> again = json::read_values(json::write_values(*values));
     fuzz::require(again.has_value() && json::write_values(*again) == json::write_values(*values),

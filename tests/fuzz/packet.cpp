@@ -49,7 +49,7 @@ packet::Settings settings_of(fuzz::Choices& choices) {
   packet::Settings settings{.protocol = static_cast<Protocol>(choices.below(packet::kProtocols))};
   if (choices.flag()) settings.answer_patience = std::chrono::seconds(5);
   settings.counted = choices.flag();
-  settings.gives_way = choices.flag();
+  settings.yields_on_collision = choices.flag();
   settings.end_is_cr = choices.flag();
   return settings;
 }

@@ -53,7 +53,7 @@ class Phrases(bad_tree.BadTree):
     def test_good_texts(self):
         self.write('docs/a.md', 'A server behind a proxy. `nobody` is a user. The always-known way.\n')
         self.write('docs/style.md', 'not: somebody\n')
-        self.write('dialects/text/a.cpp', '// What it is.\n#include "dialects/text/beside.h"\nauto a = "comparison-beside-logic";\n')
+        self.write('dialects/text/a.cpp', '// What it is.\n#include "dialects/text/beside.h"\nauto a = "comparison-with-logic";\n')
         self.assert_clean(phrases.faults)
 
 

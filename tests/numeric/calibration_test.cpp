@@ -32,8 +32,8 @@ TEST(Calibration, TheProgramIsLegalAndEnds) {
       EXPECT_FALSE(text::has_error(read.diagnostics)) << dialect->name;
       for (const auto& one : dialect->validate(read.program, control, ir::Delivery::memory))
         EXPECT_NE(one.severity, text::Severity::error) << dialect->name << ": " << text::message_of(one);
-      compile::NoMotions nobody;
-      EXPECT_EQ(compile::execute(read.program, control, nullptr, nobody, {}).ended, interpreter::Ended::end);
+      compile::NoMotions no_sink;
+      EXPECT_EQ(compile::execute(read.program, control, nullptr, no_sink, {}).ended, interpreter::Ended::end);
     }
   }
 }
@@ -85,10 +85,10 @@ TEST(Calibration, TheInterpretersOwnClockIsMeasuredLikeAControls) {
   const ir::Control control = dialect.control(ir::MachineKind::mill, ir::GSystem::a);
   const auto text = calibration_program(control);
   const auto read = dialect.read(text::Source("timing", *text), control);
-  compile::NoMotions nobody;
+  compile::NoMotions no_sink;
   interpreter::RunOptions options;
   options.want_variables = true;
-  const auto run = compile::execute(read.program, control, nullptr, nobody, options);
+  const auto run = compile::execute(read.program, control, nullptr, no_sink, options);
   std::string dump;
   for (const auto& variable : run.variables) {
     if (variable.value) dump += fmt::format("{} = {}\n", variable.name, text::format_fixed(*variable.value, 3));

@@ -109,11 +109,11 @@ TEST(ChordBound, OfLinesNextToTheCurve) {
   try_chords(
       [&](const ParametricCurve& curve, Range t) {
         // Next to it along the normals, so that the feet of both ends are where they should be.
-        const auto beside = [&](double at) {
+        const auto next_to_it = [&](double at) {
           const ParametricPoint on = curve.at(at);
           return on.point + off(random) * unit({-on.derivative.x, on.derivative.z});
         };
-        return Segment{beside(t.low), beside(t.high)};
+        return Segment{next_to_it(t.low), next_to_it(t.high)};
       },
       40);
 }

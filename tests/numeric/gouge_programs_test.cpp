@@ -241,12 +241,12 @@ TEST(GougePrograms, TwoHundredSeededFaultsAreFoundAtTheirLineWithTheirDepth) {
     const gouge::Report report = check(program, text, {.diameter_mm = fault.other_diameter_mm(value)});
     ++seeded;
     ++counts[program.dialect];
-    const std::string told = program.file + ", " + fault.what + " by " + number(value);
-    ASSERT_FALSE(report.findings.kept().empty()) << told << ": nothing found";
+    const std::string reported = program.file + ", " + fault.what + " by " + number(value);
+    ASSERT_FALSE(report.findings.kept().empty()) << reported << ": nothing found";
     const checks::Finding& first = report.findings.kept().front();
-    EXPECT_EQ(first.severity, text::Severity::error) << told;
-    EXPECT_EQ(first.place.line, line_of(program.text, fault.found_at)) << told << ": " << first.text;
-    EXPECT_NEAR(first.value, fault.depth_mm(value), 0.002) << told << ": " << first.text;
+    EXPECT_EQ(first.severity, text::Severity::error) << reported;
+    EXPECT_EQ(first.place.line, line_of(program.text, fault.found_at)) << reported << ": " << first.text;
+    EXPECT_NEAR(first.value, fault.depth_mm(value), 0.002) << reported << ": " << first.text;
   }
   for (const auto& [dialect, count] : counts) EXPECT_GE(count, 30) << dialect;
 }

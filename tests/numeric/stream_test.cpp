@@ -253,10 +253,10 @@ TEST(Stream, LongProgramsInAllLineEnds) {
   const ir::Control control = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
   for (const std::string_view eob : {"\n", "\r\n", "\n\r\r", "\r"}) {
     const std::string text = raster(30000, eob);
-    const std::string whole = test::run_whole(text, fanuc(), control, kMostBlocks).said;
+    const std::string whole = test::run_whole(text, fanuc(), control, kMostBlocks).written;
     for (const std::size_t piece : {std::size_t{4093}, text.size()}) {
       const test::Streamed streamed = test::run_stream(text, piece, fanuc(), control, kMostBlocks);
-      ASSERT_TRUE(streamed.said == whole) << fmt::format("{:?}", eob).substr(0, 20);
+      ASSERT_TRUE(streamed.written == whole) << fmt::format("{:?}", eob).substr(0, 20);
       EXPECT_EQ(streamed.was_whole, eob == "\r");  // without LF the reader is asked
     }
   }
@@ -285,9 +285,9 @@ class Repeated final : public ProgramText {
 std::uint64_t requests_of(std::size_t blocks) {
   const ir::Control control = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
   Repeated text(blocks);
-  NoMotions nobody;
+  NoMotions no_sink;
   const std::uint64_t before = requests;
-  const StreamRun run = execute_stream(text, "t", fanuc(), control, nullptr, nobody, {});
+  const StreamRun run = execute_stream(text, "t", fanuc(), control, nullptr, no_sink, {});
   EXPECT_EQ(run.result.blocks, blocks + 1);
   EXPECT_EQ(run.result.ended, interpreter::Ended::end);
   return requests - before;
@@ -312,9 +312,9 @@ TEST(Stream, AFailedReadEndsTheRun) {
     int asked_ = 0;
   };
   Broken text;
-  NoMotions nobody;
+  NoMotions no_sink;
   const ir::Control control = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
-  const StreamRun run = execute_stream(text, "t", fanuc(), control, nullptr, nobody, {});
+  const StreamRun run = execute_stream(text, "t", fanuc(), control, nullptr, no_sink, {});
   EXPECT_EQ(run.read_error, "the disk is gone");
   EXPECT_NE(run.result.ended, interpreter::Ended::end);
 }

@@ -148,8 +148,8 @@ TEST_F(StoreVersion, IsAnotherAfterEveryChangeByThisStoreOrAnotherProcess) {
   EXPECT_TRUE(is_another());
   EXPECT_EQ(sql("UPDATE token SET revoked_at_ms = 9 WHERE name = 'wall'"), "");
   EXPECT_TRUE(is_another());
-  const auto beside = must(open_second());
-  must(beside->machines().add("b", "0", by("bert")));
+  const auto second = must(open_second());
+  must(second->machines().add("b", "0", by("bert")));
   EXPECT_TRUE(is_another());
   EXPECT_FALSE(is_another());
 }

@@ -81,7 +81,7 @@ class FailTest : public ::testing::TestWithParam<Fault> {
     const std::string after = state_after_restart();
     ASSERT_NE(before, after);
     std::uint64_t steps = 1;
-    std::uint64_t told = 0;
+    std::uint64_t reported = 0;
     bool met = true;
     for (; met && steps < kMost; steps += stride) {
       copy_base();
@@ -99,13 +99,13 @@ class FailTest : public ::testing::TestWithParam<Fault> {
       if (result) {
         ASSERT_EQ(found, after) << "it was acknowledged, at step " << steps;
       } else {
-        ++told;
+        ++reported;
         const ErrorCode expected = GetParam() == Fault::full_for_good ? ErrorCode::disk_full : ErrorCode::io_failed;
         ASSERT_EQ(result.error().code, expected) << message_of(result.error());
       }
     }
     ASSERT_LT(steps, kMost);
-    EXPECT_GT(told, 0U) << "no step was one of the change itself";
+    EXPECT_GT(reported, 0U) << "no step was one of the change itself";
   }
 
   TempFolder folder_{TempFolder::Where::memory};

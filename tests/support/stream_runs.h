@@ -64,8 +64,8 @@ inline interpreter::RunOptions options_with(interpreter::RunNames& names, std::u
 }
 
 struct Whole {
-  std::string said;
-  std::string said_as_read;  // as if nothing after the end had been read
+  std::string reported;
+  std::string reported_as_read;  // as if nothing after the end had been read
   std::string variables;
   std::uint32_t faulty_line = 0;  // the first that the reader has an error for; it is then not run
 };
@@ -83,7 +83,7 @@ inline Whole run_whole(const std::string& text, const Dialect& dialect, const ir
 }
 
 struct Streamed {
-  std::string said;
+  std::string reported;
   bool was_whole = false;
   bool faulty = false;
   interpreter::RunResult result;
@@ -108,10 +108,10 @@ inline std::string difference_of_stream(const std::string& text, std::size_t pie
     if (streamed.faulty) return "";
     const bool before =
         streamed.result.ended != interpreter::Ended::text_end && streamed.result.last.line < whole.faulty_line;
-    return before ? "" : fmt::format("ran past the fault of line {}:\n{}", whole.faulty_line, streamed.said);
+    return before ? "" : fmt::format("ran past the fault of line {}:\n{}", whole.faulty_line, streamed.reported);
   }
-  const std::string& said = streamed.was_whole ? whole.said : whole.said_as_read;
-  if (streamed.said != said) return fmt::format("whole:\n{}stream:\n{}", said, streamed.said);
+  const std::string& reported = streamed.was_whole ? whole.reported : whole.reported_as_read;
+  if (streamed.reported != reported) return fmt::format("whole:\n{}stream:\n{}", reported, streamed.reported);
   const std::string variables = describe_variables(streamed.result);
   const std::string& expected = streamed.was_whole ? whole.variables : "";
   return variables == expected ? "" : fmt::format("variables of whole:\n{}of stream:\n{}", expected, variables);

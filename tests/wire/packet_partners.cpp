@@ -29,8 +29,11 @@ struct Faults {
   int late = 0;
 };
 
-packet::Settings settings_of(bool gives_way) {
-  return {.protocol = packet::Protocol::s3964r, .answer_patience = 60s, .counted = gives_way, .gives_way = gives_way};
+packet::Settings settings_of(bool yields_on_collision) {
+  return {.protocol = packet::Protocol::s3964r,
+          .answer_patience = 60s,
+          .counted = yields_on_collision,
+          .yields_on_collision = yields_on_collision};
 }
 
 bool is_over(State state) { return !packet::is_on_the_line(state) && state != State::armed; }

@@ -166,7 +166,7 @@ std::string PacketPlayer::set(const std::string& rest) {
     } else if (key == "counted") {
       settings_.counted = value == "yes";
     } else if (key == "gives_way") {
-      settings_.gives_way = value == "yes";
+      settings_.yields_on_collision = value == "yes";
     } else if (key == "end") {
       settings_.end_is_cr = value == "cr";
     } else if (key == "code") {

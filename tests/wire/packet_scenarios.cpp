@@ -110,10 +110,10 @@ TEST(XmodemScenarios, ALostLinkAndARestartedReceiverEndTheJob) {
     Ends lost = play_all(protocol, {.link_down = 100}, 100);
     EXPECT_EQ(lost.whole + lost.causes[Cause::link_lost], 100);
     EXPECT_GT(lost.causes[Cause::link_lost], 10);
-    Ends anew = play_all(protocol, {.restart = 100}, 100);
-    EXPECT_EQ(anew.undetected, 0) << name(protocol);
-    EXPECT_EQ(anew.whole + anew.broken, 100);
-    EXPECT_GT(anew.broken, 10);
+    Ends again = play_all(protocol, {.restart = 100}, 100);
+    EXPECT_EQ(again.undetected, 0) << name(protocol);
+    EXPECT_EQ(again.whole + again.broken, 100);
+    EXPECT_GT(again.broken, 10);
   }
 }
 
@@ -150,9 +150,9 @@ TEST(S3964Scenarios, HoldsStopsCancelsAndLossesEndByName) {
   EXPECT_EQ(cancelled.whole + cancelled.causes[Cause::person], 100);
   Ends lost = play_all(Protocol::s3964r, {.link_down = 100}, 100);
   EXPECT_EQ(lost.whole + lost.causes[Cause::link_lost], 100);
-  Ends anew = play_all(Protocol::s3964r, {.restart = 100}, 100);
-  EXPECT_EQ(anew.undetected, 0);
-  EXPECT_GT(anew.broken, 10);
+  Ends again = play_all(Protocol::s3964r, {.restart = 100}, 100);
+  EXPECT_EQ(again.undetected, 0);
+  EXPECT_GT(again.broken, 10);
 }
 
 // Without a number a lost acknowledgement makes a block come twice, without a check a flipped bit stays: comparing the
@@ -194,9 +194,9 @@ TEST(RemoteBufferScenarios, CancelsLossesAndRestartsEndByName) {
   EXPECT_EQ(cancelled.whole + cancelled.causes[Cause::person], 100);
   Ends lost = play_all(Protocol::remote_buffer_a, {.link_down = 100}, 100);
   EXPECT_EQ(lost.whole + lost.causes[Cause::link_lost], 100);
-  Ends anew = play_all(Protocol::remote_buffer_a, {.restart = 100}, 100);
-  EXPECT_EQ(anew.undetected, 0);
-  EXPECT_GT(anew.causes[Cause::peer_reset], 10);
+  Ends again = play_all(Protocol::remote_buffer_a, {.restart = 100}, 100);
+  EXPECT_EQ(again.undetected, 0);
+  EXPECT_GT(again.causes[Cause::peer_reset], 10);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ std::string answer_to(telnet::ComPortServer& server, const std::string& wire) {
   return out;
 }
 
-TEST(TelnetServer, AnswersAClientThatNeverSaidWill) {
+TEST(TelnetServer, AnswersAClientThatNeverSentWill) {
   telnet::ComPortServer server;
   server.begin();
   server.mark_sent(server.pending_out().size());

@@ -77,16 +77,16 @@ class Digest {
     bool apart = false;
     for (std::uint32_t i = range.first; i < range.last; ++i) {
       const ir::Token& token = program_.tokens[i];
-      const std::string_view said = token.span.in(text_);
+      const std::string_view written = token.span.in(text_);
       if (token.kind == TokenKind::comment) {
-        if (out_.comments.size() < kAllUpTo_bytes) out_.comments.append(said).append("\n");
+        if (out_.comments.size() < kAllUpTo_bytes) out_.comments.append(written).append("\n");
         continue;
       }
       apart = apart || token.kind == TokenKind::white || token.kind == TokenKind::address;
       if (token.kind == TokenKind::white || token.kind == TokenKind::eob || token.kind == TokenKind::tape_mark)
         continue;
       if (apart && !words.empty()) words += ' ';
-      words += said;
+      words += written;
       apart = false;
     }
     if (words.empty()) return;

@@ -49,7 +49,7 @@ std::string joint_axes(const ir::Control& to, const ir::Control& from) {
 std::vector<text::Diagnostic> foreign_axis_words(const ir::Program& program, const ir::Control& from,
                                                  const ir::Control& to) {
   std::vector<text::Diagnostic> out;
-  std::string said;
+  std::string listed;
   for (const ir::Statement& s : program.statements) {
     if (s.kind != ir::StatementKind::block) continue;
     const ir::Block& block = program.blocks[s.payload];
@@ -57,8 +57,8 @@ std::vector<text::Diagnostic> foreign_axis_words(const ir::Program& program, con
     for (const ir::Word& word : program.words_of(block)) {
       std::optional<char> axis = axis_of(word.address, from);
       if (!axis && becomes_increment(word.address, from, to)) axis = ir::letter_of(word.address);
-      if (!axis || to.axes.contains(*axis) || said.contains(*axis)) continue;
-      said.push_back(*axis);
+      if (!axis || to.axes.contains(*axis) || listed.contains(*axis)) continue;
+      listed.push_back(*axis);
       const text::Span span = word.span.empty() ? s.span : word.span;
       out.push_back(passes::diagnose(passes::of_axis(std::string("the axis ") + *axis), span, to.title));
     }

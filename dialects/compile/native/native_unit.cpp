@@ -61,7 +61,7 @@ std::optional<facts::Setting> NativeUnits::stated(std::uint32_t statement) const
     const facts::Known<facts::Setting>& unit = (*facts)[facts::Mode::unit];
     if (unit.is_certain() && unit.origin != facts::kPowerOn) return unit.value;
     // Stated differently on the paths that lead here.
-    if (unit.other_origin != facts::kNobody && unit.value.function != unit.other.function) return std::nullopt;
+    if (unit.other_origin != facts::kNoStatement && unit.value.function != unit.other.function) return std::nullopt;
   }
   std::optional<facts::Setting> only;
   for (const ir::Code& code : program_.codes) {
@@ -93,7 +93,7 @@ NativeUnits::UseUnits NativeUnits::units_of(const std::vector<WordUse>& uses) co
     const std::optional<facts::Facts> facts = resolved_.at(use.statement);
     if (row == std::end(kInches) || !facts) continue;
     const facts::Known<facts::Setting>& unit = (*facts)[facts::Mode::unit];
-    const bool differs = unit.origin != facts::kPowerOn && unit.other_origin != facts::kNobody &&
+    const bool differs = unit.origin != facts::kPowerOn && unit.other_origin != facts::kNoStatement &&
                          unit.other_origin != facts::kPowerOn && unit.value.function != unit.other.function;
     const std::optional<bool> inch = inches_stated(*facts, row->is_feed);
     if (differs && !(row->is_feed && (unit.value.argument != 0 || unit.other.argument != 0)))

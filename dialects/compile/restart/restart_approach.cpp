@@ -140,13 +140,13 @@ class Approach {
   }
 
   std::optional<RestartRefusal> mill() {
-    std::vector<std::string> beside;
+    std::vector<std::string> in_plane;
     for (std::size_t one = 0; one < ir::kAxisCount; ++one)
-      if (one != kZ && has_axis(one) && known(one)) beside.push_back(axis(one));
+      if (one != kZ && has_axis(one) && known(one)) in_plane.push_back(axis(one));
     const bool deep = has_axis(kZ) && known(kZ);
     if (deep && !(known(kX) && known(1)))
       return RestartRefusal{DiagnosticId::restart_unknown, fmt::format("the position of {} is", known(kX) ? 'Y' : 'X')};
-    rapid(beside);
+    rapid(in_plane);
     if (!deep) return std::nullopt;
     const bool at_rapid = came_at_rapid();
     const double level = at_rapid ? state_.position[kZ] : clear_level();

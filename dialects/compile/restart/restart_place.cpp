@@ -72,9 +72,9 @@ std::string RestartPlaces::why_not(std::uint32_t line) const {
   if (declares(program_.statements[at].kind)) return "names are declared in this line";
   for (std::uint32_t i = main_.first; i < at; ++i) {
     const ir::Statement& s = program_.statements[i];
-    const bool beside = (i > main_.first && program_.statements[i - 1].line == s.line) ||
-                        (i + 1 < main_.last && program_.statements[i + 1].line == s.line);
-    if (!declares(s.kind) || !beside) continue;
+    const bool shares_line = (i > main_.first && program_.statements[i - 1].line == s.line) ||
+                             (i + 1 < main_.last && program_.statements[i + 1].line == s.line);
+    if (!declares(s.kind) || !shares_line) continue;
     const auto other = [&](const ir::Statement& one) { return one.line == s.line && !declares(one.kind); };
     if (std::any_of(program_.statements.begin() + main_.first, program_.statements.begin() + main_.last, other))
       return fmt::format("line {} declares names and does something else, too", s.line);

@@ -25,9 +25,9 @@ bool is_retract(const RestartDraft& draft, const ir::Block& block) {
   bool to_machine = false;
   for (const ir::Code& code : program.codes_of(block)) {
     const bool here = code.function == Function::machine_coordinates || code.function == Function::reference_return;
-    const bool beside =
+    const bool is_allowed_with_it =
         code.function == Function::rapid || code.function == Function::absolute || code.function == Function::comp_off;
-    if ((!here && !beside) || code.number != ir::ExpressionId::none) return false;
+    if ((!here && !is_allowed_with_it) || code.number != ir::ExpressionId::none) return false;
     to_machine |= here;
   }
   bool tool_axis = false;

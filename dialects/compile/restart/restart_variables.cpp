@@ -125,8 +125,9 @@ std::optional<RestartRefusal> look_at_what_is_left_out(RestartDraft& draft) {
   for (const interpreter::NotInterpreted& one : draft.run.result.not_interpreted) {
     const bool before = one.program != 0 || one.first_line < draft.line;
     // Where a reference point lies is not known, which the positions say themselves.
-    const bool told = one.function == ir::Function::machine_function || one.function == ir::Function::reference_return;
-    if (!before || one.effects_known || one.is_input || told) continue;
+    const bool has_own_report =
+        one.function == ir::Function::machine_function || one.function == ir::Function::reference_return;
+    if (!before || one.effects_known || one.is_input || has_own_report) continue;
     return RestartRefusal{DiagnosticId::restart_unknown,
                           fmt::format("what {} in line {}{} has changed is", one.name, one.first_line,
                                       one.program == 0 ? "" : " of a called program")};

@@ -219,8 +219,8 @@ class Writer {
       return;
     }
     const std::string words = stripped(line, span);
-    const bool said_something = span.begin != span.end;
-    if (words.empty() && said_something) return;
+    const bool had_words = span.begin != span.end;
+    if (words.empty() && had_words) return;
     append(words, line);
     out_ += rest;
   }

@@ -216,7 +216,7 @@ class ThinConverter {
             std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       text_.append(printed[i]).append("\n");
-      origins_.push_back(origins[i] == 0 ? 0 : thin_.line_in_whole(origins[i]));
+      origins_.push_back(origins[i] == 0 ? 0 : thin_.line_in_full_text(origins[i]));
     }
   }
 

@@ -14,7 +14,7 @@ using ir::Function;
 using ir::StatementKind;
 
 // Not carried out by a run, and neither a move nor a write: translated by name, or refused.
-bool is_said_by_name(const interpreter::NotInterpreted& lost) {
+bool is_translated_by_name(const interpreter::NotInterpreted& lost) {
   return lost.effects_known || lost.name == "SPOS" || lost.function == Function::machine_function ||
          lost.function == Function::reference_return;
 }
@@ -81,7 +81,7 @@ std::string InlineMoves::watched(const ir::Program& program, bool called) {
     for (const interpreter::NotInterpreted& lost : result.not_interpreted) {
       const std::string place = lost.program == 0 ? " in line " + std::to_string(lost.first_line) : std::string();
       if (lost.is_input) return lost.name + place + " has a value that is not given";
-      if (!is_said_by_name(lost)) return lost.name + place + " is not interpreted";
+      if (!is_translated_by_name(lost)) return lost.name + place + " is not interpreted";
     }
     for (std::size_t i = 1; i < result.programs.size() && !called; ++i) {
       const ir::Program* program_called = library.find(result.programs[i]);

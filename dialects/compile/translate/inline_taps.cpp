@@ -81,8 +81,8 @@ void InlineMoves::replace_tap_part(const ir::Program& program, std::uint32_t ind
   const ir::Statement& s = program.statements[index];
   if (s.kind != StatementKind::block || taps_[index].owner != ir::kNoIndex) return;
   if (taps_[index].role == TapRole::orients) {
-    const bool said = program.codes_of(program.blocks[s.payload]).empty();  // by the code that stands for SPOS
-    if (!said) out.emit_block({code_of(Function::spindle_stop, ir::ModalGroup::spindle)}, {});
+    const bool has_no_codes = program.codes_of(program.blocks[s.payload]).empty();  // by the code that stands for SPOS
+    if (!has_no_codes) out.emit_block({code_of(Function::spindle_stop, ir::ModalGroup::spindle)}, {});
     return;
   }
   const ir::Block& block = program.blocks[s.payload];

@@ -205,10 +205,10 @@ std::optional<interpreter::Repetitive> LatheFacts::data_before(std::uint32_t sta
   }
   const auto codes = program_.codes_of(program_.blocks[program_.statements[block].payload]);
   const auto code = std::ranges::find(codes, Function::repetitive_cycle, &ir::Code::function);
-  NoSink nobody;
+  NoSink no_sink;
   const interpreter::RunOptions options;
   interpreter::RunBudget budget(options);
-  interpreter::MotionBuffer buffer(nobody, budget);
+  interpreter::MotionBuffer buffer(no_sink, budget);
   interpreter::BlockResult result;
   interpreter::repetitive_block(*plain, rules_, code->argument, *modal, buffer, result);
   return modal->repetitive;
@@ -238,10 +238,10 @@ std::optional<LatheFacts::Repeated> LatheFacts::repeat(std::uint32_t statement, 
     modal->position[0] = *state.x * mm;
     modal->position[2] = *state.z * mm;
   }
-  NoSink nobody;
+  NoSink no_sink;
   const interpreter::RunOptions options;  // one cycle, whose steps are limited
   interpreter::RunBudget budget(options);
-  interpreter::MotionBuffer buffer(nobody, budget);
+  interpreter::MotionBuffer buffer(no_sink, budget);
   buffer.capture(&out.motions);
   interpreter::BlockResult result;
   interpreter::repetitive_block(*plain, rules_, code->argument, *modal, buffer, result);

@@ -225,27 +225,27 @@ class Reading {
   }
 
   [[nodiscard]] std::string words_of(const ir::Token& token) const {
-    const std::string_view said = token.span.in(text_);
+    const std::string_view written = token.span.in(text_);
     switch (token.kind) {
-      case TokenKind::number: return number_words(said);
-      case TokenKind::skip: return said == "/1" ? "/" : std::string(said);
+      case TokenKind::number: return number_words(written);
+      case TokenKind::skip: return written == "/1" ? "/" : std::string(written);
       case TokenKind::address:
       case TokenKind::variable:
-      case TokenKind::name: return text::upper_case(said);
+      case TokenKind::name: return text::upper_case(written);
       case TokenKind::comment:
       case TokenKind::string:
       case TokenKind::symbol:
       case TokenKind::white:
       case TokenKind::eob:
       case TokenKind::tape_mark:
-      case TokenKind::invalid: return std::string(said);
+      case TokenKind::invalid: return std::string(written);
     }
-    return std::string(said);
+    return std::string(written);
   }
 
-  [[nodiscard]] std::string number_words(std::string_view said) const {
-    const auto decimal = text::read_decimal(said);
-    if (!decimal || decimal->length != said.size()) return text::upper_case(said);
+  [[nodiscard]] std::string number_words(std::string_view written) const {
+    const auto decimal = text::read_decimal(written);
+    if (!decimal || decimal->length != written.size()) return text::upper_case(written);
     const bool shows_point = points_matter_ && decimal->has_point && decimal->value != 0.0 && is_of_address();
     return text::format_shortest(decimal->value) + (shows_point ? "." : "");
   }

@@ -12,7 +12,7 @@ namespace dripfeed::compile {
 
 std::vector<text::Diagnostic> own_cycles(const ir::Program& program, const ir::Control& to, ProgramLibrary* library) {
   std::vector<text::Diagnostic> out;
-  std::set<std::string, std::less<>> said;
+  std::set<std::string, std::less<>> reported;
   for (const ir::Statement& s : program.statements) {
     if (!facts::is_call(s.kind) || !facts::is_standard_cycle(program, s)) continue;
     const std::string name(program.strings.at(program.calls[s.payload].name));
@@ -20,7 +20,7 @@ std::vector<text::Diagnostic> own_cycles(const ir::Program& program, const ir::C
         program.sections, [&](const ir::Section& section) { return program.strings.at(section.name) == name; });
     const ir::Program* found = in_text || library == nullptr ? nullptr : library->find(name);
     const bool is_own = in_text || (found != nullptr && !found->is_standard);
-    if (!is_own || !said.insert(name).second) continue;
+    if (!is_own || !reported.insert(name).second) continue;
     out.push_back(
         passes::diagnose(passes::of_call("a program of the shop's own with the name " + name), s.span, to.title));
   }

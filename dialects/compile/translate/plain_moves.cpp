@@ -46,8 +46,8 @@ double PlainMoves::rounded(double value_mm) const {
 ir::Word PlainMoves::position(std::size_t axis, double value) {
   const double places = std::pow(10.0, terms_.decimals);
   const double scaled = axis == 0 ? value * terms_.x_scale : value;
-  const double said = is_length(axis) ? rounded(scaled) : std::nearbyint(scaled * places) / places + 0.0;
-  ir::Word made = ir::word(kAxisAddresses[axis], program_.add_constant(said));
+  const double stated = is_length(axis) ? rounded(scaled) : std::nearbyint(scaled * places) / places + 0.0;
+  ir::Word made = ir::word(kAxisAddresses[axis], program_.add_constant(stated));
   made.mode = terms_.mode;
   return made;
 }
@@ -83,9 +83,9 @@ std::expected<void, std::string> PlainMoves::event(const ir::Motion& motion, con
   const auto row = std::ranges::find(kEvents, motion.kind, &EventRow::kind);
   if (row == kEvents.end()) return cannot("an event within it");
   const auto of_group = [&](const ir::Code& c) { return c.group == row->group && row->group != ModalGroup::none; };
-  const bool said = std::ranges::any_of(rest.codes, of_group) || std::ranges::any_of(rest.after, of_group) ||
-                    std::ranges::any_of(rest.words, [&](const ir::Word& w) { return w.address == row->word; });
-  if (said) return {};
+  const bool stated = std::ranges::any_of(rest.codes, of_group) || std::ranges::any_of(rest.after, of_group) ||
+                      std::ranges::any_of(rest.words, [&](const ir::Word& w) { return w.address == row->word; });
+  if (stated) return {};
   if (motion.kind == MotionKind::comp) {
     comp_ = function_of(motion.comp);
     return {};

@@ -265,7 +265,7 @@ bool ThinProgram::take(const text::Source& thin, const std::vector<ir::PlainStre
   return true;
 }
 
-std::uint32_t ThinProgram::line_in_whole(std::uint32_t thin_line) const {
+std::uint32_t ThinProgram::line_in_full_text(std::uint32_t thin_line) const {
   const auto after = std::ranges::upper_bound(cuts_, thin_line, {}, &Cut::line);
   return after == cuts_.begin() ? thin_line : thin_line + std::prev(after)->removed_lines;
 }

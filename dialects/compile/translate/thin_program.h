@@ -57,7 +57,7 @@ class ThinProgram {
 
   // Of the thin text: the first line after a stretch, by its number.
   [[nodiscard]] std::uint32_t line_after(std::size_t stretch) const { return cuts_[stretch].line; }
-  [[nodiscard]] std::uint32_t line_in_whole(std::uint32_t thin_line) const;
+  [[nodiscard]] std::uint32_t line_in_full_text(std::uint32_t thin_line) const;
 
   // Puts what was found in the program to its place in the whole text.
   void place(std::vector<text::Diagnostic>& diagnostics) const;

@@ -136,9 +136,9 @@ class ContourCutter {
     first_ = pieces_.front().segment.from;
     rough_ = pieces_;
     if (cycle_.allowance_mm > 0.0) {
-      auto beside = offset_contour(pieces_, cycle_.allowance_mm, {forward_, -side_, along_z_});
-      if (!beside.has_value()) return false;
-      rough_ = std::move(*beside);
+      auto offset_shape = offset_contour(pieces_, cycle_.allowance_mm, {forward_, -side_, along_z_});
+      if (!offset_shape.has_value()) return false;
+      rough_ = std::move(*offset_shape);
     }
     const double travel_allowance = along_z_ ? cycle_.allowance_z_mm : cycle_.allowance_x_mm;
     const double in_level = along_z_ ? cycle_.allowance_x_mm : cycle_.allowance_z_mm;

@@ -19,15 +19,15 @@ class Offset {
   std::optional<std::vector<ContourPiece>> run(const std::vector<ContourPiece>& contour) {
     for (const ContourPiece& piece : contour) pieces_.push_back(turned(piece.segment));
     std::vector<ContourPiece> out;
-    PlanePoint begin = beside(pieces_.front(), pieces_.front().start);
+    PlanePoint begin = offset_point(pieces_.front(), pieces_.front().start);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const PathPiece& piece = pieces_[i];
-      PlanePoint end = beside(piece, piece.end);
+      PlanePoint end = offset_point(piece, piece.end);
       PlanePoint next = end;
       bool rounded = false;
       if (i + 1 < pieces_.size()) {
         const double turn = turn_between(piece, pieces_[i + 1]);
-        next = beside(pieces_[i + 1], pieces_[i + 1].start);
+        next = offset_point(pieces_[i + 1], pieces_[i + 1].start);
         rounded = turn < -kSmall;
         if (turn > kSmall) {
           const auto corner = corner_between(piece, pieces_[i + 1], CornerKind::rounding, distance_);
@@ -69,7 +69,7 @@ class Offset {
     const double length = length_of(d);
     return {d.p / length, d.q / length};
   }
-  [[nodiscard]] PlanePoint beside(const PathPiece& piece, PlanePoint at) const {
+  [[nodiscard]] PlanePoint offset_point(const PathPiece& piece, PlanePoint at) const {
     const PlanePoint d = direction(piece, at);
     return {at.p - distance_ * d.q, at.q + distance_ * d.p};
   }

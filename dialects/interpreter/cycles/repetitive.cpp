@@ -117,11 +117,11 @@ bool peck(const PeckRun& run, const EndPoint& end, Pen& pen) {
   const double depth = std::abs(along1 - along0);
   const double width = std::abs(across1 - across0);
   const double one = run.peck > 0.0 ? run.peck : std::max(depth, 1e-9);
-  const double beside = run.step > 0.0 ? run.step : std::max(width, 1e-9);
-  if ((depth / one + 1.0) * (width / beside + 1.0) > kStepsAtMost) return false;
-  const auto columns = static_cast<int>(std::ceil(width / beside - 1e-9));
+  const double step_over = run.step > 0.0 ? run.step : std::max(width, 1e-9);
+  if ((depth / one + 1.0) * (width / step_over + 1.0) > kStepsAtMost) return false;
+  const auto columns = static_cast<int>(std::ceil(width / step_over - 1e-9));
   for (int column = 0; column <= columns; ++column) {
-    const double across = across0 + side * std::min(width, beside * column);
+    const double across = across0 + side * std::min(width, step_over * column);
     to(MotionKind::rapid, along0, across);
     for (int n = 1; one * n < depth - 1e-9; ++n) {
       to(MotionKind::linear, along0 + way * one * n, across);

@@ -124,9 +124,9 @@ void Machine::name_missing_arguments() {
 // What the block of the alarm read: "GOTO#149" says little until one knows that #149 has no value.
 void Machine::note_values_at_alarm() {
   const ir::Program* const source = stack_.program().source;
-  std::vector<RunDiagnostic>& said = report_.result().diagnostics;
-  if (source == nullptr || said.empty() || said.back().program != stack_.program().index) return;
-  text::Diagnostic& alarm = said.back().diagnostic;
+  std::vector<RunDiagnostic>& diagnostics = report_.result().diagnostics;
+  if (source == nullptr || diagnostics.empty() || diagnostics.back().program != stack_.program().index) return;
+  text::Diagnostic& alarm = diagnostics.back().diagnostic;
   const std::uint32_t line = source->source.position(alarm.span.begin).line;
   const auto is_target = [source](const ir::Variable& variable) {
     return std::ranges::any_of(source->assigns, [&](const ir::Assign& assign) {

@@ -65,7 +65,7 @@ bool RunReport::end(Ended ended) {
 // A loop may say the same of a block as often as it goes round.
 void RunReport::say(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
   constexpr std::uint32_t kMostOfABlock = 20;
-  if (++said_[{program_->index, out_.place.line, id}] <= kMostOfABlock) add(at, id, std::move(arguments));
+  if (++reported_[{program_->index, out_.place.line, id}] <= kMostOfABlock) add(at, id, std::move(arguments));
 }
 
 void RunReport::warn(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments,
@@ -73,9 +73,9 @@ void RunReport::warn(const Instruction& at, DiagnosticId id, std::vector<std::st
   const std::size_t before = result_.diagnostics.size();
   say(at, id, std::move(arguments));
   if (result_.diagnostics.size() == before) return;
-  text::Diagnostic& said = result_.diagnostics.back().diagnostic;
-  said.severity = text::Severity::warning;
-  said.notes.push_back({said.span, std::string(note)});
+  text::Diagnostic& warning = result_.diagnostics.back().diagnostic;
+  warning.severity = text::Severity::warning;
+  warning.notes.push_back({warning.span, std::string(note)});
 }
 
 void RunReport::keep_no_feed(const Instruction& at, ir::AlarmDetail detail) {

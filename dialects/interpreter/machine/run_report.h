@@ -63,8 +63,9 @@ class RunReport {
   const CompiledProgram* program_ = nullptr;
   RunResult result_;
   std::optional<RunDiagnostic> no_feed_;
-  std::size_t no_feed_place_ = 0;                                                               // among the diagnostics
-  std::map<std::tuple<std::uint32_t, std::uint32_t, text::DiagnosticId>, std::uint32_t> said_;  // by program and line
+  std::size_t no_feed_place_ = 0;  // among the diagnostics
+  std::map<std::tuple<std::uint32_t, std::uint32_t, text::DiagnosticId>, std::uint32_t>
+      reported_;  // by program and line
   bool uncertain_ = false;
   bool guesses_end_ = false;
   std::unordered_map<std::string, std::size_t> counted_;

@@ -26,28 +26,28 @@ ir::Motion& emit_event(MotionKind kind, const ModalState& state, MotionBuffer& o
 }
 
 void announce(ModalState& state, MotionBuffer& out) {
-  Announced& told = state.announced;
-  if (told.work_offset != state.modes.work_offset) {
-    told.work_offset = state.modes.work_offset;
-    emit_event(MotionKind::offset, state, out).number = told.work_offset;
+  Announced& announced = state.announced;
+  if (announced.work_offset != state.modes.work_offset) {
+    announced.work_offset = state.modes.work_offset;
+    emit_event(MotionKind::offset, state, out).number = announced.work_offset;
   }
-  if (told.tool != state.tool) {
-    told.tool = state.tool;
+  if (announced.tool != state.tool) {
+    announced.tool = state.tool;
     ir::Motion& motion = emit_event(MotionKind::tool, state, out);
-    motion.number = told.tool.number;
-    motion.tool_offset = told.tool.offset;
-    motion.text = told.tool.name;
+    motion.number = announced.tool.number;
+    motion.tool_offset = announced.tool.offset;
+    motion.text = announced.tool.name;
   }
-  if (const Spindle spindle = spindle_of(state); told.spindle != spindle) {
-    told.spindle = spindle;
+  if (const Spindle spindle = spindle_of(state); announced.spindle != spindle) {
+    announced.spindle = spindle;
     emit_event(MotionKind::spindle, state, out);
   }
-  if (told.coolant != state.coolant) {
-    told.coolant = state.coolant;
+  if (announced.coolant != state.coolant) {
+    announced.coolant = state.coolant;
     emit_event(MotionKind::coolant, state, out);
   }
-  if (told.comp != state.modes.comp) {
-    told.comp = state.modes.comp;
+  if (announced.comp != state.modes.comp) {
+    announced.comp = state.modes.comp;
     emit_event(MotionKind::comp, state, out);
   }
 }

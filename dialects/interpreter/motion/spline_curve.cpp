@@ -117,22 +117,22 @@ SplineCurve::Slopes SplineCurve::cubic(const Slopes& d, std::optional<double> fi
     rows.above[i] = h[i - 1];
     rows.right[i] = 3.0 * (h[i] * d[i - 1] + h[i - 1] * d[i]);
   }
-  const auto end_row = [&](std::size_t row, double& beside, std::optional<double> slope, bool natural, double own,
+  const auto end_row = [&](std::size_t row, double& neighbour, std::optional<double> slope, bool natural, double own,
                            double next, double own_h, double next_h) {
     rows.main[row] = 1.0;
     if (slope.has_value()) {
       rows.right[row] = *slope;
     } else if (natural) {
       rows.main[row] = 2.0;
-      beside = 1.0;
+      neighbour = 1.0;
       rows.right[row] = 3.0 * own;
     } else if (n <= 2) {
-      beside = n == 1 && !first.has_value() && !last.has_value() && !first_natural && !last_natural ? 0.0 : 1.0;
-      rows.right[row] = (1.0 + beside) * own;
+      neighbour = n == 1 && !first.has_value() && !last.has_value() && !first_natural && !last_natural ? 0.0 : 1.0;
+      rows.right[row] = (1.0 + neighbour) * own;
     } else {
       const double both = own_h + next_h;
       rows.main[row] = next_h;
-      beside = both;
+      neighbour = both;
       rows.right[row] = ((own_h + 2.0 * both) * next_h * own + own_h * own_h * next) / both;
     }
   };

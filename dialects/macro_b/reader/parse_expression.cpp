@@ -52,7 +52,7 @@ ExpressionId ExpressionReader::comparison(std::string_view after) {
     };
     const bool bare_right = mixes(right) && cursor_.whole_text()[cursor_.previous_end() - 1] != ']';
     if ((is_condition(left) || bare_right) && !std::exchange(reported_mixed_logic_, true)) {
-      faults_.report(comparison_beside_logic, at, {"AND, OR or another comparison"});
+      faults_.report(comparison_with_logic, at, {"AND, OR or another comparison"});
     }
     left = combine(word->op, left, right);
   }

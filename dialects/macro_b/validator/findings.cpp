@@ -74,7 +74,7 @@ text::Diagnostic* Findings::add_open(text::DiagnosticId id, text::Span span, std
 
 void Findings::add_variable(std::uint32_t number, text::Span span) {
   const bool is_option = ir::may_have_variable(control_, ir::Bank::hash, number);
-  if (is_option && !options_told_.insert(number).second) return;
+  if (is_option && !options_reported_.insert(number).second) return;
   text::Diagnostic* finding = add(text::DiagnosticId::variable_out_of_range, span, {fmt::format("#{}", number)});
   if (finding == nullptr || !is_option) return;
   finding->severity = text::Severity::warning;

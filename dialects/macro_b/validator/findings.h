@@ -40,7 +40,7 @@ class Findings {
  private:
   const ir::Control& control_;
   std::vector<text::Diagnostic> diagnostics_;
-  std::unordered_set<std::uint32_t> options_told_;
+  std::unordered_set<std::uint32_t> options_reported_;
   std::array<std::uint16_t, static_cast<std::size_t>(text::DiagnosticId::count_)> counts_{};
 };
 

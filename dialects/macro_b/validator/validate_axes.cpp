@@ -65,7 +65,7 @@ class AxesCheck {
     const std::optional<facts::Setting> motion = in_effect_.certain(facts::Mode::motion);
     const bool is_arc = motion && (motion->function == Function::arc_cw || motion->function == Function::arc_ccw);
     return is_arc && (in_effect_.is_stated_here(facts::Mode::motion) ||
-                      in_effect_.beside(facts::Mode::cycle, Function::cycle_off) == State::off);
+                      in_effect_.state_against(facts::Mode::cycle, Function::cycle_off) == State::off);
   }
   [[nodiscard]] bool has_centre(const ir::Block& block) const {
     return std::ranges::any_of(kAxes, [&](const AxisRow& row) { return find(block, row.center) != nullptr; });

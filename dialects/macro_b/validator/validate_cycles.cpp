@@ -59,11 +59,11 @@ class CycleCheck {
     if (is_peck(cycle) && control_.semantics.pecks_need_depth && lacks_depth(words))
       findings_.add(peck_without_depth, code.span);
     const bool lacks_speed = in_effect_.lacks(Kept::speed) && find_word(words, Address::s) == nullptr;
-    if (!is_tap(cycle) || !lacks_speed || speed_told_) return;
+    if (!is_tap(cycle) || !lacks_speed || speed_reported_) return;
     text::Diagnostic* finding =
         findings_.add(tap_without_speed, code.span, {std::string(text_of(program_, code.span))});
     if (finding != nullptr && finding->alarm.empty()) finding->severity = text::Severity::warning;
-    speed_told_ = true;
+    speed_reported_ = true;
   }
 
   // Q stays from one cycle to the next until G80 or a motion code ends them.
@@ -105,7 +105,7 @@ class CycleCheck {
   // Which of the two the control takes, depends on where it begins to look.
   void named_twice(const ir::Code& code, const ir::Label& label) {
     const ir::Label* other = labels_.other(label);
-    if (other == nullptr || !told_.insert(label.number).second) return;
+    if (other == nullptr || !reported_.insert(label.number).second) return;
     text::Diagnostic* finding = findings_.add(label_defined_twice, other->span, {fmt::format("N{}", label.number)});
     if (finding != nullptr) finding->notes.push_back({code.span, "the cycle that names it"});
   }
@@ -165,8 +165,8 @@ class CycleCheck {
   Findings& findings_;
   LabelIndex labels_;
   facts::InEffect in_effect_;
-  bool speed_told_ = false;
-  std::set<std::uint32_t> told_;  // block numbers
+  bool speed_reported_ = false;
+  std::set<std::uint32_t> reported_;  // block numbers
 };
 
 }  // namespace

@@ -171,24 +171,24 @@ void check_drip(const ir::Program& program, const ir::Control& control, const Gr
 }
 
 void check_not_interpreted(const ir::Program& program, const ir::Control& control, Findings& findings) {
-  std::set<std::string, std::less<>> told;
-  const auto tell = [&](std::string_view name, text::Span span) {
-    if (told.emplace(name).second) findings.add(not_interpreted, span, {std::string(name)});
+  std::set<std::string, std::less<>> reported;
+  const auto report = [&](std::string_view name, text::Span span) {
+    if (reported.emplace(name).second) findings.add(not_interpreted, span, {std::string(name)});
   };
   for (const ir::Statement& s : program.statements) {
     // The bytes of BPRNT are not made here; nothing moves by it.
     const bool is_binary_output =
         s.kind == StatementKind::native && program.strings.at(program.natives[s.payload].name) == "BPRNT";
-    if (is_binary_output) tell("BPRNT", s.span);
+    if (is_binary_output) report("BPRNT", s.span);
     if (s.kind == StatementKind::native && !program.natives[s.payload].effects_known) {
       const std::string name = written_native(program, s);
-      if (name != kNotUnderstood) tell(name, s.span);
+      if (name != kNotUnderstood) report(name, s.span);
     }
     if (s.kind != StatementKind::block) continue;
     for (const ir::Code& code : program.codes_of(program.blocks[s.payload])) {
       if (code.function != ir::Function::not_modelled) continue;
       const std::string_view name = program.strings.at(code.name);
-      if (is_in_table(control, name)) tell(name, code.span);
+      if (is_in_table(control, name)) report(name, code.span);
     }
   }
 }

@@ -79,7 +79,7 @@ class JumpCheck {
         finding->notes.push_back({program_.statements[loops_[target_loop].begin].span, "the loop begins here"});
       }
     }
-    if (const ir::Label* other = labels_.other(*label); other != nullptr && told_.insert(jump.number).second) {
+    if (const ir::Label* other = labels_.other(*label); other != nullptr && reported_.insert(jump.number).second) {
       text::Diagnostic* finding = findings_.add(label_defined_twice, other->span, {name});
       if (finding != nullptr) finding->notes.push_back({statement.span, "the jump to it"});
     }
@@ -112,7 +112,7 @@ class JumpCheck {
   WaysIn ways_in_;
   std::vector<Loop> loops_;
   std::vector<std::uint32_t> inside_;  // by statement of the section: index of its innermost loop
-  std::unordered_set<std::uint32_t> told_;
+  std::unordered_set<std::uint32_t> reported_;
 };
 
 }  // namespace

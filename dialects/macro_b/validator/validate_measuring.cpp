@@ -50,7 +50,7 @@ class MeasuringCheck {
     for (const Address address : {Address::h, Address::t})
       if (const ir::Word* word = find(block, address); word != nullptr && !is_axis(control_, address))
         return add(code, std::string(text_of(program_, word->span)) + " stands in its block",
-                   ir::AlarmDetail::beside_tool);
+                   ir::AlarmDetail::with_tool);
     if (in_effect_.lacks(facts::Number::length_number) && control_.kind == ir::MachineKind::mill)
       add(code, "no offset number (H) stands before it", ir::AlarmDetail::without_offset);
   }

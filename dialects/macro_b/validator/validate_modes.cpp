@@ -100,7 +100,7 @@ class ModeCheck {
     const std::optional<facts::Setting> cycle = in_effect_.stated(Mode::cycle);
     if (cycle && cycle->function == Function::drill) return cycle;
     const std::optional<facts::Setting> motion = in_effect_.stated(Mode::motion);
-    const bool is_plain = in_effect_.beside(Mode::cycle, Function::cycle_off) == facts::State::off;
+    const bool is_plain = in_effect_.state_against(Mode::cycle, Function::cycle_off) == facts::State::off;
     return is_plain && motion && is_cut(motion->function) ? motion : std::nullopt;
   }
 
@@ -108,18 +108,19 @@ class ModeCheck {
     if (has_word(block, Address::f)) return;
     const std::optional<facts::Setting> mode = in_effect_.certain(Mode::feed);
     const bool by_time = mode && mode->function == Function::feed_inverse_time;  // F counts in its own block only
-    const bool lacks = !feed_told_ && in_effect_.lacks(Kept::feed);
+    const bool lacks = !feed_reported_ && in_effect_.lacks(Kept::feed);
     if (!by_time && !lacks) return;
     const std::optional<facts::Setting> cuts = cut();
     if (!cuts) return;
     if (by_time) findings_.add(no_feed, span, {}, ir::AlarmDetail::inverse_time);
     if (lacks) findings_.add(no_feed, span, {}, detail_of(*cuts));
-    feed_told_ |= lacks;
+    feed_reported_ |= lacks;
   }
 
   // With a named machine its highest speed is known, and the run looks at it.
   void speed_limit(const ir::Code& code, const ir::Block& block) {
-    if (code.function != Function::surface_speed_on || control_.kind != ir::MachineKind::lathe || limit_told_) return;
+    if (code.function != Function::surface_speed_on || control_.kind != ir::MachineKind::lathe || limit_reported_)
+      return;
     const bool limits_here =
         has_word(block, Address::s) && std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
           return c.function == Function::set_coordinates;
@@ -127,7 +128,7 @@ class ModeCheck {
     if (limits_here || !in_effect_.lacks(Kept::spindle_limit) || control_.from_profile) return;
     findings_.add(surface_speed_without_limit, code.span,
                   {control_.g_system == ir::GSystem::a ? "no G50 S" : "no G92 S"});
-    limit_told_ = true;
+    limit_reported_ = true;
   }
 
   [[nodiscard]] const ir::Word* find_word(const ir::Block& block, Address address) const {
@@ -138,9 +139,9 @@ class ModeCheck {
 
   // Reported once.
   void open(Mode mode, text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
-    bool& told = told_[facts::index_of(mode)];
-    if (told || !in_effect_.may_be_unstated(mode)) return;
-    told = true;
+    bool& reported = reported_[facts::index_of(mode)];
+    if (reported || !in_effect_.may_be_unstated(mode)) return;
+    reported = true;
     findings_.add_open(id, span, std::move(arguments), confirmed_);
   }
 
@@ -161,9 +162,9 @@ class ModeCheck {
   bool has_distance_codes_;
   bool has_planes_;  // a lathe's is always ZX
   bool confirmed_;
-  std::array<bool, facts::kModes> told_{};
-  bool feed_told_ = false;
-  bool limit_told_ = false;
+  std::array<bool, facts::kModes> reported_{};
+  bool feed_reported_ = false;
+  bool limit_reported_ = false;
 };
 
 }  // namespace

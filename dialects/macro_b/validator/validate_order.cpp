@@ -81,7 +81,7 @@ class OrderCheck {
     using facts::Mode;
     in_effect_.at(at);
     loaded_ = true;
-    comp_ = in_effect_.beside(Mode::compensation, Function::comp_off);
+    comp_ = in_effect_.state_against(Mode::compensation, Function::comp_off);
     const std::optional<facts::Setting> cycle = in_effect_.certain(Mode::cycle);
     cycle_ = !cycle ? State::uncertain : cycle->function == Function::drill ? State::on : State::off;
     const std::optional<facts::Setting> frame = in_effect_.certain(Mode::frame);
@@ -364,7 +364,7 @@ void check_returns(const ir::Program& program, const Section& section, Findings&
     if (s.kind == StatementKind::modal_call_end) modal = false;
     const bool returns = s.kind == StatementKind::subprogram_return || s.kind == StatementKind::return_to;
     if (!modal || !returns || s.tokens.first != s.tokens.last || i == section.first) continue;
-    findings.add_own(statement_not_alone, program.statements[i - 1].span, {"M99"}, ir::AlarmDetail::beside_return);
+    findings.add_own(statement_not_alone, program.statements[i - 1].span, {"M99"}, ir::AlarmDetail::with_return);
   }
 }
 

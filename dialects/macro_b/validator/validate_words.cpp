@@ -87,7 +87,7 @@ class WordCheck {
     number_of_offset(block);
     groups(block);
     data_setting(block);
-    beside_function(block);
+    code_with_function_in(block);
     offset_number(block);
     circle_cutting(block);
     std::array<bool, static_cast<std::size_t>(Address::count_)> seen{};
@@ -195,13 +195,13 @@ class WordCheck {
   }
 
   // G27 or G29 with an M function, where the control has an alarm for it.
-  void beside_function(const ir::Block& block) {
+  void code_with_function_in(const ir::Block& block) {
     const auto codes = program_.codes_of(block);
     const auto reference = std::ranges::find_if(
         codes, [&](const ir::Code& c) { return c.function == Function::leave_reference || is_reference_check(c); });
     const auto m = std::ranges::find(codes, 'M', &ir::Code::letter);
-    if (reference == codes.end() || m == codes.end() || ir::alarm_of(control_, code_beside_function).empty()) return;
-    findings_.add(code_beside_function, m->span,
+    if (reference == codes.end() || m == codes.end() || ir::alarm_of(control_, code_with_function).empty()) return;
+    findings_.add(code_with_function, m->span,
                   {std::string(text_of(program_, reference->span)), std::string(text_of(program_, m->span))},
                   is_reference_check(*reference) ? ir::AlarmDetail::reference_check : ir::AlarmDetail::none);
   }

@@ -70,7 +70,7 @@ std::optional<double> DrillPlace::number(Kept word) const {
 }
 
 Function DrillPlace::plane() const {
-  const bool is_stated = here_ && (*here_)[Mode::plane].origin != facts::kNobody;
+  const bool is_stated = here_ && (*here_)[Mode::plane].origin != facts::kNoStatement;
   return is_stated ? (*here_)[Mode::plane].value.function : power_on_plane_;
 }
 
@@ -105,7 +105,8 @@ std::optional<Function> DrillPlace::state_distance() {
 }
 
 bool DrillPlace::is_known(std::string_view what, const facts::Known<facts::Setting>& fact) {
-  const bool differs = fact.other_origin != facts::kNobody || (fact.origin == facts::kNobody && !fact.inherited);
+  const bool differs =
+      fact.other_origin != facts::kNoStatement || (fact.origin == facts::kNoStatement && !fact.inherited);
   const bool is_certain = fact.is_certain();
   if (!is_certain && reported_.insert({std::string(what), differs}).second) {
     std::string paths = fmt::format("{}", fmt::join(facts_.paths(fact), ", or "));
@@ -116,7 +117,7 @@ bool DrillPlace::is_known(std::string_view what, const facts::Known<facts::Setti
                                                  {std::string(what), std::move(paths)}));
     if (!differs) diagnostics_.back().severity = text::Severity::warning;
   }
-  return !differs && fact.origin != facts::kNobody;
+  return !differs && fact.origin != facts::kNoStatement;
 }
 
 void DrillPlace::warn(passes::Refusal what) {

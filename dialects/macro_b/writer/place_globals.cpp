@@ -58,7 +58,7 @@ class Placing {
  private:
   struct Global {
     bool fits = false;
-    bool told = false;
+    bool is_reported = false;
     bool own = false;                             // the text itself defines it
     bool all = false;                             // read with an index that is computed
     std::set<std::uint32_t> read;                 // elements, counted through; 0 of a scalar
@@ -191,7 +191,7 @@ class Placing {
   }
 
   void cannot(Global& global, const ir::Variable& v, const ir::Statement& s, passes::Refusal what) {
-    if (std::exchange(global.told, true)) return;
+    if (std::exchange(global.is_reported, true)) return;
     placed_.diagnostics.push_back(passes::diagnose(std::move(what), v.span.empty() ? s.span : v.span, to_.title));
   }
 

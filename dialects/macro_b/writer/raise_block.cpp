@@ -60,7 +60,7 @@ bool goes_without_saying(Function function) {
 
 // Functions that are more than their name in a table: others stand for several codes. Which offset a measured length
 // goes to, and what the words in its block say, each control has its own rules.
-bool is_said_by_table(Function function) {
+bool is_translated_by_table(Function function) {
   return function != Function::no_effect && function != Function::not_modelled && function != Function::approach &&
          function != Function::measure_tool;
 }
@@ -208,7 +208,7 @@ void BlockRaiser::code(const ir::Code& code) {
   }
   if (f == Function::transformation && code.argument == ir::kTransformationEnds && !begins_transformation()) return;
   if (f == Function::no_effect || f == Function::continuous_path) return code_by_name(code);
-  if (is_said_by_table(f) && find_function(to_, f, code.argument) != nullptr) {
+  if (is_translated_by_table(f) && find_function(to_, f, code.argument) != nullptr) {
     ir::Code raised = code_of(f, code.argument);
     raised.span = code.span;
     if (f == Function::drill) raised.name = code.name;

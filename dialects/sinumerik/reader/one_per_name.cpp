@@ -18,9 +18,9 @@ std::size_t section_of(const ir::Program& program, std::uint32_t begin) {
 
 void keep_one_per_name(const ir::Program& program, std::vector<text::Diagnostic>& diagnostics) {
   std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
-  std::set<std::tuple<std::size_t, text::DiagnosticId, std::vector<std::string>>> told;
+  std::set<std::tuple<std::size_t, text::DiagnosticId, std::vector<std::string>>> reported;
   std::erase_if(diagnostics, [&](const text::Diagnostic& d) {
-    return d.is_open && !told.emplace(section_of(program, d.span.begin), d.id, d.arguments).second;
+    return d.is_open && !reported.emplace(section_of(program, d.span.begin), d.id, d.arguments).second;
   });
 }
 

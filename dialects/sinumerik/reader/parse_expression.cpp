@@ -121,7 +121,7 @@ ir::ExpressionId Parser::binary(std::uint8_t weakest) {
 void Parser::warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span) {
   const Operator op = program_.at(operand).op;
   if (!in_parentheses && is_logic(op))
-    report(DiagnosticId::comparison_beside_logic, span, {std::string(spelling_of(op))});
+    report(DiagnosticId::comparison_with_logic, span, {std::string(spelling_of(op))});
 }
 
 ir::ExpressionId Parser::unary() {

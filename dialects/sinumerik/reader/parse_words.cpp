@@ -217,11 +217,11 @@ void Parser::positioning(const Keyword& keyword, ir::StringId name, ir::Expressi
   w.value = word_value(w);
   w.span = to_here(head);
   const bool coded = w.address == Address::other;
-  ir::Word said = w;
-  said.address = Address::other;
-  said.axis = ir::ExpressionId::none;
-  if (!coded) said.name = name;
-  lower_.add_word(said);
+  ir::Word made = w;
+  made.address = Address::other;
+  made.axis = ir::ExpressionId::none;
+  if (!coded) made.name = name;
+  lower_.add_word(made);
   if (!coded && keyword.name == "POS") lower_.last_word_is_carried_out();
   ir::Code code{.function = ir::Function::rapid, .group = ir::ModalGroup::non_modal, .span = w.span};
   if (coded) code = {.function = ir::Function::not_modelled, .group = code.group, .name = w.name, .span = w.span};

@@ -98,7 +98,7 @@ class Definitions {
     const ir::Symbol& symbol = program_.at(v.symbol);
     // Of a parameter the caller decides, and an array in an axis' or a string's place has an index of another kind.
     if (symbol.span.empty() || symbol.dimension1 == 0 || symbol.is_parameter) return;
-    if (!told_.insert(v.span.begin).second) return;
+    if (!reported_.insert(v.span.begin).second) return;
     check_.report(DiagnosticId::array_element_missing, v.span, {std::string(check_.text_of(v.span)), name_of(symbol)})
         .alarm = "12400";
   }
@@ -109,7 +109,7 @@ class Definitions {
 
   const Check& check_;
   const ir::Program& program_;
-  std::set<std::uint32_t> told_;
+  std::set<std::uint32_t> reported_;
 };
 
 }  // namespace

@@ -77,18 +77,19 @@ class Leftovers {
   }
 
   void cut(const ir::Block& block) {
-    const bool lacks_speed = !tap_told_ && in_effect_.lacks(Kept::speed) && !has_word(block, Address::s);
+    const bool lacks_speed = !tap_reported_ && in_effect_.lacks(Kept::speed) && !has_word(block, Address::s);
     const bool is_still = stands();
     if (!lacks_speed && !is_still) return;
     const std::optional<facts::Setting> motion = in_effect_.stated(Mode::motion);
     if (!motion) return;
     if (lacks_speed && motion->function == Function::tap) {
-      tap_told_ = true;
+      tap_reported_ = true;
       check_.report(DiagnosticId::tap_without_speed, span_of(block), {"G331"}).severity = text::Severity::warning;
     }
     const std::uint32_t origin = in_effect_.origin(Mode::spindle);
-    if (!is_still || origin == spindle_told_ || std::ranges::find(kCuts, motion->function) == std::end(kCuts)) return;
-    spindle_told_ = origin;
+    if (!is_still || origin == spindle_reported_ || std::ranges::find(kCuts, motion->function) == std::end(kCuts))
+      return;
+    spindle_reported_ = origin;
     check_.report(DiagnosticId::spindle_not_turning, span_of(block));
   }
 
@@ -116,8 +117,8 @@ class Leftovers {
     modal_call(span);
     const std::optional<facts::Setting> compensation = in_effect_.stated(Mode::compensation);
     const std::uint32_t origin = in_effect_.origin(Mode::compensation);
-    if (!compensation || compensation->function == Function::comp_off || origin == compensation_told_) return;
-    compensation_told_ = origin;
+    if (!compensation || compensation->function == Function::comp_off || origin == compensation_reported_) return;
+    compensation_reported_ = origin;
     report(span, std::string(in_effect_.written(Mode::compensation)));
   }
 
@@ -125,9 +126,9 @@ class Leftovers {
   void modal_call(text::Span span) {
     if (in_effect_.here() == nullptr) return;
     const facts::Known<facts::Setting>& fact = (*in_effect_.here())[Mode::modal_call];
-    const bool is_known = fact.agrees() && (fact.changer == facts::kNobody || fact.changer == fact.origin);
-    if (!is_known || fact.value.function == Function::none || fact.origin == modal_told_) return;
-    modal_told_ = fact.origin;
+    const bool is_known = fact.agrees() && (fact.changer == facts::kNoStatement || fact.changer == fact.origin);
+    if (!is_known || fact.value.function == Function::none || fact.origin == modal_reported_) return;
+    modal_reported_ = fact.origin;
     report(span, name_of(check_.program.statements[fact.origin]));
   }
   [[nodiscard]] std::string name_of(const ir::Statement& call) const {
@@ -146,10 +147,10 @@ class Leftovers {
   facts::InEffect in_effect_;
   bool has_limit_;
   // Reported: once, or by the statement that set what is reported.
-  bool tap_told_ = false;
-  std::uint32_t spindle_told_ = ir::kNoIndex;
-  std::uint32_t compensation_told_ = ir::kNoIndex;
-  std::uint32_t modal_told_ = ir::kNoIndex;
+  bool tap_reported_ = false;
+  std::uint32_t spindle_reported_ = ir::kNoIndex;
+  std::uint32_t compensation_reported_ = ir::kNoIndex;
+  std::uint32_t modal_reported_ = ir::kNoIndex;
 };
 
 }  // namespace

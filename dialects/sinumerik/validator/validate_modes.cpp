@@ -71,7 +71,7 @@ class Compensation {
     return true;
   }
 
-  [[nodiscard]] State compensation() const { return in_effect_.beside(Mode::compensation, Function::comp_off); }
+  [[nodiscard]] State compensation() const { return in_effect_.state_against(Mode::compensation, Function::comp_off); }
   [[nodiscard]] bool is_arc() const {
     constexpr Function kArcs[] = {Function::arc_cw, Function::arc_ccw, Function::arc_via, Function::arc_tangent};
     const std::optional<facts::Setting> motion = in_effect_.stated(Mode::motion);

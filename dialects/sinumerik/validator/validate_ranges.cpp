@@ -93,7 +93,7 @@ void check_syntax_codes(const Check& check, const ir::Block& block) {
     if (row == nullptr || (row->group != kOwnWords && row->group != kFrames)) continue;
     if (first != nullptr && first_group != row->group) {
       check
-          .report(DiagnosticId::code_beside_function, code.span,
+          .report(DiagnosticId::code_with_function, code.span,
                   {std::string(check.text_of(first->span)), std::string(check.text_of(code.span))})
           .alarm = "12070";
       return;

@@ -63,11 +63,11 @@ class ModalState {
       if (!ir::is_axis(word.address)) continue;
       diameter(word);
       if (in_effect_.may_be_unstated(Mode::motion))
-        once(motion_told_, DiagnosticId::motion_without_code, word.span, axis_name(word));
+        once(motion_reported_, DiagnosticId::motion_without_code, word.span, axis_name(word));
       if (ir::is_linear_axis(word.address) && in_effect_.may_be_unstated(Mode::unit))
-        once(unit_told_, DiagnosticId::unit_not_stated, span);
+        once(unit_reported_, DiagnosticId::unit_not_stated, span);
       if (word.mode == ir::WordMode::as_modal && !machine_coordinates && in_effect_.may_be_unstated(Mode::distance))
-        once(distance_told_, DiagnosticId::distance_mode_not_stated, span);
+        once(distance_reported_, DiagnosticId::distance_mode_not_stated, span);
     }
     feed(block, span);
   }
@@ -75,7 +75,7 @@ class ModalState {
   void take(const ir::Code& code) {
     in_effect_.take(code);
     if (is_one_of(code.function, kNeedPlane) && in_effect_.may_be_unstated(Mode::plane))
-      once(plane_told_, DiagnosticId::plane_not_stated, code.span);
+      once(plane_reported_, DiagnosticId::plane_not_stated, code.span);
   }
 
   [[nodiscard]] bool has(Mode mode, const auto& wanted) const {
@@ -91,16 +91,16 @@ class ModalState {
     const bool lacks = in_effect_.lacks(Kept::feed);
     const bool by_time = has(Mode::feed, [](Function f) { return f == Function::feed_inverse_time; });
     const bool misses = own == words.end() && (lacks || by_time);
-    const bool opens = !feed_told_ && !feed_mode_told_ && in_effect_.may_be_unstated(Mode::feed);
+    const bool opens = !feed_reported_ && !feed_mode_reported_ && in_effect_.may_be_unstated(Mode::feed);
     if ((!misses && !opens) || !has(Mode::motion, [](Function f) { return is_one_of(f, kFedMotions); })) return;
     if (misses) {
       // G93: the time of each block is its own (PG, "Feedrate"); another feed is missed once.
-      if (!(lacks && feed_told_)) check_.report(DiagnosticId::no_feed, span);
-      feed_told_ |= lacks;
+      if (!(lacks && feed_reported_)) check_.report(DiagnosticId::no_feed, span);
+      feed_reported_ |= lacks;
       return;
     }
     const text::Span f = own != words.end() ? own->span : word_of(in_effect_.origin(Kept::feed), Address::f);
-    if (!f.empty()) once(feed_mode_told_, DiagnosticId::feed_mode_not_stated, f, std::string(check_.text_of(f)));
+    if (!f.empty()) once(feed_mode_reported_, DiagnosticId::feed_mode_not_stated, f, std::string(check_.text_of(f)));
   }
 
   [[nodiscard]] text::Span word_of(std::uint32_t statement, Address address) const {
@@ -111,9 +111,9 @@ class ModalState {
     return word == words.end() ? text::Span{} : word->span;
   }
 
-  void once(bool& told, DiagnosticId id, text::Span span, std::string argument = {}) {
-    if (told) return;
-    told = true;
+  void once(bool& reported, DiagnosticId id, text::Span span, std::string argument = {}) {
+    if (reported) return;
+    reported = true;
     if (known_) return;  // the profile says in which state the machine starts
     std::vector<std::string> arguments;
     if (!argument.empty()) arguments.push_back(std::move(argument));
@@ -144,12 +144,12 @@ class ModalState {
   bool known_;
   bool has_diameter_;  // DIAMON, somewhere in the text
   // Each is reported once.
-  bool motion_told_ = false;
-  bool unit_told_ = false;
-  bool distance_told_ = false;
-  bool plane_told_ = false;
-  bool feed_mode_told_ = false;
-  bool feed_told_ = false;
+  bool motion_reported_ = false;
+  bool unit_reported_ = false;
+  bool distance_reported_ = false;
+  bool plane_reported_ = false;
+  bool feed_mode_reported_ = false;
+  bool feed_reported_ = false;
 };
 
 }  // namespace

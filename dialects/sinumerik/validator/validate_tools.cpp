@@ -83,8 +83,8 @@ class Tools {
     const auto words = check_.program.words_of(block);
     const bool has_speed = std::ranges::find(words, Address::s, &ir::Word::address) != words.end();
     const std::uint32_t origin = in_effect_.origin(Mode::surface_speed);
-    if (has_speed || origin == told_ || std::ranges::none_of(words, ir::is_axis, &ir::Word::address)) return;
-    told_ = origin;
+    if (has_speed || origin == reported_ || std::ranges::none_of(words, ir::is_axis, &ir::Word::address)) return;
+    reported_ = origin;
     check_.report(DiagnosticId::surface_speed_missing, in_effect_.span(Mode::surface_speed));
   }
 
@@ -105,8 +105,8 @@ class Tools {
 
   const Check& check_;
   facts::InEffect in_effect_;
-  bool has_surface_speed_;             // somewhere in the text
-  std::uint32_t told_ = ir::kNoIndex;  // the G96 without a speed that was reported
+  bool has_surface_speed_;                 // somewhere in the text
+  std::uint32_t reported_ = ir::kNoIndex;  // the G96 without a speed that was reported
 };
 
 }  // namespace

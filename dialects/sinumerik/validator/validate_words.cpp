@@ -64,11 +64,11 @@ class LineWords {
   void arc_that_is_found(const ir::Block& block) {
     for (const ir::Word& word : check_.program.words_of(block)) {
       if (!is_of_arc(word.address) || word.address == Address::turns) continue;
-      text::Diagnostic& told = check_.report(DiagnosticId::syntax_error, word.span,
-                                             {std::string(check_.text_of(word.span)) + " belongs to G2 or G3, and " +
-                                              std::string(check_.text_of(found_)) + " finds its circle without it"});
-      told.severity = text::Severity::warning;
-      told.alarm.clear();
+      text::Diagnostic& finding = check_.report(DiagnosticId::syntax_error, word.span,
+                                                {std::string(check_.text_of(word.span)) + " belongs to G2 or G3, and " +
+                                                 std::string(check_.text_of(found_)) + " finds its circle without it"});
+      finding.severity = text::Severity::warning;
+      finding.alarm.clear();
     }
   }
 

@@ -66,7 +66,7 @@ class CycleRaiser {
     if (block.rest_level != 0) return raising_.cannot(passes::at_switch("block skip inside a block"), s.span);
     if (!after.cycle.known) return undecided(block);
     if (!is) return end(before, block);
-    if (facts::has_own_words(program_, block)) return beside(block);
+    if (facts::has_own_words(program_, block)) return with_own_words(block);
     drill(before, after, block);
   }
 
@@ -83,7 +83,7 @@ class CycleRaiser {
 
   // A dwell, a shift or data while a cycle is in effect: no position, and no hole. What moves by rules of its own would
   // be followed by one here.
-  void beside(const ir::Block& block) {
+  void with_own_words(const ir::Block& block) {
     for (const ir::Code& c : program_.codes_of(block)) {
       const bool stays = c.group == ir::ModalGroup::frame || std::ranges::find(kStaying, c.function) != kStaying.end();
       if (facts::has_own_words(c) && !stays) return refuse_in_cycle(c);

@@ -138,7 +138,7 @@ class FrameRaiser {
 
   template <class T>
   static bool is_untouched(const facts::Known<T>& fact) {
-    return fact.origin == facts::kNobody && fact.inherited && fact.changer == facts::kNobody;
+    return fact.origin == facts::kNoStatement && fact.inherited && fact.changer == facts::kNoStatement;
   }
 
   // G52 replaces the shifts that it names and leaves what turns: TRANS takes all away.

@@ -56,7 +56,7 @@ class FeedAndSpeed {
       if (std::ranges::none_of(codes, [](const ir::Code& c) { return is_speed(c.function); })) continue;
       if (std::ranges::any_of(codes, sets)) continue;
       const facts::Facts* before = known.before(i);
-      const bool differs = before != nullptr && (*before)[facts::Mode::feed].other_origin != facts::kNobody;
+      const bool differs = before != nullptr && (*before)[facts::Mode::feed].other_origin != facts::kNoStatement;
       if (differs) uncertain_.insert(i);
     }
   }

@@ -20,16 +20,16 @@ void warn_of_words(const Raising& raising) {
     const ir::VariableRange* range = ir::find_variable(raising.from, v.bank, v.number);
     return range != nullptr && range->use == ir::VariableUse::common ? std::optional(v.number) : std::nullopt;
   };
-  std::vector<std::uint32_t> told;
+  std::vector<std::uint32_t> reported;
   for (const passes::UnsetRead& read : passes::reads_before_set(program, common)) {
     const ir::Statement& s = program.statements[read.statement];
-    if (s.kind != ir::StatementKind::block || std::ranges::find(told, read.watched) != told.end()) continue;
+    if (s.kind != ir::StatementKind::block || std::ranges::find(reported, read.watched) != reported.end()) continue;
     const bool alone = std::ranges::any_of(program.words_of(program.blocks[s.payload]), [&](const ir::Word& w) {
       const ir::Expression& e = program.at(w.value);
       return e.op == ir::Operator::variable && e.variable == read.variable;
     });
     if (!alone) continue;
-    told.push_back(read.watched);
+    reported.push_back(read.watched);
     raising.cannot(passes::not_known("a word that is left out while #" + std::to_string(read.watched) + " is empty"),
                    program.at(read.variable).span);
     raising.diagnostics.back().severity = text::Severity::warning;
@@ -46,10 +46,10 @@ void raise_vacant(const Raising& raising) {
     const bool is_local = range != nullptr && range->use == ir::VariableUse::local;
     return is_local ? std::optional(v.number) : std::nullopt;
   };
-  std::vector<std::uint32_t> told;
+  std::vector<std::uint32_t> reported;
   for (const passes::UnsetRead& read : passes::reads_before_set(raising.program, local)) {
-    if (std::ranges::find(told, read.watched) != told.end()) continue;
-    told.push_back(read.watched);
+    if (std::ranges::find(reported, read.watched) != reported.end()) continue;
+    reported.push_back(read.watched);
     raising.cannot(passes::not_known("the variable #" + std::to_string(read.watched) + ", which may be empty here,"),
                    raising.program.at(read.variable).span);
   }

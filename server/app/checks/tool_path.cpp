@@ -234,10 +234,10 @@ Followed follow_within(Examination& e, const CheckBudget& budget, const PathReco
   return follow(e, sink);
 }
 
-ToolPath record_path(Examination& e, const CheckBudget& budget, std::vector<ir::MotionSink*> beside) {
+ToolPath record_path(Examination& e, const CheckBudget& budget, std::vector<ir::MotionSink*> more_sinks) {
   PathRecorder recorder(x_is_diameter(e.control, e.profile));
-  beside.insert(beside.begin(), &recorder);
-  compile::FanOut sinks(std::move(beside));
+  more_sinks.insert(more_sinks.begin(), &recorder);
+  compile::FanOut sinks(std::move(more_sinks));
   Followed followed = follow_within(e, budget, recorder, sinks);
   ToolPath path = recorder.finish(followed.run);
   path.report = std::move(followed.report);

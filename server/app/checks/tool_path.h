@@ -172,7 +172,7 @@ Followed follow_within(Examination& examination, const CheckBudget& budget, cons
                        ir::MotionSink& sink);
 
 // Of an opened text; those `beside` get the same motions.
-ToolPath record_path(Examination& examination, const CheckBudget& budget, std::vector<ir::MotionSink*> beside = {});
+ToolPath record_path(Examination& examination, const CheckBudget& budget, std::vector<ir::MotionSink*> more_sinks = {});
 
 // Errors: as diagnose_text.
 Result<ToolPath> follow_path(const DiagnoseOrder& order, const Documents& documents, const CheckBudget& budget);

@@ -34,8 +34,8 @@ std::vector<bool> tokens_to_leave(const ir::Program& program, bool (*is_left)(St
   return leave;
 }
 
-bool is_one_of(std::string_view said, std::string_view characters) {
-  return said.size() == 1 && characters.find(said.front()) != std::string_view::npos;
+bool is_one_of(std::string_view written, std::string_view characters) {
+  return written.size() == 1 && characters.find(written.front()) != std::string_view::npos;
 }
 
 class Spacing {
@@ -75,9 +75,9 @@ class Spacing {
     for (std::size_t i = 0; i < words_.size(); ++i) {
       const Token& word = program_.tokens[words_[i]];
       put_gap(text_.substr(at, word.span.begin - at), i);
-      const std::string_view said = word.span.in(text_);
-      if (word.kind == TokenKind::symbol) depth_ += is_one_of(said, "([") ? 1 : is_one_of(said, ")]") ? -1 : 0;
-      out_ += said;
+      const std::string_view written = word.span.in(text_);
+      if (word.kind == TokenKind::symbol) depth_ += is_one_of(written, "([") ? 1 : is_one_of(written, ")]") ? -1 : 0;
+      out_ += written;
       at = word.span.end;
     }
     const std::string_view rest = text_.substr(at, end - at);  // blanks and the EOB
@@ -98,7 +98,7 @@ class Spacing {
   }
 
   [[nodiscard]] const Token& word(std::size_t i) const { return program_.tokens[words_[i]]; }
-  [[nodiscard]] std::string_view said(std::size_t i) const { return word(i).span.in(text_); }
+  [[nodiscard]] std::string_view written(std::size_t i) const { return word(i).span.in(text_); }
 
   // Whether the i-th word may stand at once after the one before it.
   [[nodiscard]] bool may_touch(std::size_t i) const {
@@ -106,10 +106,10 @@ class Spacing {
     const TokenKind right = word(i).kind;
     if (left == TokenKind::comment || right == TokenKind::comment) return true;
     if (left == TokenKind::symbol && right == TokenKind::symbol)
-      return is_one_of(said(i - 1), "()[],") || is_one_of(said(i), "()[],");
-    if (right == TokenKind::symbol) return left != TokenKind::skip && !is_one_of(said(i), ":");
+      return is_one_of(written(i - 1), "()[],") || is_one_of(written(i), "()[],");
+    if (right == TokenKind::symbol) return left != TokenKind::skip && !is_one_of(written(i), ":");
     if (left == TokenKind::symbol)
-      return !is_one_of(said(i - 1), ":") && (order_.words_may_touch || !is_one_of(said(i - 1), ")]"));
+      return !is_one_of(written(i - 1), ":") && (order_.words_may_touch || !is_one_of(written(i - 1), ")]"));
     if (left == TokenKind::skip || left == TokenKind::string || right == TokenKind::string) return false;
     return order_.words_may_touch ? may_touch_anywhere(left, right) : is_plain_pair(i);
   }
@@ -125,9 +125,9 @@ class Spacing {
       return word(at).kind == TokenKind::address && word(at).span.end - word(at).span.begin == 1;
     };
     if (word(i - 1).kind != TokenKind::number || i < 2 || !is_letter(i) || i + 1 >= words_.size()) return false;
-    const bool has_sign = word(i - 2).kind == TokenKind::symbol && is_one_of(said(i - 2), "+-");
+    const bool has_sign = word(i - 2).kind == TokenKind::symbol && is_one_of(written(i - 2), "+-");
     if (has_sign ? i < 3 || !is_letter(i - 3) : !is_letter(i - 2)) return false;
-    return word(i + 1).kind == TokenKind::number || is_one_of(said(i + 1), "+-");
+    return word(i + 1).kind == TokenKind::number || is_one_of(written(i + 1), "+-");
   }
 
   // Whether a blank before the i-th word makes the line easier to read.
@@ -137,7 +137,7 @@ class Spacing {
     if (right == TokenKind::comment) return left != TokenKind::comment;
     if (depth_ != 0 || (right != TokenKind::address && right != TokenKind::name && right != TokenKind::variable))
       return false;
-    if (left == TokenKind::symbol) return is_one_of(said(i - 1), ")]") && right != TokenKind::variable;
+    if (left == TokenKind::symbol) return is_one_of(written(i - 1), ")]") && right != TokenKind::variable;
     return left == TokenKind::number || left == TokenKind::comment || left == TokenKind::string;
   }
 

@@ -224,7 +224,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
     const bool held = kFeedStateRows[static_cast<std::size_t>(feed_.state())].line == LineState::held;
     if (held) due = due ? std::min(*due, ticked_at_ + kHoldShown) : ticked_at_ + kHoldShown;
-    if (untold_) due = due ? std::min(*due, published_at_ + kCountersShown) : published_at_ + kCountersShown;
+    if (unpublished_) due = due ? std::min(*due, published_at_ + kCountersShown) : published_at_ + kCountersShown;
     return due;
   }
 
@@ -326,8 +326,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
                          answer != report_.answer;
     const bool news = changed || unarmed_starts_ != report_.unarmed_starts || link_.error() != report_.link_error;
     const feed::Time time = now();
-    untold_ = !news && time < published_at_ + kCountersShown;
-    if (untold_) return;
+    unpublished_ = !news && time < published_at_ + kCountersShown;
+    if (unpublished_) return;
     published_at_ = time;
     const std::lock_guard lock(report_mutex_);
     report_.job = order_job_;
@@ -395,7 +395,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::uint64_t reserve_ = 0;
   std::uint64_t unarmed_starts_ = 0;
   feed::Time published_at_{};
-  bool untold_ = false;  // counters changed since, and nothing else
+  bool unpublished_ = false;  // counters changed since, and nothing else
   mutable LineMutex report_mutex_{"a line's report"};
   LineReport report_;
 };

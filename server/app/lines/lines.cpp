@@ -37,7 +37,7 @@ std::string fingerprint(const machine::LineSettings& s) {
                      s.latency_chars, s.watch_cts, s.watch_dsr, s.start_trigger, static_cast<int>(s.flow), s.xon,
                      s.xoff, static_cast<int>(s.xoff_by), s.char_delay_ms, s.line_delay_ms,
                      machine::name_of(s.protocol), s.answer_s.value_or(0.0), s.payload_bytes, s.counted_frames,
-                     s.gives_way, s.messages_end_with_cr) +
+                     s.yields_on_collision, s.messages_end_with_cr) +
          fingerprint(s.receive);
 }
 

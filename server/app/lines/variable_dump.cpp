@@ -95,10 +95,10 @@ std::optional<double> value_of(const Line& line, const compile::Dialect& dialect
   const text::Source source("values", fmt::format("{}={}\nM30\n", name, line.value));
   const ir::ReadResult read = dialect.read(source, control);
   if (text::has_error(read.diagnostics)) return std::nullopt;
-  compile::NoMotions nobody;
+  compile::NoMotions no_sink;
   interpreter::RunOptions options;
   options.want_variables = true;
-  const interpreter::RunResult run = compile::execute(read.program, control, nullptr, nobody, options);
+  const interpreter::RunResult run = compile::execute(read.program, control, nullptr, no_sink, options);
   if (run.ended != interpreter::Ended::end) return std::nullopt;
   for (const interpreter::VariableValue& one : run.variables) {
     if (one.name == name) return one.value;

@@ -188,19 +188,19 @@ TEST(PlaneAccuracy, ACornerBetweenTwoCurvesIsNoEndToRunOut) {
   const std::vector<Point> corners = {{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}};
   std::vector<curves::ParametricCurve> sides;
   std::vector<ir::Motion> on_it;
-  std::vector<ir::Motion> beside_it;  // the centre of a cutter of radius 5, outside
-  const auto beside = [](Point corner) {
+  std::vector<ir::Motion> next_to_it;  // the centre of a cutter of radius 5, outside
+  const auto next_to = [](Point corner) {
     return Point{corner.z + (corner.z > 20 ? 5 : -5), corner.x + (corner.x > 20 ? 5 : -5)};
   };
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     sides.push_back(straight(corners[i], corners[i + 1]));
     on_it.push_back(line(corners[i], corners[i + 1], ir::CompSide::right));
-    beside_it.push_back(line(beside(corners[i]), beside(corners[i + 1])));
+    next_to_it.push_back(line(next_to(corners[i]), next_to(corners[i + 1])));
   }
   const Report compensated = run(settings_for(sides), on_it);
   EXPECT_TRUE(compensated.covered);
   EXPECT_EQ(compensated.overrun_mm, 0.0);
-  const Report outside = run(settings_for(sides), beside_it);
+  const Report outside = run(settings_for(sides), next_to_it);
   EXPECT_TRUE(outside.covered);
   EXPECT_EQ(outside.overrun_mm, 0.0);
   EXPECT_LT(outside.path.max_mm, 1e-9);

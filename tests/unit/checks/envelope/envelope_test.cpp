@@ -111,16 +111,16 @@ TEST(Envelope, SaysWhatTheProfileHasNoAxisFor) {
 TEST(Envelope, SaysTheTravelThatIsNotKnownOfWhatMoves) {
   Settings settings{.machine = mill()};
   settings.machine.axes.push_back({.axis = ir::Axis::c});
-  constexpr std::string_view kSaid = "the travel of C is not known";
+  constexpr std::string_view kReported = "the travel of C is not known";
   const ir::Motion straight = move(rapid, 0, 0, 10, 0);
-  EXPECT_FALSE(reports(run({}, settings), kSaid));
-  EXPECT_FALSE(reports(run({straight}, settings), kSaid));
+  EXPECT_FALSE(reports(run({}, settings), kReported));
+  EXPECT_FALSE(reports(run({straight}, settings), kReported));
   ir::Motion turn = move(rapid, 10, 0, 10, 0);
   turn.axes_commanded |= 1U << 5U;
   turn.end[5] = 90;
   const Report report = run({straight, turn, turn}, settings);
-  EXPECT_TRUE(reports(report, kSaid));
-  EXPECT_EQ(std::ranges::count(report.not_checked.list(), kSaid, &checks::NotChecked::text), 1);
+  EXPECT_TRUE(reports(report, kReported));
+  EXPECT_EQ(std::ranges::count(report.not_checked.list(), kReported, &checks::NotChecked::text), 1);
   EXPECT_TRUE(report.findings.empty());
 }
 

@@ -31,7 +31,7 @@ std::string dialect_of(const fs::path& path) {
   return ending == ".m80" ? "mitsubishi-m80" : ending == ".mazak" ? "mazak" : "fanuc";
 }
 
-std::string said_by_run(const fs::path& path, const std::string& id, bool& gives) {
+std::string reported_by_run(const fs::path& path, const std::string& id, bool& gives) {
   const text::Source source(path.filename().string(), content_of(path));
   const auto kind = source.text().contains("LATHE") ? ir::MachineKind::lathe : ir::MachineKind::mill;
   const std::string dialect = dialect_of(path);
@@ -62,7 +62,7 @@ TEST(RunGolden, TriggersTriggerAndNearMissesDoNot) {
       if (path.extension() != ".nc" && path.extension() != ".mpf") continue;
       ++programs;
       bool gives = false;
-      const std::string actual = said_by_run(path, id, gives);
+      const std::string actual = reported_by_run(path, id, gives);
       EXPECT_EQ(gives, path.filename().string().starts_with("trigger")) << path << "\n" << actual;
       const fs::path expected = path.string() + ".expected.run";
       if (update) std::ofstream(expected, std::ios::binary) << actual;

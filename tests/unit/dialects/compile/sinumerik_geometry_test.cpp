@@ -231,11 +231,11 @@ TEST(SinumerikGeometry, AFeedOfOneBlock) {
 
 // OFFN counts with the compensation of the radius alone.
 TEST(SinumerikGeometry, AnOffsetOfTheContourIsReportedWhereItActs) {
-  constexpr auto kTold = "OFFN: an offset of the contour in addition to the tool's radius";
+  constexpr auto kReported = "OFFN: an offset of the contour in addition to the tool's radius";
   const std::string head = "G17 G90 G94 T1 D1\nG1 X0 Y0 Z0 F100\n";
-  EXPECT_FALSE(run(head + "OFFN=0\nG41 X5\nX10\nG40 X20\nM30\n").names(kTold));
-  EXPECT_FALSE(run(head + "OFFN=2\nX10\nOFFN=0\nG41 X15\nG40 X20\nM30\n").names(kTold));
-  EXPECT_TRUE(run(head + "OFFN=2\nG41 X5\nX10\nG40 X20\nM30\n").names(kTold));
+  EXPECT_FALSE(run(head + "OFFN=0\nG41 X5\nX10\nG40 X20\nM30\n").names(kReported));
+  EXPECT_FALSE(run(head + "OFFN=2\nX10\nOFFN=0\nG41 X15\nG40 X20\nM30\n").names(kReported));
+  EXPECT_TRUE(run(head + "OFFN=2\nG41 X5\nX10\nG40 X20\nM30\n").names(kReported));
 }
 
 // Corners of polar words: the right angle at (10, 0) as AP and RP say it.

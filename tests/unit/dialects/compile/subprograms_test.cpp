@@ -257,8 +257,8 @@ TEST(Subprograms, OfOtherTextsAreReportedOfNumbersThatChange) {
 
 // #1 of a macro is not #1 of its caller.
 TEST(Subprograms, OfMacrosHaveLocalVariablesOfTheirOwn) {
-  const std::string beside = "O0001\nG97 G99\n#1=2.\nG65 P9100\nG00 X#1\nM30\n";
-  const ConvertResult own = turned(beside, "fanuc", "sinumerik-840d");
+  const std::string next_to_it = "O0001\nG97 G99\n#1=2.\nG65 P9100\nG00 X#1\nM30\n";
+  const ConvertResult own = turned(next_to_it, "fanuc", "sinumerik-840d");
   EXPECT_FALSE(text::has_error(own.diagnostics)) << complaints(own);
   EXPECT_NE(own.text.find("DEF REAL LOCAL_1\n"), std::string::npos) << own.text;
   EXPECT_EQ(own.text.find("R1"), std::string::npos) << own.text;

@@ -232,7 +232,7 @@ TEST(Transmit, FromAnUnknownPlaceIsReported) {
 }
 
 // How far a place lies from a path of lines and arcs in the plane of X and Y.
-double beside(const std::vector<ir::Motion>& way, Place p) {
+double next_to_it(const std::vector<ir::Motion>& way, Place p) {
   double least = 1e9;
   for (const ir::Motion& m : way) {
     const double dx = m.end[0] - m.start[0];
@@ -277,7 +277,7 @@ TEST(PolarInterpolation, Corners) {
   }
   double time = 0.0;
   for (std::uint32_t line = 5; line <= 9; ++line) {
-    EXPECT_LT(farthest(moves, line, [&](Place p) { return beside(mill, p); }), 1.1e-3) << line;
+    EXPECT_LT(farthest(moves, line, [&](Place p) { return next_to_it(mill, p); }), 1.1e-3) << line;
     time += minutes(moves, line);
   }
   EXPECT_NEAR(time, length / 100.0, 1e-4 * length / 100.0);

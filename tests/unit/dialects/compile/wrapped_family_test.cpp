@@ -50,7 +50,7 @@ std::string faults_of(const std::string& family, const std::string& dialect, con
 }
 
 // The diagnostics where the family is stored: without a machine.
-std::string said_of_description(const std::string& family) {
+std::string reported_of_description(const std::string& family) {
   const text::Source source("holder.family", family);
   return messages_of(describe_family(source).diagnostics, source);
 }
@@ -224,7 +224,7 @@ TEST(WrappedFamily, AnotherLanguageIsRefused) {
   EXPECT_NE(messages.find("fanuc"), std::string::npos) << messages;
   EXPECT_NE(messages.find("mitsubishi-m80"), std::string::npos) << messages;
   const std::string unknown = kMill + "native okuma\nM30\n";
-  EXPECT_NE(said_of_description(unknown).find("no control here has the language 'okuma'"), std::string::npos);
+  EXPECT_NE(reported_of_description(unknown).find("no control here has the language 'okuma'"), std::string::npos);
 }
 
 // What the documentation shows is what happens.

@@ -57,10 +57,10 @@ TEST(InEffect, KnowsNothingOfPowerOnWhereACallerMayHaveStatedAnother) {
   InEffect called(program, facts, false);
   begins.at(0);
   called.at(0);
-  EXPECT_EQ(begins.beside(Mode::spindle, Function::spindle_stop), State::off);
+  EXPECT_EQ(begins.state_against(Mode::spindle, Function::spindle_stop), State::off);
   EXPECT_TRUE(begins.lacks(Kept::feed));
   EXPECT_TRUE(begins.lacks(Number::length_number));
-  EXPECT_EQ(called.beside(Mode::spindle, Function::spindle_stop), State::uncertain);
+  EXPECT_EQ(called.state_against(Mode::spindle, Function::spindle_stop), State::uncertain);
   EXPECT_FALSE(called.lacks(Kept::feed));
   EXPECT_FALSE(called.lacks(Number::length_number));
   EXPECT_FALSE(called.may_be_unstated(Mode::unit));

@@ -91,7 +91,7 @@ TEST(Resolved, ASubprogramBeginsInWhatItsCallersHave) {
   EXPECT_EQ(resolved.certain(Mode::plane, 4)->function, Function::plane_zx) << "what it does not touch passes by";
 }
 
-TEST(Resolved, ASubprogramAloneInheritsFromACallerThatNobodySees) {
+TEST(Resolved, ASubprogramAloneInheritsFromACallerThatIsNotSeen) {
   Builder b;
   b.block({}, {{Address::x, 1.0}});
   b.back();

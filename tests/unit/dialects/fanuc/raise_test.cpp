@@ -127,14 +127,14 @@ TEST(Raise, SaysToolsAsTheControlDoes) {
 
 // A point less is a thousandth of the angle; a place less is another angle.
 TEST(FanucPrint, HIsTheIncrementOfCWhereIncrementsHaveLetters) {
-  const auto printed_anew = [](std::string text, ir::Control target) {
+  const auto printed_again = [](std::string text, ir::Control target) {
     target.axes = "XZC";
     return Stages::print(Stages::read(text::Source("h.nc", std::move(text)), target).program, target).text;
   };
-  EXPECT_EQ(printed_anew("G00 H-51.429\nG00 H5.\n", control(MachineKind::lathe, ir::GSystem::a)),
+  EXPECT_EQ(printed_again("G00 H-51.429\nG00 H5.\n", control(MachineKind::lathe, ir::GSystem::a)),
             "%\nO0001\nG00 H-51.429\nG00 H5.\n%\n");
-  EXPECT_EQ(printed_anew("G00 H5\n", control(MachineKind::lathe, ir::GSystem::a)), "%\nO0001\nG00 H5\n%\n");
-  EXPECT_EQ(printed_anew("G43 H5\n", control(MachineKind::mill, ir::GSystem::a)), "%\nO0001\nG43 H5\n%\n");
+  EXPECT_EQ(printed_again("G00 H5\n", control(MachineKind::lathe, ir::GSystem::a)), "%\nO0001\nG00 H5\n%\n");
+  EXPECT_EQ(printed_again("G43 H5\n", control(MachineKind::mill, ir::GSystem::a)), "%\nO0001\nG43 H5\n%\n");
 }
 
 TEST(Raise, SaysModesByTheTargetsCodes) {

@@ -20,7 +20,7 @@ std::vector<std::string> names_of(const Ran& run) {
   for (const auto& one : run.result.not_interpreted) names.push_back(one.name);
   return names;
 }
-const std::string kNotSaid = "the change of a thread's lead that its block does not state for certain";
+const std::string kNotReported = "the change of a thread's lead that its block does not state for certain";
 
 // From 1 with 0.5 more in each turn: 1, 1.5, 2, 2.5 begin the first four turns, which take 1.25 + 1.75 + 2.25 + 2.75.
 TEST(ChangingThread, TheLeadFollowsFromTheTravel) {
@@ -71,7 +71,7 @@ TEST(ChangingThread, LeadAndChangeAreLengthsInInch) {
   Builder s;
   s.block({{Function::rapid}, {Function::unit_inch, 1}}, {{Address::x, 1.0}, {Address::z, 0.2}});
   s.block({{Function::thread_changing}}, {{Address::z, -1.0}, {Address::k, 0.1}, {Address::f, 0.01}});
-  EXPECT_EQ(names_of(ran(s, sinumerik_control())), std::vector{kNotSaid});
+  EXPECT_EQ(names_of(ran(s, sinumerik_control())), std::vector{kNotReported});
 }
 
 // 2² - 2 · 0.1 · 19 is above 0, with 20 instead of 19 it is 0. The longer travel counts, of X its half.
@@ -106,11 +106,11 @@ TEST(ChangingThread, WhatABlockDoesNotSayOfTheChangeIsReported) {
   b.block({{Function::rapid}}, {{Address::x, 20.0}, {Address::z, 5.0}});
   b.block({{Function::thread_changing}}, {{Address::z, -30.0}, {Address::f, 2.0}});
   const Ran run = ran(b, lathe_control());
-  EXPECT_EQ(names_of(run), std::vector{kNotSaid});
+  EXPECT_EQ(names_of(run), std::vector{kNotReported});
   EXPECT_NE(run.trace.find("F2.0000/rev\n"), std::string::npos) << run.trace;
   Builder s;
   s.block({{Function::thread_changing}}, {{Address::z, -30.0}, {Address::k, 2.0}, {Address::f, -0.01}});
-  EXPECT_EQ(names_of(ran(s, sinumerik_control())), std::vector{kNotSaid});
+  EXPECT_EQ(names_of(ran(s, sinumerik_control())), std::vector{kNotReported});
 }
 
 }  // namespace

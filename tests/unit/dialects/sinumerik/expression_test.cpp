@@ -46,7 +46,7 @@ TEST(Expression, ComparisonsAreTheWeakest) {
   const ir::ReadResult trap = read_text("R9=R1==10 AND R2==20");
   EXPECT_EQ(shape(trap.program, trap.program.assigns.at(0).value), "(== (== R1 (AND 10 R2)) 20)");
   ASSERT_EQ(trap.diagnostics.size(), 1U);
-  EXPECT_EQ(trap.diagnostics[0].id, text::DiagnosticId::comparison_beside_logic);
+  EXPECT_EQ(trap.diagnostics[0].id, text::DiagnosticId::comparison_with_logic);
 }
 
 TEST(Expression, SignsAndFunctions) {

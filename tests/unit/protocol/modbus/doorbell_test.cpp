@@ -160,7 +160,7 @@ class RestartsTest : public testing::TestWithParam<unsigned> {
     if (lost) return;
     host.seen(boot, {.bell = bell, .request = 1, .requested = rung}, now);
     if (const auto one = host.take_ring()) {
-      EXPECT_TRUE(told.insert(one->program).second) << "ring " << one->program << " is told twice";
+      EXPECT_TRUE(reported.insert(one->program).second) << "ring " << one->program << " is told twice";
       EXPECT_EQ(one->program, rung);
       EXPECT_LE(now - bell_at, Doorbell::kFresh) << "told late";
       EXPECT_GE(bell_at, host_since) << "rung before the host was there";
@@ -183,7 +183,7 @@ class RestartsTest : public testing::TestWithParam<unsigned> {
   std::uint16_t boot = 1;
   std::uint32_t rung = 0;
   AnswerImage answer{};
-  std::set<std::uint32_t> told;
+  std::set<std::uint32_t> reported;
 };
 
 TEST_P(RestartsTest, ReportEachRingOnceAtTheMost) {
@@ -209,7 +209,7 @@ TEST_P(RestartsTest, ReportEachRingOnceAtTheMost) {
     poll(false);
     serve(false);
   }
-  EXPECT_GT(told.size(), 10U);
+  EXPECT_GT(reported.size(), 10U);
   if (bell != 0) {
     EXPECT_EQ(answered_bell(answer), bell);
   }

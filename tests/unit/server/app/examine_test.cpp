@@ -150,21 +150,22 @@ TEST(Examine, LinesTakeTheirEobAndTheBlankOfATvCheck) {
 }
 
 // A SINUMERIK program, with others next to it by name.
-CheckReport sinumerik_report(const std::string& text, std::map<std::string, std::string, std::less<>> beside = {}) {
+CheckReport sinumerik_report(const std::string& text, std::map<std::string, std::string, std::less<>> next_to_it = {}) {
   const compile::Dialect* dialect = compile::find_dialect("sinumerik-840d");
-  return examine({.source = text::Source("MAIN.MPF", text),
-                  .dialect = dialect,
-                  .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
-                  .inferred = false,
-                  .profile = nullptr,
-                  .delivery = ir::Delivery::memory,
-                  .find_called = [beside = std::move(beside)](std::string_view name) -> std::optional<text::Source> {
-                    const auto found = beside.find(name);
-                    if (found == beside.end()) return std::nullopt;
-                    return text::Source("/nc/" + found->first + ".SPF", found->second);
-                  },
-                  .geometry = {},
-                  .profile_lines = {}});
+  return examine(
+      {.source = text::Source("MAIN.MPF", text),
+       .dialect = dialect,
+       .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
+       .inferred = false,
+       .profile = nullptr,
+       .delivery = ir::Delivery::memory,
+       .find_called = [next_to_it = std::move(next_to_it)](std::string_view name) -> std::optional<text::Source> {
+         const auto found = next_to_it.find(name);
+         if (found == next_to_it.end()) return std::nullopt;
+         return text::Source("/nc/" + found->first + ".SPF", found->second);
+       },
+       .geometry = {},
+       .profile_lines = {}});
 }
 
 constexpr const char* kHead = "G17 G710 G90 G94 M3 S1000 F100\n";

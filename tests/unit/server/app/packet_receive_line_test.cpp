@@ -23,7 +23,9 @@ using dripfeed::test::FakeLinkThread;
 class PunchingPeer final : public dripfeed::test::Peer {
  public:
   PunchingPeer(packet::Protocol protocol, const std::string& text)
-      : sender_(*packet::Sender::make({.protocol = protocol, .gives_way = false})), text_(text), source_(text_) {}
+      : sender_(*packet::Sender::make({.protocol = protocol, .yields_on_collision = false})),
+        text_(text),
+        source_(text_) {}
   void punch(feed::Time now) {
     sender_.link(true, now);
     ASSERT_TRUE(sender_.arm({.facts = facts_of(text_), .source = &source_, .reserve = feed::kNoReserve}, now, "O42"));

@@ -69,10 +69,10 @@ TEST(Stock, AStatedBlankCountsAndWithoutOneThereIsNone) {
   order.stock = "box 0 40 0 20 -10 0";
   const auto stock = test::must(follow_stock(order, test::PlainDocuments(), {}));
   EXPECT_TRUE(stock.places.empty()) << "the tool is in no profile";
-  const bool told = std::ranges::any_of(stock.notes, [](const checks::NotChecked& one) {
+  const bool reported = std::ranges::any_of(stock.notes, [](const checks::NotChecked& one) {
     return one.text.find("diameter of tool 1") != std::string::npos;
   });
-  EXPECT_TRUE(told) << "and that is stated";
+  EXPECT_TRUE(reported) << "and that is stated";
   EXPECT_TRUE(stock.nominal.empty());
   order.stock = "box 0 40";
   EXPECT_NE(test::refusal(follow_stock(order, test::PlainDocuments(), {})).text.find("stock must be"),

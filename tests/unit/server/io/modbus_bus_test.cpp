@@ -302,8 +302,8 @@ TEST(ModbusBus, SpeaksRtuOnASerialLine) {
   EXPECT_TRUE(*exchanged);
   EXPECT_EQ(back[1], 7);
   // No one has this number; the line is made again after the silence, and the other unit is as before.
-  const auto nobody = make_bus(machine::parse_link_url(url + "6").value());
-  EXPECT_FALSE(nobody->read(2, back));
+  const auto nothing_there = make_bus(machine::parse_link_url(url + "6").value());
+  EXPECT_FALSE(nothing_there->read(2, back));
   // libmodbus's server takes what follows a request for another for that one's answer, and passes it over.
   bool again = false;
   for (int i = 0; i < 10 && !again; ++i) again = bus->read(2, back).has_value();

@@ -183,7 +183,7 @@ TEST(ProfileDocument, APacketProtocolBringsItsLineAlong) {
   EXPECT_EQ(line.answer_s, 60.0);
   EXPECT_EQ(line.payload_bytes, 64U);
   EXPECT_TRUE(line.counted_frames);
-  EXPECT_FALSE(line.gives_way);
+  EXPECT_FALSE(line.yields_on_collision);
 
   const auto seven = read_profile(link(R"("protocol": "xmodem", "framing": "7E2")"));
   ASSERT_FALSE(seven);

@@ -191,8 +191,9 @@ TEST(Records, ProblemsNameTheirPlaces) {
       problem(problem_code(none), none),
       R"({"type":"about:blank","title":"not found","status":404,"code":"not_found","detail":"none","said":null})");
   const app::Error nine{app::ErrorCode::not_found, "there is no such thing (9)", {}};
-  const std::string said = problem(problem_code(nine), nine);
-  EXPECT_THAT(said, HasSubstr(R"x("said":{"id":"store_not_found","values":{"detail":{"text":"9","said":null}}}})x"));
+  const std::string sentence = problem(problem_code(nine), nine);
+  EXPECT_THAT(sentence,
+              HasSubstr(R"x("sentence":{"id":"store_not_found","values":{"detail":{"text":"9","sentence":null}}}})x"));
 }
 
 TEST(Records, AStatusNamesWhyItsLinkIsDown) {

@@ -56,9 +56,9 @@ TEST(Schemas, EveryMemberHasAMeaning) {
 }
 
 TEST(Schemas, EveryRowOfTheGlossaryIsUsed) {
-  std::set<std::string, std::less<>> said;
-  walk_all([&](const Schema& schema, const std::string&) { said.insert(schema.about); });
-  for (const GlossaryRow& row : glossary()) EXPECT_TRUE(said.contains(row.about)) << row.path;
+  std::set<std::string, std::less<>> sentence_of;
+  walk_all([&](const Schema& schema, const std::string&) { sentence_of.insert(schema.about); });
+  for (const GlossaryRow& row : glossary()) EXPECT_TRUE(sentence_of.contains(row.about)) << row.path;
 }
 
 TEST(Schemas, EveryKindOfEventHasOne) {

@@ -59,7 +59,7 @@ TEST(LinkUrl, ReadsAddresses) {
 
 struct Wrong {
   std::string_view text;
-  std::string_view said;  // in the sentence
+  std::string_view reported;  // in the sentence
 };
 
 TEST(LinkUrl, SaysWhatIsWrong) {
@@ -92,7 +92,7 @@ TEST(LinkUrl, SaysWhatIsWrong) {
   for (const Wrong& wrong : wrongs) {
     const auto url = parse_link_url(wrong.text);
     ASSERT_FALSE(url) << wrong.text;
-    EXPECT_NE(url.error().find(wrong.said), std::string::npos) << wrong.text << " gives: " << url.error();
+    EXPECT_NE(url.error().find(wrong.reported), std::string::npos) << wrong.text << " gives: " << url.error();
   }
 }
 

@@ -77,7 +77,7 @@ TEST(Line, RefusesTheBudgetWithItsSum) {
 
 struct Wrong {
   std::string_view option;
-  std::string_view said;
+  std::string_view reported;
 };
 
 TEST(Line, NamesTheOptionThatIsWrong) {
@@ -96,7 +96,7 @@ TEST(Line, NamesTheOptionThatIsWrong) {
     const LineSettings line = line_at("serial:/dev/ttyS0?" + std::string(wrong.option));
     const auto effective = effective_line(line);
     ASSERT_FALSE(effective) << wrong.option;
-    EXPECT_NE(effective.error().find(wrong.said), std::string::npos) << effective.error();
+    EXPECT_NE(effective.error().find(wrong.reported), std::string::npos) << effective.error();
     EXPECT_EQ(feed_settings_of(line).error(), effective.error());
   }
   EXPECT_NE(feed_settings_of(line_at("serial:/dev/ttyS0?baud=0")).error().find("baud"), std::string::npos);
