@@ -145,7 +145,7 @@ inline bool is_off_axis(const ir::Motion& motion) {
 inline std::string_view why_no_turning(const ir::Motion& motion) {
   if (moves_any(motion, {ir::Axis::c})) return "a cut that turns C";
   if (moves_any(motion, {ir::Axis::a, ir::Axis::b})) return "a cut that turns A or B";
-  if (is_off_axis(motion)) return "a cut beside the spindle's axis, with Y";
+  if (is_off_axis(motion)) return "a cut off the spindle's axis, with Y";
   return {};
 }
 

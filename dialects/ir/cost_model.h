@@ -66,10 +66,10 @@ inline constexpr std::array<CostTerm, 11> kCostTerms = {{
     {"named_write_ms", "writing a variable with a name", &CostModel::named_write_ms, &ComputeCounts::named_writes},
     {"operator_ms", "an operator", &CostModel::operator_ms, &ComputeCounts::operators},
     {"function_ms", "a function", &CostModel::function_ms, &ComputeCounts::functions},
-    {"jump_ms", "a jump that is taken, beside its block", &CostModel::jump_ms, &ComputeCounts::jumps},
+    {"jump_ms", "a jump that is taken, in addition to its block", &CostModel::jump_ms, &ComputeCounts::jumps},
     {"round_ms", "the end of a loop's round", &CostModel::round_ms, &ComputeCounts::rounds},
-    {"call_ms", "calling a program and returning, beside the two blocks", &CostModel::call_ms, &ComputeCounts::calls},
-    {"indexed_ms", "finding a variable by a computed number, beside reading or writing it", &CostModel::indexed_ms,
+    {"call_ms", "calling a program and returning, in addition to the two blocks", &CostModel::call_ms, &ComputeCounts::calls},
+    {"indexed_ms", "finding a variable by a computed number, in addition to reading or writing it", &CostModel::indexed_ms,
      &ComputeCounts::indexed},
 }};
 

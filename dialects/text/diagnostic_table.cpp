@@ -250,7 +250,7 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
   {allowance_inside_part, "allowance-inside-part", warning, "the allowance {} lies on the wrong side: the shape is that of {}",
    "In a bore the allowance in X is negative, outside positive: otherwise the cycle cuts beyond the finished shape."},
   {curve_invalid, "curve-invalid", error, "the curve is not possible: {}",
-   "A NURBS curve has as many knots as control points and order together, they never fall, and it starts where the tool is."},
+   "A NURBS curve has as many knots as control points plus its order. The knots never decrease, and the curve starts at the tool's position."},
   {thread_invalid, "thread-invalid", error, "the thread cannot be cut: {}",
    "A lead that changes does so by the same amount in each turn, and must be above 0 up to the end of the thread."},
   {hole_pattern_invalid, "hole-pattern-invalid", error, "the hole pattern is not possible: {}",

@@ -127,7 +127,7 @@ std::string describe(const LineRecord& record) {
   };
   switch (record.state) {
     case RecordState::clean: return {};
-    case RecordState::sending: return sentence("did not live to report how it ended");
+    case RecordState::sending: return sentence("ended without a report of how");
     case RecordState::torn: return sentence(fmt::format("broke off inside a block: {}", record.why));
   }
   return {};

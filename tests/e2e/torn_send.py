@@ -111,7 +111,7 @@ def killed(folder):
     control.wait_for(500)
     sending.kill()
     sending.communicate()
-    refuses_until_confirmed(folder, url, ["O0042.nc", "did not live to report how it ended"])
+    refuses_until_confirmed(folder, url, ["O0042.nc", "ended without a report of how"])
 
 
 def killed_while_it_waits(folder):

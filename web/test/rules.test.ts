@@ -20,7 +20,7 @@ test('each state of a job has its orders', () => {
   assert.deepEqual(offered('feeding'), ['stop', 'cancel']);
   assert.deepEqual(offered('held', 'held by DC3'), ['resume_as_dc1', 'stop', 'cancel']);
   assert.deepEqual(offered('held', 'stopped'), ['resume', 'cancel']);
-  assert.deepEqual(offered('held', 'stopped, and the control asked anew: it may have been reset'), ['cancel']);
+  assert.deepEqual(offered('held', 'stopped, and the control asked again: it may have been reset'), ['cancel']);
   assert.deepEqual(offered('held', 'waiting for credit'), ['stop', 'cancel']);
   assert.deepEqual(offered('held', 'peer gone'), ['stop', 'cancel']);
   assert.deepEqual(offered('draining'), []);
@@ -110,7 +110,7 @@ test('where a machine stands is one word, by what is most urgent', () => {
   const torn = { job: 1, text: 't', said: null, reason_id: null };
   assert.equal(key({ line: 'disconnected', needs_confirmation: torn }), 'torn');
   assert.equal(key({ line: 'held', job: 1, stall: 'stopped' }), 'stopped');
-  assert.equal(key({ line: 'held', job: 1, stall: 'stopped, and the control asked anew: it may have been reset' }), 'reset_suspected');
+  assert.equal(key({ line: 'held', job: 1, stall: 'stopped, and the control asked again: it may have been reset' }), 'reset_suspected');
   assert.equal(key({ line: 'held', job: 1, stall: 'held by DC3' }), 'feeding', 'a full buffer is normal');
   assert.equal(key({ line: 'held', job: 1, stall: 'CTS off' }), 'waiting');
   assert.equal(key({ line: 'disconnected', job: 1 }), 'lost_with_job');

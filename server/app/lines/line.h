@@ -33,7 +33,7 @@ enum class LineState : std::uint8_t {
 };
 std::string_view name_of(LineState state);
 // A person stopped the feed, and then the control asked for a program: it may have been reset. Only cancel is left.
-inline constexpr std::string_view kResetSuspected = "stopped, and the control asked anew: it may have been reset";
+inline constexpr std::string_view kResetSuspected = "stopped, and the control asked again: it may have been reset";
 // "" for none; "waiting for DC1", "held by DC3", …
 std::string_view name_of(feed::Stall stall);
 

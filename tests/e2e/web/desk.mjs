@@ -125,9 +125,9 @@ async function file(page) {
   await page.getByRole('button', { name: 'Show all programs' }).waitFor();
   await page.getByLabel('Shelf').selectOption('archived');
   await row(page, 'O0701').getByText('Archived by the programmer: sold').waitFor();
-  await row(page, 'O0701').getByRole('button', { name: 'Fetch O0701 back' }).click();
+  await row(page, 'O0701').getByRole('button', { name: 'Use O0701 again' }).click();
   await dialog(page).getByLabel('Why it is used again').fill('ordered again');
-  await dialog(page).getByRole('button', { name: 'Fetch back…' }).click();
+  await dialog(page).getByRole('button', { name: 'Use again…' }).click();
   await page.getByRole('button', { name: 'Show all programs' }).click();
   await row(page, 'O0701').waitFor();
   await accessible(page, 'the library');

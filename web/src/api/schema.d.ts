@@ -4203,13 +4203,13 @@ export interface components {
                     operator_ms?: number | null;
                     /** @description a function */
                     function_ms?: number | null;
-                    /** @description a jump that is taken, beside its block */
+                    /** @description a jump that is taken, in addition to its block */
                     jump_ms?: number | null;
                     /** @description the end of a loop's round */
                     round_ms?: number | null;
-                    /** @description calling a program and returning, beside the two blocks */
+                    /** @description calling a program and returning, in addition to the two blocks */
                     call_ms?: number | null;
-                    /** @description finding a variable by a computed number, beside reading or writing it */
+                    /** @description finding a variable by a computed number, in addition to reading or writing it */
                     indexed_ms?: number | null;
                     /** @description a predicted computing time may be off by this factor, in either direction; not given: 5 */
                     spread?: number | null;
@@ -4499,7 +4499,7 @@ export interface components {
          * @description why a line waits; `stopped`: a person stopped it at a block end
          * @enum {string}
          */
-        Stall: "waiting for DC1" | "held by DC3" | "CTS off" | "peer gone" | "waiting for ledger" | "waiting for text" | "waiting for end" | "stopped" | "DSR off" | "held below" | "waiting for trigger" | "stopped, and the control asked anew: it may have been reset" | "waiting for the receiver's start" | "waiting for the receiver" | "waiting for ACK" | "waiting for the end's ACK" | "the partner sends" | "waiting for credit" | "waiting for receiver" | "stopped by a fault" | "machine held" | "machine alarm" | "machine in emergency stop" | "folder does not answer" | "holding the control: what it sent before is not taken yet" | "waiting for the sender";
+        Stall: "waiting for DC1" | "held by DC3" | "CTS off" | "peer gone" | "waiting for ledger" | "waiting for text" | "waiting for end" | "stopped" | "DSR off" | "held below" | "waiting for trigger" | "stopped, and the control asked again: it may have been reset" | "waiting for the receiver's start" | "waiting for the receiver" | "waiting for ACK" | "waiting for the end's ACK" | "the partner sends" | "waiting for credit" | "waiting for receiver" | "stopped by a fault" | "machine held" | "machine alarm" | "machine in emergency stop" | "folder does not answer" | "holding the control: what it sent before is not taken yet" | "waiting for the sender";
         /** @description where a machine's line stands now */
         MachineStatus: {
             /**

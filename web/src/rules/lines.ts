@@ -28,7 +28,7 @@ const kStalls: Record<Stall, StallRow> = {
   'waiting for text': { id: 'waiting_for_text', kind: 'normal' },
   'waiting for end': { id: 'waiting_for_end', kind: 'wait' },
   stopped: { id: 'stopped_by_person', kind: 'person' },
-  'stopped, and the control asked anew: it may have been reset': { id: 'reset_suspected', kind: 'reset' },
+  'stopped, and the control asked again: it may have been reset': { id: 'reset_suspected', kind: 'reset' },
   'held below': { id: 'held_below', kind: 'normal' },
   'waiting for trigger': { id: 'waiting_for_trigger', kind: 'wait' },
   "waiting for the receiver's start": { id: 'waiting_for_receivers_start', kind: 'wait' },

@@ -279,7 +279,7 @@ TEST_F(ReceivingTest, AReadBackThatNeverComesExpiresAlsoAfterARestart) {
   run(50s);
   EXPECT_EQ(shop_->job(job.id).read_back, "waiting for read-back");
   run(20s);
-  EXPECT_EQ(shop_->job(job.id).read_back, "expired: nobody punched the program back");
+  EXPECT_EQ(shop_->job(job.id).read_back, "expired: the control did not punch the program back");
   EXPECT_TRUE(published("alarm lathe job 1: read-back expired"));
   punch(text_);
   EXPECT_EQ(receipts().size(), 1U) << "too late: it is a punch as others";

@@ -71,7 +71,7 @@ TEST_F(LineClaim, WhatWasSendingWhenItsHolderWentIsTorn) {
   }
   const auto again = claim("rfc2217://10.0.0.7:4001?baud=9600").value();  // the same port of the same device server
   EXPECT_THAT(again->torn(), HasSubstr("job 12"));
-  EXPECT_THAT(again->torn(), HasSubstr("did not live to report how it ended"));
+  EXPECT_THAT(again->torn(), HasSubstr("ended without a report of how"));
   const auto refused = again->begin("job 13");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error(), again->torn());
