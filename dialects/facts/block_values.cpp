@@ -13,7 +13,7 @@ ToolPair tool_of_pair(double word) {
   return {.tool = std::floor(number / base), .offset = std::fmod(number, base)};
 }
 
-// Of an inch the increment is a tenth: 0.0001 inch beside 0.001 mm.
+// Of an inch the increment is a tenth: 0.0001 inch for 0.001 mm.
 double of_increments(double count, const ir::Semantics& semantics, bool inch) {
   const double per_unit = std::nearbyint(1.0 / semantics.least_increment_mm);
   return count / (inch ? per_unit * 10.0 : per_unit);

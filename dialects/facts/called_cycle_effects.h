@@ -1,4 +1,4 @@
-// What a call of a cycle of the control leaves behind: where its holes end, feed, speed and spindle.
+// What a call of a cycle of the control leaves: where its holes end, feed, speed and spindle.
 #pragma once
 
 #include <cstdint>

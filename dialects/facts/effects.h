@@ -47,7 +47,7 @@ class Effects {
   const ir::Control& control_;
   bool tool_at_once_;                  // T brings a tool in, without M6
   bool changes_leads_;                 // has a thread whose lead changes
-  std::vector<bool> may_be_left_out_;  // by statement: a shape that something beside its cycle leads to
+  std::vector<bool> may_be_left_out_;  // by statement: a shape that something other than its cycle leads to
 };
 
 }  // namespace dripfeed::facts

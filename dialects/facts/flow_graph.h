@@ -21,7 +21,7 @@ StatementRange section_of(const ir::Program& program, std::uint32_t statement);
 // computed.
 std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement);
 
-// For each statement whether a jump leads there; a computed one may lead to any label. Numbers that nobody jumps to are
+// For each statement whether a jump leads there; a computed one may lead to any label. Numbers that no jump names are
 // only numbers.
 std::vector<bool> jump_targets(const ir::Program& program);
 

@@ -8,7 +8,7 @@ namespace dripfeed::facts {
 
 Written written(const ir::Word& word, const BlockValues& values);
 
-// The variable gets another value: words that were computed with it stay stated, and nobody knows as what.
+// The variable gets another value: words that were computed with it stay stated, with a value that is not known.
 void forget_computed(const ir::Program& program, ir::VariableId variable, Facts& facts);
 // Whoever is called has variables of its own: there, and after it, the same is true of all computed words.
 void forget_computed(Facts& facts);

@@ -12,7 +12,7 @@ namespace dripfeed::facts {
 // Who set a value: the index of a statement, or one of these.
 inline constexpr std::uint32_t kNoStatement = ir::kNoIndex;
 inline constexpr std::uint32_t kPowerOn = ir::kNoIndex - 1;
-inline constexpr std::uint32_t kCaller = ir::kNoIndex - 2;  // stated for the caller, beside the program
+inline constexpr std::uint32_t kCaller = ir::kNoIndex - 2;  // stated for the caller, outside the program
 
 template <class T>
 struct Known {
@@ -20,7 +20,7 @@ struct Known {
   std::uint32_t origin = kNoStatement;  // kNobody: no path sets it
   T other{};                            // what another path brings, where `other_origin` is not kNobody
   std::uint32_t other_origin = kNoStatement;
-  // On some path a statement may have changed it, and nobody knows to what; kPowerOn: nobody knows how it begins.
+  // On some path a statement may have changed it to what is not known; kPowerOn: how it begins is not known.
   std::uint32_t changer = kNoStatement;
   bool inherited = false;    // on some path it is what a caller outside of the text has set
   bool more = false;         // paths bring a third value
@@ -53,7 +53,7 @@ struct Known {
   [[nodiscard]] bool is_always(Is&& is) const {
     return origin != kNoStatement && !inherited && !more && is(value) && (other_origin == kNoStatement || is(other));
   }
-  // Whether it may be that value as far as anybody knows.
+  // Whether it may be that value as far as is known.
   [[nodiscard]] bool may_be(const T& wanted) const {
     if (is_open()) return true;
     return value == wanted || (other_origin != kNoStatement && other == wanted);

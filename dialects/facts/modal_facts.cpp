@@ -81,7 +81,7 @@ const FunctionRow* row_of(Function function) {
   return row == 0 ? nullptr : &kFunctions[row - 1];
 }
 
-// Of codes that the control knows and nobody here interprets: what they take the place of.
+// Of codes that the control knows and nothing here interprets: what they take the place of.
 struct GroupRow {
   ModalGroup group;
   Mode mode;

@@ -73,7 +73,7 @@ class Resolved {
   std::vector<std::uint32_t> part_of_call_;       // by statement, kNoIndex for others
   std::vector<bool> is_leader_;                   // where states are kept
   std::vector<std::uint32_t> leaders_;            // in order
-  std::vector<std::optional<Facts>> at_leaders_;  // beside them
+  std::vector<std::optional<Facts>> at_leaders_;  // before each of them
   std::vector<std::uint32_t> work_;               // leaders
   [[nodiscard]] bool leads_nowhere(std::uint32_t from, std::uint32_t last) const;
   // Where before() stands.

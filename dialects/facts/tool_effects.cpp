@@ -48,7 +48,7 @@ void ToolEffects::bring_in() {
   facts.forget_positions(statement);
 }
 
-// D beside a T that only prepares acts on the tool that is in, too.
+// D in the block of a T that only prepares acts on the tool that is in, too.
 void ToolEffects::take_edge() {
   if (turns_length_on()) facts[Kept::edge].set({.is_stated = true}, statement);
   const ir::Word* edge = values.word(Address::d);

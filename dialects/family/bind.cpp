@@ -248,7 +248,7 @@ class Binder {
     if (const std::optional<double> value = compute(definition.value)) know(definition.symbol, *value);
   }
 
-  // Its numbers go behind all others; see list_in.
+  // Its numbers follow all others; see list_in.
   void define(const List& list) {
     std::vector<double> numbers;
     for (const ir::ExpressionId element : list.elements) {

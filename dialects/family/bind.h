@@ -34,7 +34,7 @@ struct BindResult {
   std::vector<text::Diagnostic> diagnostics;
 };
 
-// A number that somebody wrote for a parameter, or for one number of a list.
+// A number that a person wrote for a parameter, or for one number of a list.
 struct WrittenValue {
   double stored = 0.0;
   std::optional<ValueFault> fault;

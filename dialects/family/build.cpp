@@ -280,7 +280,7 @@ class Builder {
 
   void drill_begin(const Step& step) {
     drill_.begin(step);
-    if (drill_.taps()) feed_ = nullptr;  // said behind the tap
+    if (drill_.taps()) feed_ = nullptr;  // stated after the tap
     if (step.values[0] == ExpressionId::none) return;
     std::vector<EmittedCode> codes;
     take_motion(Function::rapid, codes);

@@ -1,5 +1,5 @@
 // Where the reader stands in the lexemes, what it accepts, and what it reports. After the first fault of a line nothing
-// more is said of that line: readers go on with what they have and the line is left out.
+// more is reported of that line: readers go on with what they have and the line is left out.
 #pragma once
 
 #include <cstdint>

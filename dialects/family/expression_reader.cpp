@@ -146,7 +146,7 @@ Typed ExpressionReader::sign() {
   return out;
 }
 
-// a^n as a product of n factors: no two controls calculate powers in the same way.
+// a^n as a product of n factors: no two controls calculate powers alike.
 Typed ExpressionReader::power() {
   const Typed base = primary();
   if (cursor_.line_failed() || !cursor_.at_symbol("^") || !is_value(base)) return base;

@@ -7,7 +7,7 @@
 //
 // Loops. `for t from a to b step s` is defined by its index: t is a, a + s, a + 2s, … and at last exactly b; the number
 // of trips is fixed once, before the first; the last step is shortened to hit b, and one that is within a millionth of
-// s beyond a whole number is taken as whole. `down` goes the other way with a positive s. If b lies before a, the body
+// s beyond a whole number is taken as whole. `down` counts downward with a positive s. If b lies before a, the body
 // does not run; where values are known (they depend on no loop) this is an error of binding.
 #pragma once
 

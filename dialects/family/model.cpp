@@ -14,7 +14,7 @@ namespace dripfeed::family {
 
 namespace {
 
-// A value that went to stored units and back (4.7244 in) is shown without the last bits of that way.
+// A value that went to stored units and back (4.7244 in) is shown without the last bits of that conversion.
 constexpr int kShownDecimals = 9;
 constexpr double kStepTolerance = 1e-6;  // of a step: values are decimals
 

@@ -309,7 +309,7 @@ std::string format_standard(const Parameter& parameter);
 // "120 mm", "3": a stored value in the unit of the parameter's default.
 std::string format_value(const Parameter& parameter, double stored);
 // What forbids a stored value, or one number of a list: beyond the range, between the steps, no whole number. `written`
-// is the value as somebody wrote it.
+// is the value as a person wrote it.
 struct ValueFault {
   text::DiagnosticId id;
   std::vector<std::string> arguments;

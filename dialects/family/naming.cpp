@@ -1,4 +1,4 @@
-// Upper case is refused because controls do not tell it from lower case.
+// Upper case is refused because controls do not distinguish it from lower case.
 #include "dialects/family/naming.h"
 
 #include <algorithm>

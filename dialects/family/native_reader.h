@@ -1,4 +1,4 @@
-// What a family says of its native program: `is TARGET` behind parameters and lets, and the line `native DIALECT`.
+// What a family states of its native program: `is TARGET` after parameters and lets, and the line `native DIALECT`.
 #pragma once
 
 #include "dialects/family/cursor.h"
@@ -12,7 +12,7 @@ class NativeReader {
 
   // At the end of a declaration: "is" and the target, where they stand there.
   void target(ir::SymbolId symbol, Dimension dimension, const Unit* unit);
-  // Behind "native", to the end of its line.
+  // After "native", to the end of its line.
   void dialect();
   // When all is read: targets need a native program, parameters of a native program need targets.
   void check();

@@ -27,10 +27,10 @@ struct NativeText {
   text::Span text;          // of the program, to the end of the family's text
 };
 
-// Where the program begins behind its `native` line; the length of the text when there is no such line.
+// Where the program begins after its `native` line; the length of the text when there is no such line.
 std::uint32_t native_begin(std::string_view text);
 
-// Whether the bytes behind `is` may be a target: a '#' with its number, names, and two of them joined by a point.
+// Whether the bytes after `is` may be a target: a '#' with its number, names, and two of them joined by a point.
 // Gives its length, 0 for none.
 std::size_t target_length(std::string_view text);
 

@@ -11,7 +11,7 @@
 
 namespace dripfeed::family {
 
-// Each call stands behind `nominal` and reads the rest of its declaration, but for the end of its last line.
+// Each call stands after `nominal` and reads the rest of its declaration, but for the end of its last line.
 class NominalReader {
  public:
   NominalReader(Cursor& cursor, Scope& scope, ExpressionReader& expressions, Family& family)

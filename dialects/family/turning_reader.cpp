@@ -16,7 +16,7 @@ constexpr double kChipBreak_mm = 0.5;  // back after a peck, on the radius
 
 }  // namespace
 
-// A name that nobody has given here.
+// A name that is not given here.
 std::string BodyReader::unused_name(std::string_view stem) const {
   std::string name(stem);
   for (int i = 2; scope_.find(name) != nullptr; ++i) name = fmt::format("{}{}", stem, i);

@@ -1,4 +1,4 @@
-// The table of units, and how dimensions are said in messages.
+// The table of units, and how messages state dimensions.
 #include "dialects/family/unit.h"
 
 #include <algorithm>

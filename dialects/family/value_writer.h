@@ -16,7 +16,7 @@ class ValueWriter {
   ValueWriter(const BoundFamily& bound, const BuildNames& names, ir::Program& program, Emitter& emit)
       : family_(*bound.family), names_(names), program_(program), emit_(emit) {}
 
-  // A copy; what must be computed before is emitted on the way.
+  // A copy; what must be computed before is emitted meanwhile.
   ir::ExpressionId copy(ir::ExpressionId id);
   // Whether that would emit statements.
   [[nodiscard]] bool needs_statements(ir::ExpressionId id) const;

@@ -31,7 +31,7 @@ struct PlaceFacts {
   std::uint32_t number = 0;
   ir::SymbolId symbol = ir::SymbolId::none;  // bank named
   ir::ValueType type = ir::ValueType::real;
-  // Nobody but this program reads it, and no program that it calls.
+  // No program but this one reads it, and no program that it calls.
   bool is_own = false;
   // A real number that only assignments change.
   bool is_plain = false;

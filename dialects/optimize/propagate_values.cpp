@@ -1,5 +1,5 @@
 // Follows the text with what each place is worth. A loop begins without what it sets; after an IF holds what neither
-// part sets; a block that somebody jumps to begins with nothing.
+// part sets; a block that a jump leads to begins with nothing.
 #include <algorithm>
 #include <optional>
 #include <vector>

@@ -1,5 +1,5 @@
-// A jump back that is a loop becomes one, and jumps over parts become IF with ELSE. Only jumps whose label nobody else
-// uses, around parts that nobody jumps into.
+// A jump back that is a loop becomes one, and jumps over parts become IF with ELSE. Only jumps whose label no other
+// jump uses, around parts that no jump leads into.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -31,7 +31,7 @@ text::Span number_of(const ir::Program& program, const ir::Statement& statement)
   return {};
 }
 
-// The statement of the % that closes the tape, or one behind the last: what follows is not read by the control.
+// The statement of the % that closes the tape, or one after the last: what follows is not read by the control.
 std::uint32_t end_of_tape(const ir::Program& program) {
   bool opens = begins_with_tape_mark(program);
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {

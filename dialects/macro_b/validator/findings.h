@@ -15,7 +15,7 @@
 
 namespace dripfeed::macro_b {
 
-// Collects diagnostics with the control's alarms. A fault that stands in every block is told kMostOfOneId times.
+// Collects diagnostics with the control's alarms. A fault that stands in every block is reported kMostOfOneId times.
 class Findings {
  public:
   static constexpr std::uint32_t kMostOfOneId = 100;
@@ -62,13 +62,13 @@ std::string_view native_name(const ir::Program& program, const ir::Statement& st
 bool is_axis(const ir::Control& control, ir::Address address);
 std::string_view text_of(const ir::Program& program, text::Span span);
 
-// Which labels of a section are ways in: those that a jump goes to. After a computed jump, or where other blocks name
+// Which labels of a section are entries: those that a jump goes to. After a computed jump, or where other blocks name
 // block numbers (G71 P Q, M99 P of a called program), every label is.
 class WaysIn {
  public:
   WaysIn(const ir::Program& program, const Section& section);
   [[nodiscard]] bool at(std::uint32_t statement) const;
-  // Whether blocks beside jumps name block numbers.
+  // Whether blocks other than jumps name block numbers.
   [[nodiscard]] bool blocks_are_named() const { return names_blocks_; }
 
  private:

@@ -14,7 +14,7 @@
 
 namespace dripfeed::macro_b {
 
-// Loops: DO and END by number, crossing, nesting, and loops without a way out.
+// Loops: DO and END by number, crossing, nesting, and loops without an exit.
 void check_loops(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
 void check_condition_blocks(const ir::Program& program, Findings& findings);
 // Jumps: targets that are missing, stand twice or lie inside a loop; blocks that nothing leads to.

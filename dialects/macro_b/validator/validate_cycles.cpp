@@ -148,7 +148,7 @@ class CycleCheck {
       findings_.add(cycle_shape_too_long, code.span, {fmt::format("{}", blocks), fmt::format("{}", most)});
   }
 
-  // A corner needs the move behind it, and the shape has none.
+  // A corner needs the move after it, and the shape has none.
   void last_block(const ir::Code& code, const ir::Label& end) {
     const ir::Statement& s = program_.statements[end.statement];
     if (s.kind != StatementKind::block) return;

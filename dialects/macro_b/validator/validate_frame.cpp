@@ -32,7 +32,7 @@ std::uint32_t last_token_end(const ir::Program& program) {
   return found == program.tokens.rend() ? 0 : found->span.end;
 }
 
-// Whether the % that closes the program is there: one behind the first, or any when the text does not begin with one.
+// Whether the % that closes the program is there: one after the first, or any when the text does not begin with one.
 bool has_closing_mark(const ir::Program& program, bool opened) {
   return std::ranges::count(program.tokens, TokenKind::tape_mark, &ir::Token::kind) > (opened ? 1 : 0);
 }
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> jump_targets(const ir::Program& program, const Sectio
   return targets;
 }
 
-// The last block that does something must end the program, or jump, or lie behind a block that does and be reached by
+// The last block that does something must end the program, or jump, or lie after a block that does and be reached by
 // no jump.
 bool is_ended(const ir::Program& program, const Section& section) {
   const std::vector<std::uint32_t> targets = jump_targets(program, section);
@@ -108,7 +108,7 @@ std::string code_refused_in_drip(const ir::Program& program, const ir::Control& 
   return {};
 }
 
-// A code of the control's table; others were told as unknown.
+// A code of the control's table; others were reported as unknown.
 bool is_in_table(const ir::Control& control, std::string_view name) {
   return std::ranges::find(control.g_codes, name, &ir::CodeRow::name) != control.g_codes.end();
 }

@@ -1,5 +1,5 @@
 // What is wrong only because of a block before. What is in effect is known on all paths; what waits for the block
-// behind it (a corner, M29, the start of compensation) is looked at in the order of the text, and given up after a
+// after it (a corner, M29, the start of compensation) is looked at in the order of the text, and given up after a
 // jump, a label or a call.
 #include <algorithm>
 #include <optional>
@@ -222,7 +222,7 @@ class OrderCheck {
     return ir::alarm_of(control_, id, detail) != ir::alarm_of(control_, id);
   }
 
-  // Where the control has an alarm for it: others take G52 beside G54.1.
+  // Where the control has an alarm for it: others take G52 in the block of G54.1.
   void shift(const ir::Code& code, const ir::Block& block) {
     if (code.function != Function::local_shift || !extended_ || !moves_axes(block)) return;
     if (!ir::alarm_of(control_, shift_in_extended_offset).empty())
@@ -283,7 +283,7 @@ class OrderCheck {
     findings_.add_own(corner_without_move, span, {std::string(text_of(program_, span)), std::string(where)}, detail);
   }
 
-  // The statement behind one.
+  // The statement after one.
   void corner(const ir::Statement& s) {
     const text::Span span = std::exchange(corner_span_, {});
     const bool is_end = s.kind == StatementKind::program_end || s.kind == StatementKind::subprogram_return;
@@ -348,7 +348,7 @@ class OrderCheck {
   bool number_known_ = false;  // D was given
   text::Span letter_corner_;   // R, I or K of a lathe's straight block
   bool tapers_ = false;        // … which a line along both axes may follow
-  text::Span corner_span_;     // a corner that waits for the move behind it
+  text::Span corner_span_;     // a corner that waits for the move after it
   Function plane_ = Function::none;
   bool arc_ = false;
   bool starting_ = false;  // compensation changes with the next move

@@ -127,7 +127,7 @@ class WordCheck {
       if (word.address == Address::l) findings_.add(word_ignored, word.span, {"L", "an arc"});
   }
 
-  // G54 P3 is G54.1 P3 on some controls; on others, and beside G55, P says nothing.
+  // G54 P3 is G54.1 P3 on some controls; on others, and in the block of G55, P has no effect.
   void number_of_offset(const ir::Block& block) {
     const auto codes = program_.codes_of(block);
     const auto offset = std::ranges::find(codes, Function::work_offset, &ir::Code::function);
@@ -281,7 +281,7 @@ class WordCheck {
   void point_missing(Address address, ir::ExpressionId id, text::Span span) {
     const ir::Expression& value = program_.at(id);
     if (value.op != ir::Operator::constant || value.has_point || value.value == 0.0) return;
-    constexpr double kInchPart = 0.1;  // 0.001 mm beside 0.0001 inch
+    constexpr double kInchPart = 0.1;  // 0.001 mm, or 0.0001 inch
     const double length = control_.semantics.least_increment_mm * (inch_ ? kInchPart : 1.0);
     // F100 of a program in inch is 100 or 1 inch a minute; on a lathe, where it is of a revolution, 100 or 0.01.
     const double feed = control_.kind == ir::MachineKind::mill ? 0.01 : 0.0001;

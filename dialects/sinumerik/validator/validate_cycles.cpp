@@ -1,5 +1,5 @@
 // Standard cycles that are known and not run: their parameters by number and type, as far as a call shows them. Newer
-// software adds parameters behind those of the table (surface, modes of the operator's screen), so more than ten
+// software adds parameters after those of the table (surface, modes of the operator's screen), so more than ten
 // further ones are a fault, not one.
 #include <algorithm>
 #include <string>
@@ -49,7 +49,7 @@ class Call {
 
   void run() {
     while (at_ != end_ && !ends() && text() != "(") ++at_;
-    if (at_ == end_ || ends()) return;  // without parameters: MCALL's end is told elsewhere
+    if (at_ == end_ || ends()) return;  // without parameters: MCALL's end is reported elsewhere
     ++at_;
     std::size_t place = 0;
     for (int open = 1; at_ != end_ && !ends(); ++at_) {

@@ -64,7 +64,7 @@ class Definitions {
     if (e.op == Operator::frame_chain) {
       for (const ExpressionId side : {e.a, e.b}) frame_operand(side);
     }
-    // The whole array may be handed on by reference: a variable alone is told where it is calculated with.
+    // The whole array may be handed on by reference: a variable alone is reported where it is calculated with.
     if (is_arithmetic(e.op)) {
       for (const ExpressionId side : {e.a, e.b})
         if (side != ExpressionId::none && program_.at(side).op == Operator::variable)

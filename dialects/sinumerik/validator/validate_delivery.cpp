@@ -70,7 +70,7 @@ void check_delivery(const Check& check) {
       check.report(DiagnosticId::not_in_drip_mode, s.span, {std::string(word)});
     if (s.kind == StatementKind::go_to && first_of_line) {
       check_jump(check, i);
-      last_line = s.line;  // the branches of one CASE are said once
+      last_line = s.line;  // the branches of one CASE are reported once
     }
     if (s.kind == StatementKind::native) {
       const std::string_view name = check.native_name(s);

@@ -48,7 +48,7 @@ class Reachability {
     return false;
   }
 
-  // A part that REPEAT runs may be the text's last: behind its last block the run goes back.
+  // A part that REPEAT runs may be the text's last: after its last block the run returns.
   bool runs_off_the_end() {
     std::vector<bool> reached(statements_.size() + 1, false);
     flood(check_.program, graph_, graph_.entries_for_good(), ir::kNoIndex, reached, Contours::left_out);

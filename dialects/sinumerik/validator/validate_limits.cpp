@@ -1,5 +1,6 @@
 // Single values that the control refuses: numbers of passes, a feed of nothing, indices beyond an array, constants with
-// too many digits, sections without their labels, a block skip before a control structure, frames beside a motion.
+// too many digits, sections without their labels, a block skip before a control structure, frames in the block of a
+// motion.
 #include <algorithm>
 
 #include "dialects/sinumerik/tables/name_index.h"

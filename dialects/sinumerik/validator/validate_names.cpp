@@ -96,8 +96,8 @@ class Names {
   }
 
   // A name that is nowhere defined may be global user data or a macro, which the machine's own definition files hold,
-  // an axis, or in a subprogram the caller's. Beside a defined name of nearly the same spelling it is most likely a
-  // slip.
+  // an axis, or in a subprogram the caller's. Where there is a defined name of nearly the same spelling it is most
+  // likely a slip.
   void unknown_names() const {
     for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
       const ir::Symbol& symbol = program_.symbols[i];
@@ -152,7 +152,7 @@ class Names {
       if (std::ranges::any_of(program_.statements,
                               [](const ir::Statement& s) { return s.kind == StatementKind::execute_text; }))
         continue;
-      // Arrays are often filled by the operator or by cycles; a scalar that nobody sets is a slip.
+      // Arrays are often filled by the operator or by cycles; a scalar that nothing sets is a slip.
       if (!symbol.is_parameter && use.read && !use.set && symbol.initial == ir::ExpressionId::none &&
           symbol.dimension1 == 0)
         check_.report(DiagnosticId::variable_never_set, use.first, {name(symbol)});

@@ -73,7 +73,7 @@ void check_corners(const Check& check, const ir::Block& block) {
       first = &word;
       continue;
     }
-    if (first->address == word.address) continue;  // told as a duplicate
+    if (first->address == word.address) continue;  // reported as a duplicate
     check
         .report(DiagnosticId::addresses_exclude, word.span,
                 {std::string(check.text_of(first->span)), std::string(check.text_of(word.span))})

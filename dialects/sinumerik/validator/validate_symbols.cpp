@@ -81,7 +81,7 @@ void check_index(const Check& check, const ir::Variable& v) {
   }
 }
 
-// AX[1.5]: only a name or a variable of type AXIS tells an axis.
+// AX[1.5]: only a name or a variable of type AXIS names an axis.
 void check_axis(const Check& check, const ir::Word& word) {
   if (word.address != ir::Address::named_axis || word.axis == ir::ExpressionId::none) return;
   const ir::Expression& axis = check.program.at(word.axis);

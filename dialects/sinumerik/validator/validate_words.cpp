@@ -1,5 +1,5 @@
-// Words that the block's codes do not take: the centre of an arc beside a line, anything beside a code that wants its
-// block for itself, ways of rotary axes on linear ones; and indices and values that system variables do not have.
+// Words that the block's codes do not take: the centre of an arc with a line, anything with a code that needs its
+// block for itself, directions of rotary axes on linear ones; and indices and values that system variables do not have.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -17,7 +17,7 @@ using ir::Function;
 using ir::StatementKind;
 using text::DiagnosticId;
 
-// G0, G1, CIP and CT as far as they are certain: behind labels, jumps, calls and native statements the motion code may
+// G0, G1, CIP and CT as far as they are certain: after labels, jumps, calls and native statements the motion code may
 // be another.
 class LineWords {
  public:
@@ -60,7 +60,7 @@ class LineWords {
     }
   }
 
-  // CIP and CT find the circle themselves. What the control does with a radius beside them no manual says.
+  // CIP and CT find the circle themselves. What the control does with a radius in their block no manual states.
   void arc_that_is_found(const ir::Block& block) {
     for (const ir::Word& word : check_.program.words_of(block)) {
       if (!is_of_arc(word.address) || word.address == Address::turns) continue;
@@ -104,7 +104,7 @@ void check_alone(const Check& check, const ir::Block& block) {
   d.notes.push_back({alone->span, "the manual asks for a block of its own; controls in use take M functions with it"});
 }
 
-// X=DC(…): the shortest way round is of an axis that turns.
+// X=DC(…): the shortest direction is of an axis that turns.
 void check_ways(const Check& check, const ir::Word& word) {
   struct Row {
     std::string_view mode;

@@ -1,4 +1,4 @@
-// Where called cycles leave the tool, the feed and the spindle. Beside random programs and the interpreter:
+// Where called cycles leave the tool, the feed and the spindle. In addition to random programs and the interpreter:
 // tests/unit/dialects/compile/facts_oracle_test.cpp.
 #include <gtest/gtest.h>
 

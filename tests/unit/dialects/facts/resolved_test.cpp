@@ -1,5 +1,5 @@
-// What is known where control-flow paths join, at calls, and at returns. Beside random programs and the interpreter:
-// tests/unit/dialects/compile/facts_oracle_test.cpp.
+// What is known where control-flow paths join, at calls, and at returns. In addition to random programs and the
+// interpreter: tests/unit/dialects/compile/facts_oracle_test.cpp.
 #include <gtest/gtest.h>
 
 #include "dialects/facts/facts.h"
