@@ -68,9 +68,10 @@ inline constexpr std::array<CostTerm, 11> kCostTerms = {{
     {"function_ms", "a function", &CostModel::function_ms, &ComputeCounts::functions},
     {"jump_ms", "a jump that is taken, in addition to its block", &CostModel::jump_ms, &ComputeCounts::jumps},
     {"round_ms", "the end of a loop's round", &CostModel::round_ms, &ComputeCounts::rounds},
-    {"call_ms", "calling a program and returning, in addition to the two blocks", &CostModel::call_ms, &ComputeCounts::calls},
-    {"indexed_ms", "finding a variable by a computed number, in addition to reading or writing it", &CostModel::indexed_ms,
-     &ComputeCounts::indexed},
+    {"call_ms", "calling a program and returning, in addition to the two blocks", &CostModel::call_ms,
+     &ComputeCounts::calls},
+    {"indexed_ms", "finding a variable by a computed number, in addition to reading or writing it",
+     &CostModel::indexed_ms, &ComputeCounts::indexed},
 }};
 
 constexpr double compute_ms(const CostModel& m, const ComputeCounts& n) {
