@@ -105,7 +105,7 @@ constexpr Route kRoutes[] = {
     {get, "/api/v1/backups", admin, bulk, list_backups, "backups in the server's folder for them, newest first",
      kNoBody, lists("Backup")},
     {post, "/api/v1/backups", admin, heavy, add_backup,
-     "make a backup of the whole store while it runs; it is read through before it gets its name", kNoBody,
+     "make a backup of the whole store while it runs; it is read back as a whole before it gets its name", kNoBody,
      creates("BackupMade")},
     {del, "/api/v1/backups/{name}", admin, bulk, remove_backup, "remove a backup", kNoBody, kGivesNothing},
     {get, "/api/v1/families", viewer, bulk, list_families, "part families", kNoBody, lists("FamilySummary"), page},

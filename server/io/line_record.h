@@ -1,5 +1,6 @@
 // The record of one line in a file: what was sent last, by whom, and whether it ended with a whole block. It survives a
-// crash and a power failure at any moment. Who may write it, and what it is decided by, is the claim's matter.
+// crash and a power failure at any moment. Who may write it, and by what that is decided, is the
+// matter of the claim (line_claim.h).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // A Modbus TCP server on an address of its own, for PLCs that read what the machines do. Frames and answers are
-// protocol/modbus's, the registers whoever gives the view.
+// those of protocol/modbus; the registers come from whoever gives the view.
 #pragma once
 
 #include <cstdint>

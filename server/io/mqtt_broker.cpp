@@ -140,7 +140,7 @@ class MosquittoBroker final : public app::Broker {
 
 std::string MosquittoBroker::start(const MqttSettings& settings, const Place& place) {
   client_ = mosquitto_new(settings.client_id.empty() ? nullptr : settings.client_id.c_str(), true, this);
-  if (client_ == nullptr) return "the client cannot be made";
+  if (client_ == nullptr) return "the MQTT client cannot be created";
   const auto failed = [](int code) { return std::string(mosquitto_strerror(code)); };
   mosquitto_connect_callback_set(client_, on_connect);
   mosquitto_publish_callback_set(client_, on_publish);

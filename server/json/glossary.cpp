@@ -147,7 +147,7 @@ constexpr GlossaryRow kRows[] = {
     {"axes/name", "letter of the axis"},
     {"min_mm", "least position of the slide in machine coordinates, mm or degrees; not given: not known"},
     {"max_mm", "greatest position of the slide in machine coordinates, mm or degrees; not given: not known"},
-    {"axes/diameter", "programs and work offsets give diameters of it"},
+    {"axes/diameter", "programs and work offsets state this axis as a diameter"},
     {"rapid_mm_min", "speed of rapid motion, mm/min or degrees/min"},
     {"axes/feed_limit_mm_min", "of this axis alone; not given: its rapid"},
     {"acceleration_mm_s2", "of the axis"},

@@ -213,7 +213,7 @@ Schemas path_schemas() {
                    {"kind_names", list_of(one_of(app::kPathKindNames, "of segment"), "by the numbers of the column")},
                    {"columns",
                     object(
-                        "a row a point; numbers little-endian, as base64",
+                        "one row for each point; numbers little-endian, as base64",
                         {{"points_mm", text("x y z as 32-bit floats, x as radius")},
                          {"kinds", text("what leads to the point, a byte; begin: nothing does")},
                          {"lines", text("of the program's text as 32-bit integers; 0: in a called program")},

@@ -11,7 +11,7 @@ Members verification_members() {
       {"audit", object("its chain", {{"rows", integer("that were read")},
                                      {"head", text("hash of the last row; note it elsewhere to notice a cut end")}})},
       {"ledger", object("of all transfers", {{"jobs", integer("with rows")}, {"rows", integer("that were read")}})},
-      {"contents", object("texts, each read and held against its hash",
+      {"contents", object("texts, each read and compared with its hash",
                           {{"count", integer("of texts")}, {"bytes", integer("of all")}})},
       {"torn_machines", integer("machines with a torn block that wait for a person's confirmation")},
       {"faults", list_of(object("what is wrong", {{"subject", text("as \"job/7\"")}, {"what", text("a sentence")}}),

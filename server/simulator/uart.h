@@ -1,6 +1,6 @@
 // What lies between the control and the program at the host: the delays of the receivers that hosts have. The other
 // direction needs no table: what the host wrote before it saw a stop sign arrives all the same, each character in its
-// time, however deep the FIFO (16550: 16 characters, FTDI: 128) or the device server's buffer (1 KB) is that holds it.
+// time, whatever holds it: a FIFO (16550: 16 characters, FTDI: 128) or a device server's buffer (1 KB).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A number in the form that a native program has it in.
+// A number in the form in which a native program has it.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ void put_coordinate(PlainBlock& made, const BlockRules& rules, const ModalState&
                     double coordinate_mm);
 // G110, G111, G112: the pole, from the last position, the zero point or the last pole.
 void set_pole(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
-// Where the state stands in programmed coordinates of X Y Z: radius values, mm.
+// The state's position in programmed coordinates X Y Z: radius values, mm.
 Vector programmed_position(const BlockRules& rules, const ModalState& state);
 
 }  // namespace dripfeed::interpreter

@@ -110,7 +110,7 @@ compile::RenderResult render_for(const compile::RenderRequest& request, const ma
   compile::RenderResult& taken = takes_blocks ? blocks : macro;
   taken.because = fmt::format("{}: macro: {}; blocks: {} (cost model {})",
                               takes_blocks ? "plain blocks are faster by the forecast for this machine"
-                                           : "plain blocks would save next to nothing by the forecast for this machine",
+                                           : "plain blocks would save almost no time by the forecast for this machine",
                               times_of(macro_time->report), times_of(blocks_time->report),
                               ir::name_of(macro_time->report.cost_source));
   return std::move(taken);

@@ -111,7 +111,7 @@ LinesAnswer compare_meanings(const ComparedText& first, const Understood& left, 
   if (answer.likeness != Likeness::equal || same_numbers(left.meaning, right.meaning)) return answer;
   for (const Understood* one : {&left, &right})
     if (!one->meaning.numbers_matter.empty())
-      return not_compared(fmt::format("their block numbers differ, and {} of {} may go by them",
+      return not_compared(fmt::format("their block numbers differ, and {} of {} may refer to them",
                                       one->meaning.numbers_matter, one == &left ? "the first" : "the second"));
   return answer;
 }

@@ -758,7 +758,7 @@ export interface paths {
         get: operations["get_backups"];
         put?: never;
         /**
-         * make a backup of the whole store while it runs; it is read through before it gets its name
+         * make a backup of the whole store while it runs; it is read back as a whole before it gets its name
          * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_backups"];
@@ -4081,7 +4081,7 @@ export interface components {
                 min_mm?: number | null;
                 /** @description greatest position of the slide in machine coordinates, mm or degrees; not given: not known */
                 max_mm?: number | null;
-                /** @description programs and work offsets give diameters of it */
+                /** @description programs and work offsets state this axis as a diameter */
                 diameter?: boolean | null;
                 /** @description speed of rapid motion, mm/min or degrees/min */
                 rapid_mm_min: number;
@@ -6222,7 +6222,7 @@ export interface components {
             points: number;
             /** @description by the numbers of the column */
             kind_names: ("begin" | "rapid" | "cut_per_min" | "cut_per_rev" | "cut_inverse_time" | "thread")[];
-            /** @description a row a point; numbers little-endian, as base64 */
+            /** @description one row for each point; numbers little-endian, as base64 */
             columns: {
                 /** @description x y z as 32-bit floats, x as radius */
                 points_mm: string;
@@ -7282,7 +7282,7 @@ export interface components {
                 /** @description that were read */
                 rows: number;
             };
-            /** @description texts, each read and held against its hash */
+            /** @description texts, each read and compared with its hash */
             contents: {
                 /** @description of texts */
                 count: number;
@@ -7326,7 +7326,7 @@ export interface components {
                 /** @description that were read */
                 rows: number;
             };
-            /** @description texts, each read and held against its hash */
+            /** @description texts, each read and compared with its hash */
             contents: {
                 /** @description of texts */
                 count: number;
@@ -10141,7 +10141,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description make a backup of the whole store while it runs; it is read through before it gets its name */
+            /** @description make a backup of the whole store while it runs; it is read back as a whole before it gets its name */
             201: {
                 headers: {
                     /** @description the path of what was made */

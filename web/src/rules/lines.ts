@@ -50,7 +50,7 @@ const kStalls: Record<Stall, StallRow> = {
 // Null for a name that this page does not know.
 export const stallRow = (stall: string): StallRow | null => (Object.hasOwn(kStalls, stall) ? kStalls[stall as Stall] : null);
 
-// An unknown one is a wait that somebody should look at.
+// An unknown one is a wait that a person should look at.
 export const stallKind = (stall: string | null): StallKind | null => (stall === null ? null : (stallRow(stall)?.kind ?? 'wait'));
 
 export const kArmMinutes = 10;

@@ -1,5 +1,5 @@
-// Drilling cycles between controls with and without modal cycles: the same holes by the same moves, said by each
-// control's own cycles where these do the same.
+// Drilling cycles between controls with and without modal cycles: the same holes by the same moves, written as
+// each control's own cycles where these do the same.
 #include <algorithm>
 #include <ranges>
 #include <string>

@@ -1,5 +1,5 @@
 // What is ahead of a feed: how long it still takes and how much lies in the control's buffer, each as a range and with
-// what it is known by.
+// the source that it is known from.
 import type { Job, MachineStatus } from '../../api/types';
 import { aboutRange, duration } from '../../format/times';
 import { t } from '../../i18n/i18n';

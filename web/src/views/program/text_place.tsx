@@ -1,5 +1,5 @@
-// The text: read by everybody, written by programmers. What the server finds in it stands in the margin and in the list
-// beside it; a save is the next revision, and never over another one that somebody made meanwhile.
+// The text: read by every person, written by programmers. What the server finds in it stands in the margin and in the list
+// next to it; a save is the next revision, and never overwrites one that another person made meanwhile.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
 import type { Program } from '../../api/types';
