@@ -159,8 +159,20 @@ def measured(page):
     return next((one for one in re.split(r'^## ', page, flags=re.M) if one.startswith('Measured')), '')
 
 
+def indented(name, page):
+    """Blocks by four blanks, which have no language and so no test."""
+    before, in_list = '', False
+    for number, line in enumerate(pages.without_blocks(page).splitlines(), 1):
+        if line.startswith('    ') and not before.strip() and not in_list:
+            yield f'{name}:{number}: a block by indentation: write it between fences, with its language'
+        if line.strip():
+            in_list = bool(re.match(r'\s*(?:[-*]|\d+\.) ', line)) or in_list and line.startswith(' ')
+        before = line
+
+
 def faults_of(path, binary):
     page = path.read_text(encoding='utf-8')
+    yield from indented(path.name, page)
     for line, language, block in pages.blocks(page):
         for fault in of_block(path.name, language, block, page, binary):
             yield f'{path.name}:{line}: {fault}'

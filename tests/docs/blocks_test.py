@@ -91,6 +91,11 @@ class Blocks(unittest.TestCase):
         self.assert_refused('no test looks at', 'a.md', '', 'something\n')
         self.assert_refused('calls no standardwebhooks', 'integrating.md', 'js', 'verify(body)\n')
 
+    def test_indented_blocks(self):
+        self.assertEqual(['a.md:5: a block by indentation: write it between fences, with its language'],
+                         list(blocks.indented('a.md', '# A\n\nText:\n\n    dripfeed check a.nc\n    dripfeed time a.nc\n')))
+        self.assertEqual([], list(blocks.indented('a.md', '- one\n\n    of the list\n\nText\n    goes on\n\n```sh\n\n    dripfeed\n```\n')))
+
 
 if __name__ == '__main__':
     unittest.main()
