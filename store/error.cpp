@@ -14,7 +14,7 @@ struct Row {
 };
 
 constexpr std::array kRows{
-    Row{ErrorCode::not_found, "not-found", "there is no such thing"},
+    Row{ErrorCode::not_found, "not-found", "it does not exist"},
     Row{ErrorCode::exists, "exists", "it exists already"},
     Row{ErrorCode::stale_revision, "stale-revision", "another change came first"},
     Row{ErrorCode::broken_reference, "broken-reference", "it refers to something that is not there"},

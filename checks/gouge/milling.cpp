@@ -58,8 +58,9 @@ void Milling::follow_tool(const ir::Motion& motion) {
 // Stock and nominal are given in the work offset. A program that changes it cuts several parts or turns the part over.
 void Milling::follow_offset(const ir::Motion& motion) {
   if (offset_ && *offset_ != motion.number && has_cut_) {
-    report_.not_checked.add("the work offset changes after a cut: stock and nominal were taken in each alike",
-                            motion.place.line);
+    report_.not_checked.add(
+        "the work offset changes after a cut: stock and nominal were taken to lie in each of them alike",
+        motion.place.line);
   }
   offset_ = motion.number;
 }

@@ -69,7 +69,7 @@ constexpr std::array kCodes = {
     ProblemCode{"unavailable", 503, "unavailable", "the server cannot do it for now", kSoon_s},
     ProblemCode{"overloaded", 503, "overloaded", "too many requests wait: send it again", 1,
                 "too_many_large too_many_waiting too_many_sign_ins"},
-    ProblemCode{"disk_full", 503, "disk full", "the disk is full: what runs is brought to its end, nothing new begins",
+    ProblemCode{"disk_full", 503, "disk full", "the disk is full: running work is finished, nothing new begins",
                 kDiskFull_s, "store_disk_full disk_full_ends"},
     ProblemCode{"no_room", 507, "no room on the disk", "the body could not be kept on the disk"},
 };

@@ -98,7 +98,7 @@ Schema line_test_result() {
   return object(
       "what was measured; null where the test has a fault",
       {{"char_ms", number("time of one character on the line, in milliseconds")},
-       {"latency_ms", median_and_worst("time of a character there and back, beyond its own")},
+       {"latency_ms", median_and_worst("time of a character to the plug and back, in addition to its own line time")},
        {"latency_chars", integer("the worst of it as characters: what the profile's latency_chars should cover")},
        {"after_dc3", object("characters that still came after a DC3", {{"holds", integer("how often it was tried")},
                                                                        {"median", integer("of all")},

@@ -120,7 +120,7 @@ constexpr std::array kRows = {
     Row{"nothing_waits", "nothing of {machine} waits for a confirmation"},
     Row{"job_holds_profile", "job {job} is on the line of {machine}"},
     Row{"admin_loads", "O8000 to O9999 are loaded by an admin"},
-    Row{"disk_full_ends", "the disk is full: what runs is brought to its end, nothing new begins"},
+    Row{"disk_full_ends", "the disk is full: running work is finished, nothing new begins"},
     Row{"alarm_critical",
         "alarm {alarm} ({kind}) is critical: it is acknowledged and its cause ended, it may not be shelved"},
     Row{"reason_needed", "a reason is needed"},
@@ -154,7 +154,7 @@ constexpr std::array kRows = {
     Row{"sweep_runs", "another sweep is running: ask again when it is done"},
     Row{"cancel_other", "{name} asked for this: only they, or an admin, cancel it"},
     // the store's own
-    Row{"store_not_found", "there is no such thing"},
+    Row{"store_not_found", "it does not exist"},
     Row{"store_exists", "it exists already"},
     Row{"store_stale", "another change came first"},
     Row{"store_reference", "it refers to something that is not there"},

@@ -53,7 +53,7 @@ std::uint64_t DiskReserve::room_of_disk(const std::filesystem::path& folder) {
 
 Result<void> refuse_on_full_disk(const DiskReserve* disk_reserve) {
   if (disk_reserve == nullptr || disk_reserve->is_whole()) return {};
-  return fail(ErrorCode::unavailable, "the disk is full: what runs is brought to its end, nothing new begins");
+  return fail(ErrorCode::unavailable, "the disk is full: running work is finished, nothing new begins");
 }
 
 }  // namespace dripfeed::app

@@ -3968,7 +3968,7 @@ export interface components {
         GroupChange: {
             /** @description names of all machines of the group */
             machines?: string[] | null;
-            /** @description whether who wrote or released a text may not approve it on these machines; not given: false */
+            /** @description whether a person who wrote or released a text may not approve it on these machines; not given: false */
             four_eyes?: boolean | null;
         };
         /**
@@ -4652,7 +4652,7 @@ export interface components {
             result: {
                 /** @description time of one character on the line, in milliseconds */
                 char_ms: number;
-                /** @description time of a character there and back, beyond its own, in milliseconds */
+                /** @description time of a character to the plug and back, in addition to its own line time, in milliseconds */
                 latency_ms: {
                     /** @description of all */
                     median: number;
@@ -8154,7 +8154,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `unavailable`: the server cannot do it for now; `overloaded`: too many requests wait: send it again; `disk_full`: the disk is full: what runs is brought to its end, nothing new begins */
+        /** @description `unavailable`: the server cannot do it for now; `overloaded`: too many requests wait: send it again; `disk_full`: the disk is full: running work is finished, nothing new begins */
         Problem503: {
             headers: {
                 /** @description seconds after which asking again may help */

@@ -190,7 +190,7 @@ TEST(Records, ProblemsNameTheirPlaces) {
   EXPECT_EQ(
       problem(problem_code(none), none),
       R"({"type":"about:blank","title":"not found","status":404,"code":"not_found","detail":"none","said":null})");
-  const app::Error nine{app::ErrorCode::not_found, "there is no such thing (9)", {}};
+  const app::Error nine{app::ErrorCode::not_found, "it does not exist (9)", {}};
   const std::string sentence = problem(problem_code(nine), nine);
   EXPECT_THAT(sentence,
               HasSubstr(R"x("sentence":{"id":"store_not_found","values":{"detail":{"text":"9","sentence":null}}}})x"));

@@ -31,7 +31,7 @@ TEST(Sentences, KeepASentenceInAnother) {
 }
 
 TEST(Sentences, HaveWhatTheStoreAdds) {
-  const auto found = sentence_of("there is no such thing (machine mill)");
+  const auto found = sentence_of("it does not exist (machine mill)");
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, "store_not_found");
   EXPECT_THAT(found->values, ElementsAre(Pair("detail", "machine mill")));
