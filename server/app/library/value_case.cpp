@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "server/app/library/stored_program.h"
+
 namespace dripfeed::app {
 
 namespace {
@@ -13,11 +15,10 @@ constexpr std::uint64_t kLongest = std::uint64_t{4} << 20U;  // it is rendered s
 
 Result<ValueCase> load_value_case(store::Store& store, const Documents& documents, const store::Receipt& receipt) {
   if (receipt.of.quarantined) return fail(ErrorCode::refused, "a receipt in quarantine is not compared");
-  const auto known = lift(store.programs().list({.limit = 1, .after = {}}, {.name = receipt.of.name, .part = {}}));
+  const auto known = stored_program(store, receipt.of.name);
   if (!known) return std::unexpected(known.error());
-  if (known->items.empty())
-    return fail(ErrorCode::refused, fmt::format("no stored program has the name {}", receipt.of.name));
-  const store::Program& program = known->items.front();
+  if (!*known) return fail(ErrorCode::refused, fmt::format("no stored program has the name {}", receipt.of.name));
+  const store::Program& program = **known;
   const store::Origin& origin = program.newest.origin;
   if (origin.kind != store::OriginKind::rendered)
     return fail(ErrorCode::refused, fmt::format("program {} was not rendered from a family", program.name));

@@ -9,6 +9,7 @@
 
 #include "protocol/receive/program_name.h"
 #include "server/app/base/text_difference.h"
+#include "server/app/library/stored_program.h"
 
 namespace dripfeed::app {
 
@@ -257,10 +258,10 @@ Result<store::Receipt> Receiving::discard(store::Id receipt, std::string_view re
 }
 
 Result<std::optional<StoredLikeness>> Receiving::likeness(const store::Receipt& receipt) {
-  const auto known = lift(store_.programs().list({.limit = 1, .after = {}}, {.name = receipt.of.name, .part = {}}));
+  const auto known = stored_program(store_, receipt.of.name);
   if (!known) return std::unexpected(known.error());
-  if (known->items.empty()) return std::nullopt;
-  const store::ProgramRevision& newest = known->items.front().newest;
+  if (!*known) return std::nullopt;
+  const store::ProgramRevision& newest = (*known)->newest;
   StoredLikeness likeness{.program = newest.program, .revision = newest.revision, .same = true, .difference = {}};
   if (newest.sha256 == receipt.of.sha256) return likeness;
   const auto stored = lift(store::read_whole(store_.contents(), newest.sha256, kLongestCompared));

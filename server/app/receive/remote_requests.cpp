@@ -10,6 +10,7 @@
 
 #include "server/app/receive/answers.h"
 #include "server/app/receive/receiving.h"
+#include "server/machine/program_names.h"
 
 namespace dripfeed::app {
 
@@ -18,27 +19,6 @@ namespace {
 constexpr double kAnswerExpires_min = 10.0;
 constexpr feed::Time kAnswerExpires = std::chrono::minutes(10);
 constexpr std::size_t kListedAtMost = 60;
-
-std::string upper(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return out;
-}
-
-// Without its letter and leading zeros, where a name is a number: O0042 and 42 are one program.
-std::string plain_number(std::string_view name) {
-  if (name.starts_with('O') || name.starts_with(':')) name.remove_prefix(1);
-  if (name.empty() || name.find_first_not_of("0123456789") != std::string_view::npos) return {};
-  name.remove_prefix(std::min(name.find_first_not_of('0'), name.size()));
-  return std::string(name);
-}
-
-bool same_name(std::string_view known, std::string_view asked) {
-  const std::string one = upper(known);
-  const std::string other = upper(asked);
-  const std::string number = plain_number(one);
-  return one == other || (!number.empty() && number == plain_number(other));
-}
 
 class OwnedText final : public tape_code::TextSource {
  public:
@@ -191,10 +171,15 @@ std::vector<Receiving::Found> Receiving::released(const std::string& machine) {
 
 std::optional<Receiving::Found> Receiving::find_released(const std::string& machine, std::string_view name,
                                                          store::Delivery delivery) {
+  std::optional<Found> meant;
   for (Found& found : released(machine)) {
-    if (found.release.of.delivery == delivery && same_name(found.program, name)) return std::move(found);
+    if (found.release.of.delivery != delivery || !machine::is_same_program_name(found.program, name)) continue;
+    if (found.program == name) return std::move(found);
+    // Two programs that the name may mean: which one is not known.
+    if (meant && meant->release.of.program != found.release.of.program) return std::nullopt;
+    if (!meant) meant = std::move(found);
   }
-  return std::nullopt;
+  return meant;
 }
 
 Receiving::Outcome Receiving::load(const std::string& machine, const machine::Profile& profile,

@@ -311,6 +311,18 @@ TEST_F(ReceivingTest, OneInQuarantineIsAcceptedByWhatCanBeRead) {
   EXPECT_EQ(must(store::read_whole(shop_->store.contents(), program.newest.sha256, 1000)), "%\nO7\nG0X1.\n");
 }
 
+TEST_F(ReceivingTest, AControlsNameFindsTheProgramThatIsStoredUnderAPersonsName) {
+  open();
+  const store::Program stored = must(programs_->upload("ROLL_1", "fanuc", "G0X2.\nM30\n", "anna"));
+  punch("%_N_ROLL_1_MPF\n;$PATH=/_N_MPF_DIR\nG0X1.\nM30\n%\n");
+  const store::Receipt receipt = receipts().at(0);
+  EXPECT_EQ(receipt.of.name, "ROLL_1_MPF");
+  const auto likeness = must(receiving_->likeness(receipt));
+  ASSERT_TRUE(likeness);
+  EXPECT_EQ(likeness->program, stored.id);
+  EXPECT_FALSE(likeness->same);
+}
+
 TEST_F(ReceivingTest, WhatADeviceServerSaysIsKeptOutOnce) {
   open();
   for (int i = 0; i < 5; ++i) {
