@@ -72,6 +72,8 @@ bool read_path(std::string_view path, Request& request) {
     request.path.push_back(*segment);
     path.remove_prefix(more ? slash + 1 : path.size());
   }
+  // The one folder that people type: with and without its slash.
+  if (request.path.size() == 2 && request.path[0] == "docs" && request.path[1].empty()) request.path.pop_back();
   return true;
 }
 

@@ -279,9 +279,12 @@ def the_page(folder):
                 expect(rule in policy, f"{path}: {rule} is not in {policy}")
             expect("unsafe" not in policy and answer.headers["Cache-Control"] == "no-cache" and answer.headers["X-Content-Type-Options"] == "nosniff", f"{path}: {answer.headers}")
     for path in ("/assets/folder", "/assets/", "/assets/..%2fsecret.txt", "/assets/%2e%2e%2fsecret.txt", "/assets/..%5csecret.txt", "/assets/.hidden", "/secret.txt", "/index.html", "//", "/assets/app.js/",
-                 "/docs/none", "/docs/..%2fsecret.txt", "/docs/.hidden", "/docs/"):
+                 "/docs/none", "/docs/..%2fsecret.txt", "/docs/.hidden", "/docs//", "/docs/safety/"):
         expect_problem(client.call("GET", path, role=None), 404, path) if path.startswith(("/assets/", "/docs/")) else expect(client.call("GET", f"/api/..{path}", role=None).status in (400, 404), path)
     browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
+    for headers in ({}, browser):
+        answer = ask(client.connect(), "GET", "/docs/", headers=headers)
+        expect(answer.status == 200 and answer.body == b"/docs of a test", f"/docs/ is not the documentation: {answer}")
     for path in ("/jobs/3", "/machines/mill%201", "/nowhere"):
         answer = ask(client.connect(), "GET", path, headers=browser)
         expect(answer.status == 200 and answer.body == b"/ of a test", f"a browser at {path} is not shown the page: {answer}")
