@@ -3,6 +3,7 @@
 // build.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -152,6 +153,35 @@ struct CurveShape {
   text::Span span;
 };
 
+// A place of the drawing. Its view has two of the axes, the first one across: lathes have z and x, mills x and y, x and
+// z or y and z.
+struct DrawnPlace {
+  ir::ExpressionId across = ir::ExpressionId::none;
+  ir::ExpressionId up = ir::ExpressionId::none;
+};
+
+// One line, or one circle, of the drawing; with a counter one for each of its whole numbers.
+struct OutlineShape {
+  std::string_view axes;                               // "zx"
+  std::vector<DrawnPlace> places;                      // circle: its center
+  ir::ExpressionId diameter = ir::ExpressionId::none;  // circle
+  bool is_closed = false;
+  ir::SymbolId counter = ir::SymbolId::none;
+  ExpressionRange counts = {};
+};
+
+enum class DimensionKind : std::uint8_t { length, diameter, radius, angle };
+inline constexpr std::array<std::string_view, 4> kDimensionKindNames = {"length", "diameter", "radius", "angle"};
+
+// Where a parameter is seen in the drawing.
+struct DimensionShape {
+  DimensionKind kind = DimensionKind::length;
+  std::size_t parameter = 0;  // row of Family::parameters
+  std::string_view axes;
+  DrawnPlace from, to;
+  DrawnPlace at = {};  // angle: its corner
+};
+
 enum class StepKind : std::uint8_t {
   work_offset,  // number
   tool,         // number; tip; values[0] diameter, values[1] corner radius, values[2] nose radius
@@ -274,6 +304,8 @@ struct Family {
   std::vector<NominalShape> nominals;
   std::vector<SurfaceShape> surfaces;
   std::vector<CurveShape> curves;
+  std::vector<OutlineShape> outlines;
+  std::vector<DimensionShape> dimensions;
   // x, y and z of the nominals, where they are used.
   ir::SymbolId x_variable = ir::SymbolId::none;
   ir::SymbolId y_variable = ir::SymbolId::none;

@@ -10,6 +10,7 @@
 
 #include "dialects/family/body_reader.h"
 #include "dialects/family/cursor.h"
+#include "dialects/family/drawing_reader.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/expression_reader.h"
 #include "dialects/family/naming.h"
@@ -103,10 +104,13 @@ class FamilyReader {
         {"require", &FamilyReader::requirement},
         {"stock", &FamilyReader::stock},
         {"nominal", &FamilyReader::nominal},
+        {"outline", &FamilyReader::outline},
+        {"dimension", &FamilyReader::dimension},
     });
     const auto row = std::ranges::find(kRows, cursor_.word(), &std::pair<std::string_view, Read>::first);
     if (row == kRows.end()) {
-      cursor_.expected("param, let, const, list, function, sub, require, stock, nominal or program");
+      cursor_.expected(
+          "param, let, const, list, function, sub, require, stock, nominal, outline, dimension or program");
     } else {
       cursor_.advance();
       (this->*row->second)();
@@ -222,6 +226,9 @@ class FamilyReader {
     if (mills) return NominalReader(cursor_, scope_, expressions_, family_).of_mill();
     cursor_.expected("x = ..., the nominal of a lathe");
   }
+
+  void outline() { DrawingReader(cursor_, scope_, expressions_, family_).outline(); }
+  void dimension() { DrawingReader(cursor_, scope_, expressions_, family_).dimension(); }
 
   void program() {
     family_.program_line = cursor_.peek().line;

@@ -61,6 +61,7 @@ Reply render(const Work& work) {
                 {"diagnostics", write_diagnostics(result.diagnostics)}};
   reply.add(result.text);
   reply.add(done->places);
+  reply.add(done->drawing);
   return reply;
 }
 

@@ -1,6 +1,7 @@
 // Each member is one function of this folder.
 #include "server/json/documents.h"
 
+#include "server/json/drawing.h"
 #include "server/json/profile_document.h"
 #include "server/json/reports.h"
 #include "server/json/requests.h"
@@ -15,5 +16,8 @@ app::Result<app::Values> JsonDocuments::read_values(std::string_view document) c
 }
 std::string JsonDocuments::write_values(const app::Values& values) const { return json::write_values(values); }
 std::string JsonDocuments::write_report(const app::CheckReport& report) const { return json::check_report(report); }
+std::string JsonDocuments::write_drawing(const std::vector<family::DrawnView>& drawing) const {
+  return json::drawing(drawing);
+}
 
 }  // namespace dripfeed::json

@@ -285,7 +285,8 @@ std::string preview(const app::Preview& preview) {
                {"blocks", r.blocks},
                {"bytes", r.bytes},
                {"variables", r.variables},
-               {"diagnostics", embedded(diagnostics(r.diagnostics, {preview.family, preview.family_text}))}});
+               {"diagnostics", embedded(diagnostics(r.diagnostics, {preview.family, preview.family_text}))},
+               {"drawing", embedded(preview.drawing)}});
 }
 
 std::string work(const app::Work& work) {

@@ -40,6 +40,28 @@ Members rendering() {
           {"diagnostics", diagnostics_schema("of the family's text")}};
 }
 
+Schema place(std::string about) { return list_of(2, number("mm"), std::move(about)); }
+
+Schema drawn_view() {
+  const auto of = [] { return one_of(family::kDrawnOfNames, "what it is a line of"); };
+  return object(
+      "one view",
+      {{"axes", text("two letters, the first one across; zx: x is a radius")},
+       {"lines", list_of(object("a line", {{"of", of()}, {"points", list_of(place("across and up"), "in order")}}),
+                         "of the part")},
+       {"circles",
+        list_of(object("a circle", {{"of", of()}, {"center", place("across and up")}, {"diameter_mm", number("mm")}}),
+                "of the part")},
+       {"dimensions",
+        list_of(object("where a parameter is seen", {{"parameter", text("its name")},
+                                                     {"kind", one_of(family::kDimensionKindNames, "of the dimension")},
+                                                     {"value", text("with its unit")},
+                                                     {"from", place("across and up")},
+                                                     {"to", place("across and up")},
+                                                     {"at", or_null(place("corner of an angle; else null"))}}),
+                "in the order of the family's text")}});
+}
+
 }  // namespace
 
 Schemas program_schemas() {
@@ -71,7 +93,8 @@ Schemas program_schemas() {
                                                           "variables of that line at this block; null: not known"))}}),
                         "in their order")}})},
       {"Preview", object("what rendering would store; nothing is stored",
-                         Members{{"text", text("of the program")}} + rendering())},
+                         Members{{"text", text("of the program")}, {"drawing", list_of(drawn_view(), "of the part")}} +
+                             rendering())},
       {"Rendered",
        object("a program that was rendered and stored", Members{{"program", integer("its id")},
                                                                 {"name", text("of the program")},

@@ -99,7 +99,7 @@ app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work
   auto reply = ask(workplace_, request, seconds_.load(), waiter);
   if (!reply) return std::unexpected(reply.error());
   const Document& head = reply->head;
-  app::RenderDone done{.result = {}, .places = std::move(reply->texts.at(1))};
+  app::RenderDone done{.result = {}, .places = std::move(reply->texts.at(1)), .drawing = std::move(reply->texts.at(2))};
   done.result.text = std::move(reply->texts.at(0));
   done.result.mode = static_cast<compile::RenderMode>(head.at("mode").get<int>());
   done.result.because = head.at("because").get<std::string>();

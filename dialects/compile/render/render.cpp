@@ -68,6 +68,7 @@ class Renderer {
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     bound_ = std::move(bound.bound);
     result_.geometry = family::geometry(bound_);
+    result_.drawing = family::drawing(bound_);
     if (family_->native) return render_wrapped(request_, dialect_, bound_, std::move(result_));
     built_ = family::build(bound_);
     if (!request_.program_name.empty()) built_.name = request_.program_name;

@@ -10,6 +10,7 @@
 
 #include "dialects/compile/plain/place_index.h"
 #include "dialects/family/bind.h"
+#include "dialects/family/drawing.h"
 #include "dialects/family/geometry.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/stage.h"
@@ -47,6 +48,7 @@ struct RenderResult {
   std::vector<family::LineRange> profile_lines;  // ranges of printed lines that make the nominal
   PlaceIndex places;                             // explicit only
   family::Geometry geometry;                     // stock and nominal with these values
+  std::vector<family::DrawnView> drawing;        // and the drawing
   // Spans are in RenderRequest::family. With an error there is no text.
   std::vector<text::Diagnostic> diagnostics;
 };

@@ -5,10 +5,15 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "server/app/base/error.h"
 #include "server/app/base/report.h"
 #include "server/machine/profile.h"
+
+namespace dripfeed::family {
+struct DrawnView;
+}  // namespace dripfeed::family
 
 namespace dripfeed::app {
 
@@ -27,6 +32,8 @@ class Documents {
   [[nodiscard]] virtual std::string write_values(const Values& values) const = 0;
   // The whole report of a check, as GET /checks/{id} gives it.
   [[nodiscard]] virtual std::string write_report(const CheckReport& report) const = 0;
+  // A family's drawing, as POST /preview gives it.
+  [[nodiscard]] virtual std::string write_drawing(const std::vector<family::DrawnView>& drawing) const = 0;
 };
 
 }  // namespace dripfeed::app

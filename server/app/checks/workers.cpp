@@ -122,6 +122,7 @@ Result<RenderDone> render_family(const RenderWork& work, const Documents& docume
   if (!fine) return std::unexpected(fine.error());
   if (work.optimize) optimize_for(done.result, *control, *profile);
   done.places = write_places(done.result.places);
+  done.drawing = documents.write_drawing(done.result.drawing);
   return done;
 }
 

@@ -74,6 +74,7 @@ struct RenderWork {
 struct RenderDone {
   compile::RenderResult result;  // but for geometry and places
   std::string places;            // as it is stored; empty: there are none
+  std::string drawing = {};      // as Documents::write_drawing has it
 };
 // Errors: invalid: the family, the values or the machine.
 Result<RenderDone> render_family(const RenderWork& work, const Documents& documents);

@@ -182,7 +182,8 @@ Result<Preview> Programs::preview(const RenderOrder& order, const Waiter& waiter
   if (!done) return std::unexpected(done.error());
   return Preview{.result = std::move(done->result),
                  .family = std::move(loaded->work.family),
-                 .family_text = std::move(loaded->work.text)};
+                 .family_text = std::move(loaded->work.text),
+                 .drawing = std::move(done->drawing)};
 }
 
 Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor, const Waiter& waiter) {

@@ -38,6 +38,7 @@ struct Preview {
   compile::RenderResult result;
   std::string family;       // its name
   std::string family_text;  // that the diagnostics are in
+  std::string drawing;      // as Documents::write_drawing has it
 };
 
 class Programs {

@@ -5030,6 +5030,51 @@ export interface components {
         Preview: {
             /** @description of the program */
             text: string;
+            /** @description of the part */
+            drawing: {
+                /** @description two letters, the first one across; zx: x is a radius */
+                axes: string;
+                /** @description of the part */
+                lines: {
+                    /**
+                     * @description what it is a line of
+                     * @enum {string}
+                     */
+                    of: "stock" | "nominal" | "outline";
+                    /** @description in order */
+                    points: number[][];
+                }[];
+                /** @description of the part */
+                circles: {
+                    /**
+                     * @description what it is a line of
+                     * @enum {string}
+                     */
+                    of: "stock" | "nominal" | "outline";
+                    /** @description across and up */
+                    center: number[];
+                    /** @description mm */
+                    diameter_mm: number;
+                }[];
+                /** @description in the order of the family's text */
+                dimensions: {
+                    /** @description its name */
+                    parameter: string;
+                    /**
+                     * @description of the dimension
+                     * @enum {string}
+                     */
+                    kind: "length" | "diameter" | "radius" | "angle";
+                    /** @description with its unit */
+                    value: string;
+                    /** @description across and up */
+                    from: number[];
+                    /** @description across and up */
+                    to: number[];
+                    /** @description corner of an angle; else null */
+                    at: number[] | null;
+                }[];
+            }[];
             /**
              * @description that was taken
              * @enum {string}

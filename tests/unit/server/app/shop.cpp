@@ -42,6 +42,12 @@ std::string PlainDocuments::write_report(const CheckReport& report) const {
   return std::string(checks::name_of(report.verdict));
 }
 
+std::string PlainDocuments::write_drawing(const std::vector<family::DrawnView>& drawing) const {
+  std::string text;
+  for (const family::DrawnView& view : drawing) text += std::string(view.axes) + ";";
+  return text;
+}
+
 store::Release release_text(store::Store& store, const std::string& machine, const std::string& text,
                             store::Delivery delivery) {
   store::NewProgramText row;
