@@ -11,6 +11,7 @@ import { useLoaded } from '../../parts/use_loaded';
 import { usePaced } from '../../parts/use_paced';
 import type { Values } from '../../rules/part_values';
 import { PathView } from '../path/path_view';
+import { Drawing } from './drawing';
 
 const kShownLines = 400;
 
@@ -19,9 +20,12 @@ interface Props {
   values: Values;
   failed: (error: unknown) => void; // the form shows what is about its fields
   isShown: (error: unknown) => boolean; // it does
+  lit: string | null; // the parameter that is looked at
+  light: (parameter: string | null) => void;
+  chosen: (parameter: string) => void;
 }
 
-export function Preview({ family, values, failed, isShown }: Props) {
+export function Preview({ family, values, failed, isShown, lit, light, chosen }: Props) {
   const target = useTarget(null);
   const { machine, delivery } = target;
   const [look, setLook] = useState<'text' | 'path'>('text');
@@ -52,6 +56,7 @@ export function Preview({ family, values, failed, isShown }: Props) {
       </div>
       {error !== null && !isShown(error) && <Failure error={error} />}
       {loading && !value && <p role="status">{t('parts.rendering')}</p>}
+      {value && <Drawing views={value.drawing} lit={lit} light={light} chosen={chosen} />}
       {value && (
         <p class="hint">
           {t('library.blocks', { count: value.blocks, text: count(value.blocks) })}, {bytes(value.bytes)}: {value.because}

@@ -1,11 +1,12 @@
 // A part's values as a form, made from its family's parameters: their words, units, ranges and defaults. What is left
 // empty has the default. An error of the server stands at the field that it is about.
-import { useId, useState } from 'preact/hooks';
+import { useId, useRef, useState } from 'preact/hooks';
 import { ApiError, newOrderKey } from '../../api/client';
 import type { Family, Parameter } from '../../api/types';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { boundsOf, givenValues, grouped, isList, parameterOf, type Values } from '../../rules/part_values';
+import { kPlaces, placeOf, rangeOf, typedAt } from '../../rules/sliding';
 import { loader } from '../../state/loader';
 import { Preview } from './preview';
 import { Region } from './region';
@@ -25,6 +26,8 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
   const [error, setError] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
   const [previewError, setPreviewError] = useState<unknown>(null);
+  const [lit, light] = useState<string | null>(null);
+  const form = useRef<HTMLFormElement>(null);
   const faults = faultsOf(error ?? previewError, family.parameters);
   const submit = async (event: Event) => {
     event.preventDefault();
@@ -44,7 +47,7 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
   };
   return (
     <div class="values">
-      <form class="card values-form" onSubmit={submit}>
+      <form ref={form} class="card values-form" onSubmit={submit}>
         {given === null && (
           <label class="field">
             <span>{t('parts.number')}</span>
@@ -61,6 +64,8 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
                 value={typed[parameter.name] ?? ''}
                 fault={faults.get(parameter.name) ?? null}
                 typed={(text) => change(parameter.name, text)}
+                isLit={lit === parameter.name}
+                light={light}
               />
             ))}
           </fieldset>
@@ -78,6 +83,9 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
           values={givenValues(family.parameters, typed)}
           failed={setPreviewError}
           isShown={(failure) => faultsOf(failure, family.parameters).size > 0}
+          lit={lit}
+          light={light}
+          chosen={(parameter) => form.current?.querySelector<HTMLElement>(`[data-parameter="${parameter}"] input`)?.focus()}
         />
       )}
       {may && <Region family={family} values={typed} />}
@@ -101,15 +109,24 @@ interface FieldProps {
   value: string;
   fault: string | null;
   typed: (text: string) => void;
+  isLit: boolean; // it or its dimension is looked at
+  light: (parameter: string | null) => void;
 }
 
-function ParameterField({ parameter, value, fault, typed }: FieldProps) {
+function ParameterField({ parameter, value, fault, typed, isLit, light }: FieldProps) {
   const id = useId();
   const { name, text, choices } = parameter;
   const described = `${id}-hint${fault ? ` ${id}-fault` : ''}`;
   const common = { id, 'aria-describedby': described, 'aria-invalid': fault ? true : undefined };
   return (
-    <div class={fault ? 'parameter parameter-wrong' : 'parameter'} data-parameter={name}>
+    <div
+      class={`parameter${fault ? ' parameter-wrong' : ''}${isLit ? ' parameter-lit' : ''}`}
+      data-parameter={name}
+      onPointerEnter={() => light(name)}
+      onPointerLeave={() => light(null)}
+      onFocusIn={() => light(name)}
+      onFocusOut={() => light(null)}
+    >
       <label for={id}>
         {text || name} {text && <code>{name}</code>}
       </label>
@@ -124,6 +141,18 @@ function ParameterField({ parameter, value, fault, typed }: FieldProps) {
         </select>
       ) : (
         <input {...common} value={value} placeholder={parameter.default} onInput={(event) => typed(event.currentTarget.value)} autocomplete="off" />
+      )}
+      {rangeOf(parameter) && (
+        <input
+          type="range"
+          class="slide"
+          min="0"
+          max={kPlaces}
+          value={placeOf(parameter, value)}
+          aria-label={t('drawing.drag', { name: text || name })}
+          aria-valuetext={value || parameter.default}
+          onInput={(event) => typed(typedAt(parameter, Number(event.currentTarget.value)))}
+        />
       )}
       <p id={`${id}-hint`} class="hint">
         {hintOf(parameter)}
