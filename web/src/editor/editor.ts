@@ -82,12 +82,22 @@ function diagnosticOf(state: EditorState, fault: Fault, words: EditorOptions['fa
 }
 
 // The gutter shows marks alone; a diagnostic's text is its tooltip's, and the page's list of faults has it, too.
+// A text of 100,000 lines is joined once for each change, however many ask for it.
+function joined(): (doc: EditorState['doc']) => string {
+  let last: { doc: EditorState['doc']; text: string } | null = null;
+  return (doc) => {
+    if (last?.doc !== doc) last = { doc, text: doc.toString() };
+    return last.text;
+  };
+}
+
 export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
+  const textOf = joined();
   const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
   const writable = new Compartment();
   const readOnly = (is: boolean) => [EditorState.readOnly.of(is), EditorView.editable.of(!is)];
   const listener = EditorView.updateListener.of((update) => {
-    if (update.docChanged) options.changed(update.state.doc.toString());
+    if (update.docChanged) options.changed(textOf(update.state.doc));
     if (update.selectionSet || update.docChanged) {
       const { head } = update.state.selection.main;
       const word = wordAt(update.view, head)?.word;
@@ -125,19 +135,19 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
     view.dispatch({ selection: EditorSelection.cursor(line.from), effects: EditorView.scrollIntoView(line.from, { y: 'center' }) });
   };
   return {
-    text: () => view.state.doc.toString(),
+    text: () => textOf(view.state.doc),
     setText: (text) => {
-      if (text !== view.state.doc.toString()) view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
+      if (text !== textOf(view.state.doc)) view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
     },
     rewrite: (to, of) => {
-      if (of !== view.state.doc.toString()) return false;
+      if (of !== textOf(view.state.doc)) return false;
       view.dispatch({ changes: lineChanges(view.state.doc, to), annotations: isolateHistory.of('full'), userEvent: 'input.rewrite' });
       return true;
     },
     setReadOnly: (is) => view.dispatch({ effects: writable.reconfigure(readOnly(is)) }),
     setWords: (words, isSure) => view.dispatch({ effects: setWords.of(new Words(words, isSure)) }),
     setFaults: (faults, of) => {
-      if (of === view.state.doc.toString())
+      if (of === textOf(view.state.doc))
         view.dispatch(setDiagnostics(view.state, faults.map((fault) => diagnosticOf(view.state, fault, options.faultWords))));
     },
     show,

@@ -5,7 +5,7 @@ import type { Program } from '../../api/types';
 import { bytes } from '../../format/numbers';
 import { dialectText } from '../../format/words';
 import { t } from '../../i18n/i18n';
-import { BackButton, Dialog } from '../../parts/dialog';
+import { closeDialog, BackButton, Dialog } from '../../parts/dialog';
 import { Failure } from '../../parts/failure';
 import { Icon } from '../../parts/icon';
 import { hrefs } from '../../router';
@@ -109,7 +109,7 @@ function UploadRow({ upload, off, change, apart: takeApart }: RowProps) {
     return (
       <li class="upload-row" data-state="done">
         <p>
-          <Icon shape="good" /> <a href={hrefs.program(upload.program.id)}>{upload.program.name}</a>{' '}
+          <Icon shape="good" /> <a href={hrefs.program(upload.program.id)} onClick={closeDialog}>{upload.program.name}</a>{' '}
           <span class="quiet-text">{t('job.revision', { revision: upload.program.revision })}</span>
         </p>
       </li>

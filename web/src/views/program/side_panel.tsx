@@ -1,5 +1,6 @@
 // Beside the text: its faults with what helps, and its outline. Both lead to their lines.
 import type { RefObject } from 'preact';
+import { useMemo } from 'preact/hooks';
 import type { Fault, OutlineRow } from '../../api/types';
 import type { Editor } from '../../editor/editor';
 import { t } from '../../i18n/i18n';
@@ -22,6 +23,12 @@ interface Props {
 
 export function SidePanel({ diagnosis, isFixable, editor, line }: Props) {
   const { found, phase, error } = diagnosis;
+  const here = found ? rowAt(found.outline, line) : -1;
+  const faults = useMemo(
+    () => found?.faults.map((fault) => <FaultRow key={`${fault.id} ${fault.line} ${fault.column_chars}`} fault={fault} isFixable={isFixable} editor={editor} />),
+    [found, isFixable],
+  );
+  const outline = useMemo(() => found?.outline.map((row, index) => <OutlineEntry key={row.line} row={row} isHere={index === here} editor={editor} />), [found, here]);
   return (
     <aside class="side" aria-label={t('side.label')}>
       <section>
@@ -32,9 +39,7 @@ export function SidePanel({ diagnosis, isFixable, editor, line }: Props) {
         <Failure error={phase === 'failed' ? error : null} />
         {found && (
           <ul class="faults" aria-busy={phase === 'waiting'}>
-            {found.faults.map((fault) => (
-              <FaultRow key={`${fault.id} ${fault.line} ${fault.column_chars}`} fault={fault} isFixable={isFixable} editor={editor} />
-            ))}
+            {faults}
             {found.folded.map(({ id, more }) => (
               <li key={id} class="hint">
                 {t('side.more', { count: more, id })}
@@ -47,9 +52,7 @@ export function SidePanel({ diagnosis, isFixable, editor, line }: Props) {
         <section>
           <h2>{t('side.outline')}</h2>
           <ul class="outline">
-            {found.outline.map((row) => (
-              <OutlineEntry key={row.line} row={row} isHere={isHere(found.outline, row, line)} editor={editor} />
-            ))}
+            {outline}
           </ul>
           {found.outline_is_cut && <p class="hint">{t('side.outline_cut')}</p>}
         </section>
@@ -67,11 +70,8 @@ function summary({ phase, found }: Diagnosis): string {
   return `${t('side.count', { errors, others: found.faults.length - errors })} ${as} ${t('side.not_run')}`;
 }
 
-// The last place at or before the cursor.
-function isHere(rows: readonly OutlineRow[], row: OutlineRow, line: number): boolean {
-  const next = rows[rows.indexOf(row) + 1];
-  return row.line <= line && (next === undefined || next.line > line);
-}
+// The last place at or before the cursor; -1: there is none.
+const rowAt = (rows: readonly OutlineRow[], line: number): number => rows.reduce((found, row, index) => (row.line <= line ? index : found), -1);
 
 function FaultRow({ fault, isFixable, editor }: { fault: Fault; isFixable: boolean; editor: RefObject<Editor | null> }) {
   const { tone, shape } = kTones[fault.severity];

@@ -58,6 +58,9 @@ export function TextEditor(props: Props) {
   const editor = useRef<Editor | null>(null);
   const now = useRef(props);
   now.current = props;
+  // What was typed and has not come back as `text` yet. Keys are quicker than the page: an echo of an earlier one must not
+  // become the text again.
+  const echoes = useRef<string[]>([]);
   const [error, setError] = useState<unknown>(null);
   const [open, setOpen] = useState(false);
   const give = (to: Editor | null) => {
@@ -65,13 +68,17 @@ export function TextEditor(props: Props) {
     if (typeof props.editor === 'function') props.editor(to);
     else if (props.editor) props.editor.current = to;
   };
+  const changed = (to: string) => {
+    echoes.current.push(to);
+    now.current.changed(to);
+  };
   useEffect(() => {
     let over = false;
     import('../../editor/editor').then(({ openEditor }) => {
       if (over || !host.current) return;
       const { text, label, readOnly } = now.current;
       const options = { text, label, readOnly, phrases: phrases(), faultWords: kFaultWords };
-      give(openEditor(host.current, { ...options, changed: (to) => now.current.changed(to), cursorMoved: (...moved) => now.current.cursorMoved(...moved) }));
+      give(openEditor(host.current, { ...options, changed, cursorMoved: (...moved) => now.current.cursorMoved(...moved) }));
       setOpen(true);
     }, setError);
     return () => {
@@ -81,7 +88,14 @@ export function TextEditor(props: Props) {
       setOpen(false);
     };
   }, [spoken.value.tag]);
-  useEffect(() => editor.current?.setText(props.text), [open, props.text]);
+  useEffect(() => {
+    const echo = echoes.current.indexOf(props.text);
+    if (echo >= 0) echoes.current.splice(0, echo + 1);
+    else if (editor.current) {
+      editor.current.setText(props.text);
+      echoes.current = [];
+    }
+  }, [open, props.text]);
   useEffect(() => editor.current?.setReadOnly(props.readOnly), [open, props.readOnly]);
   useEffect(() => void (props.words && editor.current?.setWords(props.words, props.isSure)), [open, props.words, props.isSure]);
   useEffect(() => editor.current?.setFaults(props.faults, props.faultsOf), [open, props.faults, props.faultsOf]);

@@ -6,7 +6,9 @@ import { ApiError } from '../../api/client';
 import type { Diagnosed } from '../../api/types';
 import { loader } from '../../state/loader';
 
-const kPauseMs = 400;
+// A pause in typing: short, so that a fault is marked soon; of a long text as long as its last answer took.
+const kPauseMs = 120;
+const kLongestPauseMs = 1500;
 const kBusyMs = 2000;
 const kLongest_chars = 2_000_000; // a longer one is checked, not read while it is typed
 
@@ -25,14 +27,17 @@ export function useDiagnosis(text: string | null, dialect: string, machine: stri
   const [state, setState] = useState<Diagnosis>(kNone);
   const wanted = useRef<{ text: string; dialect: string; machine: string } | null>(null);
   const asking = useRef(false);
+  const took = useRef(0); // ms, of the last answer
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
 
   const ask = async () => {
     const order = wanted.current;
     if (!order || asking.current) return;
     asking.current = true;
+    const began = performance.now();
     try {
       const found = await loader.order(deskCalls.diagnose({ text: order.text, dialect: order.dialect, ...(order.machine ? { machine: order.machine } : {}) }));
+      took.current = performance.now() - began;
       if (wanted.current) setState({ phase: wanted.current === order ? 'known' : 'waiting', found, of: order.text, error: null });
     } catch (error) {
       const isBusy = error instanceof ApiError && (error.status === 503 || error.status === 429);
@@ -52,7 +57,7 @@ export function useDiagnosis(text: string | null, dialect: string, machine: stri
     }
     wanted.current = { text, dialect, machine };
     setState((before) => ({ ...before, phase: 'waiting' }));
-    timer.current = setTimeout(() => void ask(), kPauseMs);
+    timer.current = setTimeout(() => void ask(), Math.min(Math.max(took.current, kPauseMs), kLongestPauseMs));
   }, [text, dialect, machine]);
   useEffect(
     () => () => {
