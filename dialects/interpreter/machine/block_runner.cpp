@@ -307,8 +307,18 @@ bool BlockRunner::fail(const Instruction& i, const BlockResult& result) {
     return report_.fail(i, result.fault, {"a thread without a height"}, ir::AlarmDetail::depth_of_pass);
   if (!result.reason.empty()) return report_.fail(i, result.fault, {std::string(result.reason)}, result.detail);
   if (result.fault != DiagnosticId::arc_radius_mismatch) return report_.fail(i, result.fault, {}, result.detail);
-  return report_.fail(i, result.fault, {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)},
-                      result.detail);
+  (void)report_.fail(i, result.fault, {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)},
+                     result.detail);
+  if (x_may_be_radius())
+    report_.soften("DIAMON, DIAM90 or DIAMOF is not stated: the machine decides whether X is a diameter here");
+  return false;
+}
+
+// On a lathe whose program does not state it, and whose machine is not known.
+bool BlockRunner::x_may_be_radius() const {
+  const ir::Semantics& s = control_.semantics;
+  const bool is_stated = (state_.stated >> static_cast<unsigned>(ir::ModalGroup::diameter) & 1U) != 0;
+  return s.unset_is_unknown && !s.power_on_known && s.power_on_diameter != ir::DiameterMode::radius && !is_stated;
 }
 
 }  // namespace dripfeed::interpreter

@@ -61,6 +61,7 @@ class BlockRunner {
   void skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word);
   void take_notes(const Instruction& i, std::uint32_t notes);
   void report_radii(const Instruction& i, const BlockResult& result);
+  [[nodiscard]] bool x_may_be_radius() const;
   bool fail(const Instruction& i, const BlockResult& result);
 
   const ir::Control& control_;

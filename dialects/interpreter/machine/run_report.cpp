@@ -78,6 +78,13 @@ void RunReport::warn(const Instruction& at, DiagnosticId id, std::vector<std::st
   warning.notes.push_back({warning.span, std::string(note)});
 }
 
+// What was reported last is not certain after all.
+void RunReport::soften(std::string_view note) {
+  text::Diagnostic& last = result_.diagnostics.back().diagnostic;
+  last.severity = std::min(last.severity, text::Severity::warning);
+  last.notes.push_back({last.span, std::string(note)});
+}
+
 void RunReport::keep_no_feed(const Instruction& at, ir::AlarmDetail detail) {
   add(at, DiagnosticId::no_feed, {}, detail);
   no_feed_ = std::move(result_.diagnostics.back());

@@ -36,6 +36,7 @@ class RunReport {
   // … and that is a warning here, whatever it is by its row.
   void warn(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments, std::string_view note);
   // A cut without a feed: said at the end of the run, unless the program turns out to be a subprogram by then.
+  void soften(std::string_view note);
   void keep_no_feed(const Instruction& at, ir::AlarmDetail detail);
   void report_no_feed();
   // From here on the program takes a branch that a value decides which is not known: its alarms are possible, not

@@ -94,17 +94,21 @@ class Reachability {
 
 void check_labels(const Check& check) {
   const ir::Program& program = check.program;
-  std::map<std::pair<std::size_t, ir::StringId>, text::Span> names;
+  struct First {
+    text::Span span;
+    bool is_reported = false;
+  };
+  std::map<std::pair<std::size_t, ir::StringId>, First> names;
   for (const ir::Label& label : program.labels) {
     if (label.name == ir::StringId::none) continue;
     const std::pair name(section_of(program, label.span.begin), label.name);
-    const auto [first, is_new] = names.emplace(name, label.span);
-    if (is_new) continue;
+    const auto [first, is_new] = names.emplace(name, First{label.span});
+    if (is_new || std::exchange(first->second.is_reported, true)) continue;  // once a name
     text::Diagnostic& d =
         check.report(DiagnosticId::label_defined_twice, label.span, {std::string(program.strings.at(label.name))});
     // 12450, but programs in use have such labels: a jump takes the nearest in its direction.
     d.severity = text::Severity::warning;
-    d.notes.push_back({first->second, "the first one is here"});
+    d.notes.push_back({first->second.span, "the first one is here"});
   }
   bool certain = true;  // every run comes to this statement
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {

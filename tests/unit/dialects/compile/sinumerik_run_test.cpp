@@ -25,6 +25,19 @@ TEST(SinumerikInputs, TheStateBeforeTheProgramIsOne) {
   EXPECT_EQ(stated.value("R4"), 4.0);
 }
 
+// A quarter of a circle whose X is a radius, on a lathe that is not named: DIAM90 takes increments so, DIAMON does not.
+TEST(SinumerikInputs, AnArcThatDoesNotFitAnUnstatedDiameterModeIsNoError) {
+  const ir::Control lathe = test::control("sinumerik-840d", ir::MachineKind::lathe);
+  const std::string arc = "G18 G90 G95 F0.1\nG0 X100 Z0\nG91 G3 X-0.565 Z0.234 I0 K0.8\nM30\n";
+  const auto severity = [&](const std::string& text) {
+    const Result ran = run_on(lathe, text);
+    return ran.result.diagnostics.empty() ? text::Severity::note : ran.result.diagnostics.back().diagnostic.severity;
+  };
+  EXPECT_EQ(severity(arc), text::Severity::warning);
+  EXPECT_EQ(severity("DIAMON\n" + arc), text::Severity::error);
+  EXPECT_EQ(severity("DIAM90\n" + arc), text::Severity::note);
+}
+
 TEST(SinumerikInputs, AMacroOfAVariableIsThatVariable) {
   const Result ran = run("DEFINE COUNTED AS R5\nCOUNTED=3\nCOUNTED=COUNTED+1\nM30\n");
   EXPECT_EQ(ran.value("R5"), 4.0);

@@ -44,6 +44,7 @@ TEST(Certainty, AJumpThatAConditionDecidesMayNeverBeTaken) {
 TEST(Certainty, LabelsOfOneNameAndEndsWithoutTheirBeginRun) {
   EXPECT_EQ(faults("IF R1==1 GOTOF NEXT\nNEXT: G0 X1\nIF R1==2 GOTOF NEXT\nNEXT: G0 X2\nM17\n"),
             "warning label-defined-twice");
+  EXPECT_EQ(faults("NEXT: G0 X1\nNEXT: G0 X2\nNEXT: G0 X3\nM17\n"), "warning label-defined-twice");
   EXPECT_EQ(faults("IF R1==1 GOTOF READY\nENDIF\nG0 X1\nREADY: M17\n"), "warning end-without-begin");
   EXPECT_EQ(faults("IF R1==1\nG0 X1\nM17\n"), "error missing-end");
   EXPECT_EQ(faults("IF R1==1\nG0 X1\nENDIF\nELSE\nM17\n"), "error end-without-begin");
