@@ -193,7 +193,7 @@ TEST(Records, ProblemsNameTheirPlaces) {
   const app::Error nine{app::ErrorCode::not_found, "it does not exist (9)", {}};
   const std::string sentence = problem(problem_code(nine), nine);
   EXPECT_THAT(sentence,
-              HasSubstr(R"x("sentence":{"id":"store_not_found","values":{"detail":{"text":"9","sentence":null}}}})x"));
+              HasSubstr(R"x("said":{"id":"store_not_found","values":{"detail":{"text":"9","said":null}}}})x"));
 }
 
 TEST(Records, AStatusNamesWhyItsLinkIsDown) {
