@@ -1,5 +1,5 @@
-"""A person's round in the browser against the real server: the demo shop runs, round.mjs arms a job on the page and sees it through, and tour.mjs
-takes the guided tour of what the demo has."""
+"""A person's round in the browser against the real server: the demo shop runs, round.mjs arms a job on the page and sees it through, tour.mjs
+takes the guided tour of what the demo has, and looks.mjs walks the views of each role on every size of screen. A file named after the binary is walked alone."""
 
 import os
 import pathlib
@@ -19,8 +19,8 @@ def main():
         try:
             shop.wait_for("the demo's address", lambda: demo.stdout.readline().startswith("Arm a queued job"), 60)
             token = (data / "first-token").read_text().strip()
-            for name in ("tour.mjs", "round.mjs"):
-                walk = subprocess.run(["node", str(ROOT / "tests/e2e/web" / name)], timeout=200,
+            for name in sys.argv[2:] or ("tour.mjs", "round.mjs", "looks.mjs"):
+                walk = subprocess.run(["node", str(ROOT / "tests/e2e/web" / name)], timeout=420,
                                       env={**os.environ, "DRIPFEED_URL": f"http://127.0.0.1:{port}", "DRIPFEED_TOKEN": token})
                 expect(walk.returncode == 0, f"{name} ended with {walk.returncode}")
         finally:

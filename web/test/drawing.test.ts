@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { pictureOf, textOf, type View } from '../src/rules/drawing';
+import { isMadeOn, wantedBy } from '../src/rules/part_values';
 import { placeOf, rangeOf, typedAt } from '../src/rules/sliding';
 
 const dimension = (parameter: string, from: [number, number], to: [number, number], kind: 'length' | 'diameter' | 'radius' | 'angle' = 'length'): View['dimensions'][number] => ({
@@ -70,4 +71,13 @@ test('what has no range has no slider', () => {
   assert.equal(rangeOf({ ...length, most: 5 }), null);
   assert.equal(rangeOf({ ...length, kind: 'tool' }), null);
   assert.equal(rangeOf({ ...length, low: 5, high: 5 }), null);
+});
+
+test('a family is made on the machines that the server takes it for', () => {
+  const roll = wantedBy('# machine mill\nfamily roll "Roll"\nmachine lathe, x is diameter\n');
+  assert.deepEqual(roll, { kind: 'lathe', dialect: null });
+  assert.ok(isMadeOn(roll, { kind: 'lathe', dialect: 'mazak' }) && isMadeOn(roll, { kind: 'mill-turn', dialect: 'mazak' }));
+  assert.ok(!isMadeOn(roll, { kind: 'mill', dialect: 'mazak' }));
+  const kept = wantedBy('family slot\nmachine mill\nnative fanuc\n%\n');
+  assert.ok(isMadeOn(kept, { kind: 'mill', dialect: 'fanuc' }) && !isMadeOn(kept, { kind: 'mill', dialect: 'haas' }));
 });

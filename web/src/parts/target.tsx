@@ -14,12 +14,14 @@ export interface TargetState {
   deliver: (delivery: Delivery) => void;
 }
 
-// Machines on which one is a programmer, of one dialect; null: of all. The first one until another is chosen.
-export function useTarget(dialect: string | null): TargetState {
+export type Fits = (machine: { kind: string; dialect: string }) => boolean;
+
+// Machines on which one is a programmer, and that fit. The first one until another is chosen.
+export function useTarget(fits: Fits): TargetState {
   const [chosen, choose] = useState('');
   const [delivery, deliver] = useState<Delivery>('drip');
   const names = [...machines.value.values()]
-    .filter((one) => (dialect === null || one.head.value.dialect === dialect) && atLeast(roleOn(one.name), 'programmer'))
+    .filter((one) => fits(one.head.value) && atLeast(roleOn(one.name), 'programmer'))
     .map((one) => one.name);
   return { names, machine: names.includes(chosen) ? chosen : (names[0] ?? ''), delivery, choose, deliver };
 }
@@ -50,15 +52,15 @@ export const TargetFields = ({ target }: { target: TargetState }) => (
 );
 
 interface FormProps {
-  dialect: string | null;
+  fits: Fits;
   busy: boolean;
   confirm: string;
   send: (machine: string, delivery: Delivery) => void;
 }
 
 // Both, and a button that does something for them.
-export function TargetForm({ dialect, busy, confirm, send }: FormProps) {
-  const target = useTarget(dialect);
+export function TargetForm({ fits, busy, confirm, send }: FormProps) {
+  const target = useTarget(fits);
   if (target.names.length === 0) return <p class="notice tone-waiting">{t('checks.no_machine')}</p>;
   return (
     <form

@@ -45,6 +45,22 @@ export function parameterOf(fault: ValueFault, parameters: readonly Pick<Paramet
   return named.length === 1 ? (named[0]?.name ?? null) : null;
 }
 
+// For which machines a family is, as the head of its text and `native` state it; dialect null: of any control.
+export interface WantedMachine {
+  kind: string;
+  dialect: string | null;
+}
+
+export function wantedBy(text: string): WantedMachine {
+  const [, kind = ''] = /^[ \t]*machine[ \t]+([a-z-]+)/m.exec(text) ?? [];
+  const [, dialect = null] = /^[ \t]*native[ \t]+(\S+)[ \t]*$/m.exec(text) ?? [];
+  return { kind, dialect };
+}
+
+// As the server judges it: a lathe's family is made on a mill-turn, too.
+export const isMadeOn = (wanted: WantedMachine, machine: { kind: string; dialect: string }): boolean =>
+  (machine.kind === wanted.kind || (machine.kind === 'mill-turn' && wanted.kind === 'lathe')) && (wanted.dialect === null || wanted.dialect === machine.dialect);
+
 // In the order of the text, by their headings.
 export function grouped(parameters: readonly Parameter[]): { group: string; parameters: Parameter[] }[] {
   const groups: { group: string; parameters: Parameter[] }[] = [];

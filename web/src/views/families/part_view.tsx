@@ -7,9 +7,10 @@ import { count } from '../../format/numbers';
 import { dateTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
-import { TargetForm } from '../../parts/target';
+import { TargetForm, type Fits } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
+import { isMadeOn, wantedBy } from '../../rules/part_values';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
 import { bestRole, person } from '../../state/shop';
@@ -46,7 +47,7 @@ export function PartView({ number }: { number: string }) {
           />
           <section>
             <h2>{t('parts.programs')}</h2>
-            {atLeast(bestRole(), 'programmer') && <RenderForm part={number} done={programs.again} />}
+            {atLeast(bestRole(), 'programmer') && <RenderForm part={number} fits={(machine) => isMadeOn(wantedBy(family.value?.text ?? ''), machine)} done={programs.again} />}
             <Failure error={programs.error} />
             {programs.value?.items.length === 0 && <p class="quiet-text">{t('parts.no_program')}</p>}
             <ul class="listed">
@@ -67,7 +68,7 @@ export function PartView({ number }: { number: string }) {
   );
 }
 
-function RenderForm({ part, done }: { part: string; done: () => void }) {
+function RenderForm({ part, fits, done }: { part: string; fits: Fits; done: () => void }) {
   const [error, setError] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
   const [made, setMade] = useState<Rendered | null>(null);
@@ -85,7 +86,7 @@ function RenderForm({ part, done }: { part: string; done: () => void }) {
   };
   return (
     <>
-      <TargetForm dialect={null} busy={busy} confirm={busy ? t('parts.rendering') : t('parts.render')} send={(machine, delivery) => void render(machine, delivery)} />
+      <TargetForm fits={fits} busy={busy} confirm={busy ? t('parts.rendering') : t('parts.render')} send={(machine, delivery) => void render(machine, delivery)} />
       <Failure error={error} />
       {made && (
         <p class="notice tone-good" role="status">

@@ -6,7 +6,7 @@ import type { Preview as Rendering, ToolPath } from '../../api/types';
 import { bytes, count } from '../../format/numbers';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
-import { TargetFields, useTarget } from '../../parts/target';
+import { TargetFields, useTarget, type Fits } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
 import { usePaced } from '../../parts/use_paced';
 import type { Values } from '../../rules/part_values';
@@ -17,6 +17,7 @@ const kShownLines = 400;
 
 interface Props {
   family: string;
+  fits: Fits;
   values: Values;
   failed: (error: unknown) => void; // the form shows what is about its fields
   isShown: (error: unknown) => boolean; // it does
@@ -25,8 +26,8 @@ interface Props {
   chosen: (parameter: string) => void;
 }
 
-export function Preview({ family, values, failed, isShown, lit, light, chosen }: Props) {
-  const target = useTarget(null);
+export function Preview({ family, fits, values, failed, isShown, lit, light, chosen }: Props) {
+  const target = useTarget(fits);
   const { machine, delivery } = target;
   const [look, setLook] = useState<'text' | 'path'>('text');
   const typed = JSON.stringify(values);
@@ -40,7 +41,7 @@ export function Preview({ family, values, failed, isShown, lit, light, chosen }:
   if (now) kept.current = { of: asked, value: now };
   const { value, of } = kept.current ?? { value: null, of: asked };
   useEffect(() => failed(error), [error]);
-  if (target.names.length === 0) return null;
+  if (target.names.length === 0) return <p class="notice tone-waiting">{t('preview.no_machine')}</p>;
   return (
     <section class="card preview" aria-label={t('preview.title')} aria-busy={loading}>
       <h2>{t('preview.title')}</h2>

@@ -7,7 +7,7 @@ import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { TargetForm } from '../../parts/target';
 import { rowOf, type Swept } from '../../rules/region';
-import { givenValues, type Values } from '../../rules/part_values';
+import { givenValues, isMadeOn, wantedBy, type Values } from '../../rules/part_values';
 import { loader } from '../../state/loader';
 
 const figure = (value: number, unit: string): string => `${Number(value.toPrecision(5))}${unit === '' ? '' : `\u202F${unit}`}`;
@@ -32,7 +32,7 @@ export function Region({ family, values }: { family: Family; values: Values }) {
     <section class="card region" aria-label={t('region.title')} aria-busy={busy}>
       <h2>{t('region.title')}</h2>
       <p class="hint">{t('region.hint')}</p>
-      <TargetForm dialect={null} busy={busy} confirm={t(busy ? 'region.running' : 'region.compute')} send={(machine, delivery) => void sweep(machine, delivery)} />
+      <TargetForm fits={(machine) => isMadeOn(wantedBy(family.text), machine)} busy={busy} confirm={t(busy ? 'region.running' : 'region.compute')} send={(machine, delivery) => void sweep(machine, delivery)} />
       <Failure error={error} />
       {figures && <Shown figures={figures.of} machine={figures.machine} values={values} />}
     </section>

@@ -5,7 +5,7 @@ import { ApiError, newOrderKey } from '../../api/client';
 import type { Family, Parameter } from '../../api/types';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
-import { boundsOf, givenValues, grouped, isList, parameterOf, type Values } from '../../rules/part_values';
+import { boundsOf, givenValues, grouped, isList, isMadeOn, parameterOf, wantedBy, type Values } from '../../rules/part_values';
 import { kPlaces, placeOf, rangeOf, typedAt } from '../../rules/sliding';
 import { loader } from '../../state/loader';
 import { Preview } from './preview';
@@ -80,6 +80,7 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
       {may && (
         <Preview
           family={family.name}
+          fits={(machine) => isMadeOn(wantedBy(family.text), machine)}
           values={givenValues(family.parameters, typed)}
           failed={setPreviewError}
           isShown={(failure) => faultsOf(failure, family.parameters).size > 0}

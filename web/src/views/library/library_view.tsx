@@ -294,6 +294,7 @@ const RevisionCell = ({ program }: { program: Program }) => (
   <>
     {program.revision}{' '}
     <span class="quiet-text">{t('library.changed', { name: program.created_by, at: shortTime(program.created_at_ms, minutes.value) })}</span>
+    {program.origin.part && ' '}
     {program.origin.part && <a href={hrefs.part(program.origin.part)}>{t('library.of_part', { part: program.origin.part })}</a>}
   </>
 );

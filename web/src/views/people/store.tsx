@@ -104,14 +104,17 @@ function Backing({ room, done, ...props }: WorkProps & { room: StoreRoom; done: 
   );
 }
 
+// Room on a disk: whether it lasts, not each byte.
+const gigabytes = (value: number): string => (value < 1e9 ? bytes(value) : `${(value / 1e9).toFixed(1)}\u202FGB`);
+
 const Room = ({ room }: { room: StoreRoom }) => (
   <Facts
     facts={[
       [t('store.engine'), room.engine === 'sqlite' ? 'SQLite' : 'PostgreSQL'],
       [t('store.folder'), <code key="folder">{room.folder}</code>],
       [t('store.size'), room.bytes === null ? null : bytes(room.bytes)],
-      [t('store.free'), room.free_bytes === null ? null : bytes(room.free_bytes)],
-      [t('store.backups_free'), room.backups_free_bytes === null ? null : bytes(room.backups_free_bytes)],
+      [t('store.free'), room.free_bytes === null ? null : gigabytes(room.free_bytes)],
+      [t('store.backups_free'), room.backups_free_bytes === null ? null : gigabytes(room.backups_free_bytes)],
     ]}
   />
 );

@@ -97,7 +97,7 @@ function CheckForm({ program, revision, dialect, done }: CheckFormProps) {
   };
   return (
     <>
-      <TargetForm dialect={dialect} busy={busy} confirm={busy ? t('checks.running') : t('checks.start', { revision })} send={(machine, delivery) => void check(machine, delivery)} />
+      <TargetForm fits={(one) => one.dialect === dialect} busy={busy} confirm={busy ? t('checks.running') : t('checks.start', { revision })} send={(machine, delivery) => void check(machine, delivery)} />
       <Failure error={error} />
     </>
   );

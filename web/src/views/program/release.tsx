@@ -44,7 +44,7 @@ export function ReleasePlace({ program }: PlaceProps) {
   return (
     <>
       <p class="lead">{t('release.lead')}</p>
-      {may && <TargetForm dialect={program.dialect} busy={busy} confirm={t('release.draft', { revision: program.revision })} send={(machine, delivery) => void draft(machine, delivery)} />}
+      {may && <TargetForm fits={({ dialect }) => dialect === program.dialect} busy={busy} confirm={t('release.draft', { revision: program.revision })} send={(machine, delivery) => void draft(machine, delivery)} />}
       <Failure error={failed ?? error} />
       {releases?.length === 0 && <Empty>{t('release.none')}</Empty>}
       {releases && releases.length > 0 && (
