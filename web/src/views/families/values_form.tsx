@@ -150,7 +150,7 @@ function ParameterField({ parameter, value, fault, typed, isLit, light }: FieldP
           min="0"
           max={kPlaces}
           value={placeOf(parameter, value)}
-          aria-label={t('drawing.drag', { name: text || name })}
+          aria-label={t('drawing.drag', { name })}
           aria-valuetext={value || parameter.default}
           onInput={(event) => typed(typedAt(parameter, Number(event.currentTarget.value)))}
         />
