@@ -1,4 +1,4 @@
-// What people see beside a family's values: for each view the lines of stock, nominal and outline, and where its
+// What people see next to a family's values: for each view the lines of stock, nominal and outline, and where its
 // parameters are seen. Plain data in mm; x of a lathe is a radius. A picture, which nothing is checked against.
 #pragma once
 

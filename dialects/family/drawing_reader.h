@@ -1,4 +1,4 @@
-// Declarations of the drawing that people see beside a family's values: its lines, and where its parameters are seen.
+// Declarations of the drawing that people see next to a family's values: its lines, and where its parameters are seen.
 #pragma once
 
 #include <string_view>

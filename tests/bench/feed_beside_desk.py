@@ -49,7 +49,7 @@ def run(folder):
     alone, alone_rate = measured(control, SECONDS)
     text = plain_program(5000, "O0002")
     asks = [("POST", "/path", {"text": text, "dialect": "fanuc", "machine": "fed"}), ("POST", "/diagnose", {"text": text, "dialect": "fanuc", "machine": "fed"}),
-            ("POST", "/statistics", {"text": text, "dialect": "fanuc", "machine": "fed"}), ("GET", "/search?q=X10", None), ("POST", "/stock", {"text": text, "dialect": "fanuc", "machine": "fed", "stock": "cylinder 100 0 -100 0"}),
+            ("POST", "/statistics", {"text": text, "dialect": "fanuc", "machine": "fed"}), ("GET", "/search?q=X10", None), ("POST", "/stock", {"text": text, "dialect": "fanuc", "stock": "cylinder 100 -100 0"}),
             ("POST", "/preview", {"family": family, "values": {"angle_step": "0.1 deg"}, "machine": "fed", "delivery": "drip"})]
     stop, answers = threading.Event(), {}
 
