@@ -167,6 +167,7 @@ class Draughtsman {
 
   void figure(DrawnView& out, const OutlineShape& shape) const {
     std::vector<DrawnPoint> points;
+    points.reserve(shape.places.size() + 1);
     for (const DrawnPlace& one : shape.places) points.push_back(place(one, shape.axes));
     if (shape.diameter != ir::ExpressionId::none) {
       const double diameter = value_of(shape.diameter);
