@@ -54,10 +54,12 @@ CALLS = {
 
 
 def trace(binary, program, folder=None):
-    command = [binary, "run", "--dialect", "sinumerik-840d", "--control", "kind=mill", "--limit", f"blocks={MOST_BLOCKS}", program]
+    command = [binary, "run", program, "--dialect", "sinumerik-840d", "--control", "kind=mill", "--limit", f"blocks={MOST_BLOCKS}"]
     if folder:
         command += ["--path", folder]
     ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    if not ran.stdout:
+        sys.exit(ran.stderr)
     alarm = re.search(r"\(alarm (\d+)\)", ran.stdout + ran.stderr)
     moves = []
     for line in ran.stdout.splitlines():
