@@ -282,7 +282,7 @@ async function preview(page) {
   };
   const shown = (all) => `median ${Math.round(all[Math.floor(all.length / 2)])} ms, worst ${Math.round(all.at(-1))} ms`;
   await page.locator('.preview pre').waitFor();
-  const texts = await times('.preview .hint', ['150', '151.5', '162', '173', '184', '195', '140', '131', '122', '113.5']);
+  const texts = await times('.preview pre', ['150', '151.5', '162', '173', '184', '195', '140', '131', '122', '113.5']);
   console.log(`  text after a change of a value: ${shown(texts)}`);
   await button(page, 'Toolpath').click();
   await canvas(page).waitFor();
