@@ -69,7 +69,7 @@ void soften_unreached(const ir::Program& program, std::vector<text::Diagnostic>&
   const std::vector<bool> of_cycle = contours_of_cycles(program, reached);
   for (text::Diagnostic& d : diagnostics) {
     if (!is_error(d)) continue;
-    // Of the statements of a block, the first one that ends after the fault begins.
+    // The fault's statement is the last one that begins at it or before it.
     const auto after =
         std::ranges::upper_bound(statements, d.span.begin, {}, [](const ir::Statement& s) { return s.span.begin; });
     if (after == statements.begin()) continue;
