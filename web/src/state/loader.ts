@@ -218,6 +218,8 @@ export class Loader implements LiveListener {
       const reportsBefore = shop.machines.peek().get(name)?.reports ?? 0;
       try {
         const item = summaryOf(await calls.machine(name));
+        // What was heard before the answer and waits for a frame is older than the answer: it must not follow it.
+        if (!this.loading) this.applyAll();
         if (round === this.round) takeMachine(item, reportsBefore);
       } catch (error) {
         if (round === this.round) this.unreadable(error);
