@@ -316,9 +316,8 @@ bool BlockRunner::fail(const Instruction& i, const BlockResult& result) {
 
 // On a lathe whose program does not state it, and whose machine is not known.
 bool BlockRunner::x_may_be_radius() const {
-  const ir::Semantics& s = control_.semantics;
-  const bool is_stated = (state_.stated >> static_cast<unsigned>(ir::ModalGroup::diameter) & 1U) != 0;
-  return s.unset_is_unknown && !s.power_on_known && s.power_on_diameter != ir::DiameterMode::radius && !is_stated;
+  return control_.semantics.power_on_diameter != ir::DiameterMode::radius &&
+         may_be_older(control_.semantics, state_, ir::ModalGroup::diameter);
 }
 
 }  // namespace dripfeed::interpreter

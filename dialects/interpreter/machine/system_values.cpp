@@ -69,10 +69,6 @@ Function function_of(ir::LengthOffset offset) {
   return offset == ir::LengthOffset::plus ? Function::length_offset_plus : Function::length_offset_minus;
 }
 
-bool is_stated(const ModalState& state, ir::ModalGroup group) {
-  return (state.stated >> static_cast<unsigned>(group) & 1U) != 0;
-}
-
 // A tool that the program has not named is the one from before it.
 std::optional<double> number_of(const ir::Control& control, const Tool& tool, const ModalState& state, double number) {
   const bool may_be_older = control.semantics.unset_is_unknown && !state.tool_stated;
@@ -97,21 +93,18 @@ std::optional<double> index_in_group(std::uint32_t group, const ir::Control& con
   if (group == kPlaneOfCycle) return 1.0 + static_cast<double>(modes.plane);
   if (group == kMotion && modes.motion_given && modes.motion <= Function::arc_ccw)
     return 1.0 + static_cast<double>(modes.motion) - static_cast<double>(Function::rapid);
-  // What the program has not stated is what was in effect before it.
-  const auto may_be_older = [&](ir::ModalGroup of) {
-    return control.semantics.unset_is_unknown && !control.semantics.power_on_known && !is_stated(state, of);
-  };
-  if (group == kPlane && !may_be_older(ir::ModalGroup::plane)) return 1.0 + static_cast<double>(modes.plane);
-  if (group == kComp && !may_be_older(ir::ModalGroup::comp)) return 1.0 + static_cast<double>(modes.comp);
+  const auto is_known = [&](ir::ModalGroup of) { return !may_be_older(control.semantics, state, of); };
+  if (group == kPlane && is_known(ir::ModalGroup::plane)) return 1.0 + static_cast<double>(modes.plane);
+  if (group == kComp && is_known(ir::ModalGroup::comp)) return 1.0 + static_cast<double>(modes.comp);
   if (group == kOffset && modes.work_offset >= 0) return 1.0 + static_cast<double>(modes.work_offset);
-  if (group == kUnit && !may_be_older(ir::ModalGroup::unit))
+  if (group == kUnit && is_known(ir::ModalGroup::unit))
     return (modes.inch ? 1.0 : 2.0) + (modes.unit_of_feed ? 2.0 : 0.0);  // G70, G71, G700, G710
-  if (group == kDistance && !may_be_older(ir::ModalGroup::distance)) return modes.absolute ? 1.0 : 2.0;
-  if (group == kFeed && !may_be_older(ir::ModalGroup::feed)) {
+  if (group == kDistance && is_known(ir::ModalGroup::distance)) return modes.absolute ? 1.0 : 2.0;
+  if (group == kFeed && is_known(ir::ModalGroup::feed)) {
     if (modes.surface_speed) return 4.0;
     return modes.feed_mode == ir::FeedMode::inverse_time ? 1.0 : modes.feed_mode == ir::FeedMode::per_min ? 2.0 : 3.0;
   }
-  if (group == kDiameter && !may_be_older(ir::ModalGroup::diameter)) return 1.0 + static_cast<double>(modes.diameter);
+  if (group == kDiameter && is_known(ir::ModalGroup::diameter)) return 1.0 + static_cast<double>(modes.diameter);
   return std::nullopt;
 }
 
@@ -399,7 +392,7 @@ std::optional<double> SystemValues::active_code(std::uint32_t group, const Modal
   const bool otherwise = group == 2 || group == 13 || group == 15;
   if (control_.kind == ir::MachineKind::lathe && otherwise) return std::nullopt;
   const ir::ModalGroup of = group == kLength ? ir::ModalGroup::length_offset : kGroups[group];
-  if (modes_unknown_ && !is_stated(state, of) && !(of == ir::ModalGroup::motion && state.modes.motion_given))
+  if (modes_unknown_ && !state.has_stated(of) && !(of == ir::ModalGroup::motion && state.modes.motion_given))
     return std::nullopt;
   const Function function =
       group == kLength ? function_of(state.length_offset) : function_of(kGroups[group], state.modes);

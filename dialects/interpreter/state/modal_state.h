@@ -270,6 +270,16 @@ struct ModalState {
   CurveInput curve;
   SplineRun spline;
   PlaneCorner plane_corner;
+
+  [[nodiscard]] bool has_stated(ir::ModalGroup group) const {
+    return (stated >> static_cast<unsigned>(group) & 1U) != 0;
+  }
 };
+
+// Whether what is in effect of that group may be from before the program: it states no code of the group, and the
+// machine's state at power-on is not known either.
+inline bool may_be_older(const ir::Semantics& semantics, const ModalState& state, ir::ModalGroup group) {
+  return semantics.unset_is_unknown && !semantics.power_on_known && !state.has_stated(group);
+}
 
 }  // namespace dripfeed::interpreter

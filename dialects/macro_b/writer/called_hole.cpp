@@ -18,7 +18,7 @@ using ir::DrillCycle;
 using ir::ExpressionId;
 using ir::Operator;
 
-constexpr double kNotGiven = 1e29;  // a default of the cycles' own texts
+constexpr double kNotGiven = 1e29;  // no level that a program has
 
 class HoleReader {
  public:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include "dialects/sinumerik/sinumerik.h"
 #include "dialects/sinumerik/tables/name_index.h"

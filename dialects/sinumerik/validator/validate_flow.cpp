@@ -1,7 +1,6 @@
 // Labels and jumps; blocks that are never reached; the program's end.
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "dialects/facts/flow_graph.h"

@@ -12,14 +12,9 @@ namespace {
 
 // "warning unknown-name, error syntax-error" of a program that states its modes.
 std::string faults(std::string_view body, std::string_view name = "A.SPF") {
-  const ir::Control c = control(ir::MachineKind::mill);
   const std::string text = "G17 G710 G90 G94 F100 S100 M3\n" + std::string(body);
-  ir::ReadResult read = sinumerik::read(text::Source(std::string(name), text), c);
-  std::vector<text::Diagnostic> found = std::move(read.diagnostics);
-  for (text::Diagnostic& d : validate(read.program, c, ir::Delivery::memory)) found.push_back(std::move(d));
-  soften_unreached(read.program, found);
   std::string out;
-  for (const text::Diagnostic& d : found) {
+  for (const text::Diagnostic& d : findings_of(name, text, control(ir::MachineKind::mill))) {
     if (d.severity == text::Severity::note) continue;
     if (!out.empty()) out += ", ";
     out += d.severity == text::Severity::error ? "error " : "warning ";

@@ -18,11 +18,8 @@ ir::Control with_file(std::string_view name, std::string_view text, ir::Control 
 }
 
 std::string all_faults(std::string_view name, std::string_view text, const ir::Control& c) {
-  ir::ReadResult read = sinumerik::read(text::Source(std::string(name), std::string(text)), c);
-  std::vector<text::Diagnostic> found = std::move(read.diagnostics);
-  for (text::Diagnostic& d : validate(read.program, c, ir::Delivery::memory)) found.push_back(std::move(d));
   std::string out;
-  for (const text::Diagnostic& d : found) {
+  for (const text::Diagnostic& d : findings_of(name, text, c)) {
     if (!out.empty()) out += ' ';
     out += text::row_of(d.id).name;
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,15 @@ inline std::string printed(const ir::Program& program, ir::MachineKind kind = ir
   const ir::RaiseResult raised = raise(program, c, c);
   EXPECT_TRUE(raised.diagnostics.empty());
   return print(raised.program, c).text;
+}
+
+// What reading and validating report of a file of that name.
+inline std::vector<text::Diagnostic> findings_of(std::string_view name, std::string_view text, const ir::Control& c) {
+  ir::ReadResult read = sinumerik::read(text::Source(std::string(name), std::string(text)), c);
+  std::vector<text::Diagnostic> found = std::move(read.diagnostics);
+  for (text::Diagnostic& d : validate(read.program, c, ir::Delivery::memory)) found.push_back(std::move(d));
+  soften_unreached(read.program, found);
+  return found;
 }
 
 // Names of the diagnostics of reading, in order.

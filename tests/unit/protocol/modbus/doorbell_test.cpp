@@ -160,7 +160,7 @@ class RestartsTest : public testing::TestWithParam<unsigned> {
     if (lost) return;
     host.seen(boot, {.bell = bell, .request = 1, .requested = rung}, now);
     if (const auto one = host.take_ring()) {
-      EXPECT_TRUE(reported.insert(one->program).second) << "ring " << one->program << " is told twice";
+      EXPECT_TRUE(reported.insert(one->program).second) << "ring " << one->program << " is reported twice";
       EXPECT_EQ(one->program, rung);
       EXPECT_LE(now - bell_at, Doorbell::kFresh) << "told late";
       EXPECT_GE(bell_at, host_since) << "rung before the host was there";
