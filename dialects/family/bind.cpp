@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "dialects/family/chord_counts.h"
 #include "dialects/family/engraving.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/geometry.h"
@@ -55,6 +56,8 @@ class Binder {
     for (const CurveShape& curve : family_.curves) check_curve(curve);
     for (const Step& step : family_.steps)
       if (step.kind == StepKind::set) known_[static_cast<std::size_t>(step.target)] = 0;
+    if (!text::has_error(result_.diagnostics))
+      for (const ChordedCurve& curve : family_.chorded) count_chords(curve);
     for (const Step& step : family_.steps) {
       if (step.kind == StepKind::for_begin) check_loop(step);
       if (step.kind == StepKind::tool) check_tool(step);
@@ -256,7 +259,9 @@ class Binder {
       if (!value) return;
       numbers.push_back(*value);
     }
-    if (list.size > 0) {
+    if (list.counts_chords) {
+      numbers.assign(kCurvePieces, 1.0);  // until count_chords
+    } else if (list.size > 0) {
       numbers.assign(static_cast<std::size_t>(list.size), 0.0);
     } else if (list.elements.empty()) {
       numbers = given_lists_.at(list.symbol);
@@ -286,6 +291,26 @@ class Binder {
     }
     const std::string fault = fault_of(result_.bound, curve);
     if (!fault.empty()) report(DiagnosticId::family_syntax, curve.span, {fault});
+  }
+
+  // Only where the curve depends on nothing of the body its chords are counted before the program runs.
+  void count_chords(const ChordedCurve& curve) {
+    std::uint8_t& knows_parameter = known_[static_cast<std::size_t>(curve.parameter)];
+    const std::uint8_t before = std::exchange(knows_parameter, 1);
+    const auto unknown = [this](ir::ExpressionId e) { return names_unknown(family_.arena, e, known_); };
+    bool open = unknown(curve.t.low) || unknown(curve.t.high) || unknown(curve.error);
+    for (const StepWord& word : words_of(family_, curve))
+      open = open || (names(family_.arena, word.value, curve.parameter) && unknown(word.value));
+    knows_parameter = before;
+    if (open)
+      return report(DiagnosticId::family_syntax, curve.span,
+                    {"the chords of a curve are counted before the program runs, and what the program computes changes "
+                     "this one: use 'steps' in place of 'within'"});
+    if (!compute(curve.t.low) || !compute(curve.t.high) || !compute(curve.error)) return;
+    const ChordCounts counts = chord_counts(result_.bound, curve);
+    if (!counts.fault.empty()) return report(DiagnosticId::family_syntax, curve.span, {counts.fault});
+    const auto first = static_cast<std::ptrdiff_t>(value_of(curve.counts));
+    std::ranges::copy(counts.by_piece, result_.bound.values.begin() + first);
   }
 
   // Those that are known before the program runs.

@@ -300,7 +300,7 @@ void BodyReader::corner(Step& step) {
 }
 
 void BodyReader::rapid() { move(step(StepKind::rapid)); }
-void BodyReader::cut() { move(step(StepKind::cut)); }
+void BodyReader::cut() { cursor_.accept_word("along") ? cut_along() : move(step(StepKind::cut)); }
 
 void BodyReader::arc() {
   const bool clockwise = cursor_.at_word("cw");

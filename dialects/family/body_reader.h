@@ -16,7 +16,8 @@
 namespace dripfeed::family {
 
 // The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
-// in turning_reader.cpp, native text in native_verb_reader.cpp, blocks, assignments and calls in flow_reader.cpp.
+// in turning_reader.cpp, curves in along_reader.cpp, native text in native_verb_reader.cpp, blocks, assignments and
+// calls in flow_reader.cpp.
 class BodyReader {
  public:
   // The steps go to `steps`.
@@ -88,12 +89,24 @@ class BodyReader {
     ir::ExpressionId peck = ir::ExpressionId::none;
     ir::ExpressionId dwell = ir::ExpressionId::none;
   };
+  // A curve by its parameter, which takes the values of a loop.
+  struct Along {
+    Step loop;  // from, to
+    Step cut;
+    Dimension dimension;  // of the parameter
+  };
+  void cut_along();
+  void equal_steps(const Along& along, ir::ExpressionId count);
+  void chords(const Along& along, ir::ExpressionId error);
+  ir::SymbolId chord_list(const Along& along, ir::ExpressionId error);
+  ir::ExpressionId span_of(const Step& loop);
+
   void plunge(const Groove& groove);
   void thread_passes(const Step& one, ir::ExpressionId pitch);
   [[nodiscard]] std::string unused_name(std::string_view stem) const;
   Step hidden_loop(std::string_view stem, Dimension dimension);
   void end_hidden_loop();
-  ir::ExpressionId kept(std::string_view stem, ir::ExpressionId value);
+  ir::ExpressionId kept(std::string_view stem, ir::ExpressionId value, Dimension dimension);
   void move_to(StepKind kind, ir::Address axis, ir::ExpressionId value);
   ir::ExpressionId name_of(const Step& loop);
   ir::ExpressionId calculated(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);

@@ -143,6 +143,7 @@ bool BuildNames::is_always_whole(ExpressionId id) const {
   const ir::SymbolId symbol = family_.arena.at(e.variable).symbol;
   if (is_fixed(symbol)) return is_whole(value_of(symbol));
   if (whole_counters_.contains(symbol)) return true;
+  if (const List* list = family_.find_list(symbol); list != nullptr && list->counts_chords) return true;
   const auto parameter = std::ranges::find(family_.parameters, symbol, &Parameter::symbol);
   return parameter != family_.parameters.end() && parameter->kind == ParameterKind::number && parameter->whole;
 }

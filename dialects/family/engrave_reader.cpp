@@ -9,9 +9,9 @@ using ir::Address;
 using ir::ExpressionId;
 
 // A value under a name of its own, so that it is computed once.
-ExpressionId BodyReader::kept(std::string_view stem, ExpressionId value) {
+ExpressionId BodyReader::kept(std::string_view stem, ExpressionId value, Dimension dimension) {
   Step out = step(StepKind::let);
-  out.target = scope_.define(family_.arena, unused_name(stem), kLength, verb_, NameKind::variable);
+  out.target = scope_.define(family_.arena, unused_name(stem), dimension, verb_, NameKind::variable);
   out.values[0] = value;
   const ExpressionId named = name_of(out);
   add(std::move(out));
@@ -46,7 +46,7 @@ void BodyReader::engrave() {
   }
   if (cursor_.line_failed()) return;
   scope_.open();
-  for (std::size_t i = 0; i < kRows.size(); ++i) values[i] = kept(kRows[i].stem, values[i]);
+  for (std::size_t i = 0; i < kRows.size(); ++i) values[i] = kept(kRows[i].stem, values[i], kLength);
   scope_.close();
   Step back = step(StepKind::rapid);
   word(back, Address::z, {.id = values.back()});

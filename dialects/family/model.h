@@ -57,6 +57,7 @@ struct List {
   std::vector<ir::ExpressionId> elements;  // empty for a parameter and for numbers that the program sets
   std::int32_t size = 0;                   // of the latter
   std::uint32_t line = 0;
+  bool counts_chords = false;  // of a curve, by piece: see ChordedCurve
 };
 
 // A list of points: one list parameter an axis, "corners.x" and "corners.y", of equal length.
@@ -150,6 +151,19 @@ struct CurveShape {
   bool of_center = false;  // where the tool's centre goes, not what it leaves
   ir::ExpressionId tolerance = ir::ExpressionId::none;
   std::uint32_t line = 0;
+  text::Span span;
+};
+
+// `cut along ... within`: a curve whose chords lie no farther from it than `error`. It is cut in pieces that are equal
+// in its parameter, each with a count of chords of its own, which bind finds.
+inline constexpr std::int32_t kCurvePieces = 8;
+struct ChordedCurve {
+  ir::SymbolId parameter = ir::SymbolId::none;
+  ExpressionRange t = {};  // from where to where, as it is cut
+  ir::ExpressionId error = ir::ExpressionId::none;
+  ir::SymbolId counts = ir::SymbolId::none;  // a list of kCurvePieces
+  std::uint32_t first_word = 0;              // Family::words
+  std::uint32_t word_count = 0;
   text::Span span;
 };
 
@@ -304,6 +318,7 @@ struct Family {
   std::vector<NominalShape> nominals;
   std::vector<SurfaceShape> surfaces;
   std::vector<CurveShape> curves;
+  std::vector<ChordedCurve> chorded;
   std::vector<OutlineShape> outlines;
   std::vector<DimensionShape> dimensions;
   // x, y and z of the nominals, where they are used.

@@ -120,7 +120,8 @@ Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std
   if (!computed) return out;
   const auto name_of = [&](ir::SymbolId symbol) { return family.arena.strings.at(family.arena.at(symbol).name); };
   for (const family::Definition& one : family.definitions) out.meaning.emplace(one.line, name_of(one.symbol));
-  for (const family::List& one : family.lists) out.meaning.emplace(one.line, name_of(one.symbol));
+  for (const family::List& one : family.lists)
+    out.meaning.emplace(one.line, with_text(name_of(one.symbol), one.counts_chords ? "for these values only" : ""));
   for (const family::Step& one : family.steps)
     if (one.kind == family::StepKind::let) out.meaning.emplace(one.line, name_of(one.target));
   return out;

@@ -228,11 +228,11 @@ TEST(Render, FamiliesAreDescribed) {
   const FamilyDescription description = describe_family(shipped("hyperbolic-roll"));
   EXPECT_EQ(description.name, "hyperbolic-roll");
   EXPECT_EQ(description.machine, ir::MachineKind::lathe);
-  ASSERT_EQ(description.parameters.size(), 7U);
+  ASSERT_EQ(description.parameters.size(), 9U);
   EXPECT_EQ(description.parameters[1].standard, "202.4 mm");
   EXPECT_EQ(description.parameters[1].unit, "mm");
   EXPECT_DOUBLE_EQ(description.parameters[1].high, 800.0);
-  EXPECT_EQ(description.parameters[3].unit, "deg");
+  EXPECT_EQ(description.parameters[4].unit, "deg");
 }
 
 // --- place index ------------------------------------------------------------------------------------------------
@@ -261,7 +261,7 @@ TEST(PlaceIndex, OffsetsAreBlockStartsAndValuesAreTheirs) {
         return r.first <= entry.line && entry.line <= r.last;
       });
       if (!in_profile) continue;
-      EXPECT_EQ(shipped("hyperbolic-roll").line(entry.origin).find("      cut x"), 0U);
+      EXPECT_EQ(shipped("hyperbolic-roll").line(entry.origin).find("        cut x"), 0U);
       EXPECT_NEAR(places.values_of(i)[t], std::max(from - 0.2 * k, -from), 1e-9) << dialect << " " << i;
       ++k;
     }

@@ -1,0 +1,150 @@
+// The chords of a curve lie within its error, measured at points of the curve that the counts know nothing of; and what
+// is refused instead of being counted.
+#include "dialects/family/chord_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "dialects/family/evaluate.h"
+#include "dialects/family/read.h"
+
+namespace dripfeed::family {
+namespace {
+
+BindResult bound_of(const std::string& machine, const std::string& steps) {
+  const std::string text = "family test\nmachine " + machine +
+                           "\nparam size length 20 mm in 0.1..500\nparam error length 0.01 mm in -1..10\nprogram test\n"
+                           "  spindle 600 rpm cw\n  feed 100 mm/min\n" +
+                           steps + "\nend\n";
+  ReadFamilyResult read = read_family(text::Source("test", text));
+  if (text::has_error(read.diagnostics)) return {{}, std::move(read.diagnostics)};
+  return bind_family(std::make_shared<const Family>(std::move(read.family)), {});
+}
+
+std::string fault(const std::string& machine, const std::string& steps) {
+  const BindResult bound = bound_of(machine, steps);
+  return bound.diagnostics.empty() ? "" : bound.diagnostics.front().arguments.front();
+}
+
+std::vector<double> counts_of(const BoundFamily& bound) {
+  const std::span<const double> found = list_in(bound.values, bound.family->chorded.front().counts);
+  return {found.begin(), found.end()};
+}
+
+struct Point {
+  double x, y;
+};
+double distance(Point p, Point a, Point b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const double at = square == 0.0 ? 0.0 : std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+  return std::hypot(p.x - a.x - at * dx, p.y - a.y - at * dy);
+}
+
+// The farthest that the curve lies from its chords.
+template <typename Curve>
+double farthest(const Curve& at, double from, double to, const std::vector<double>& counts) {
+  double most = 0.0;
+  const double piece = (to - from) / static_cast<double>(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (double chord = 0.0; chord < counts[i]; ++chord) {
+      const auto t = [&](double part) { return from + (static_cast<double>(i) + (chord + part) / counts[i]) * piece; };
+      for (int sample = 1; sample < 20; ++sample)
+        most = std::max(most, distance(at(t(sample / 20.0)), at(t(0.0)), at(t(1.0))));
+    }
+  return most;
+}
+
+double degrees(double value) { return value * std::numbers::pi / 180.0; }
+
+TEST(ChordCounts, RandomCurvesLieWithinTheirError) {
+  std::mt19937 random(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same curves in every run
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 300; ++i) {
+    const double p = 1.0 + std::round(500.0 * unit(random)) / 10.0;
+    const double q = std::round(400.0 * unit(random)) / 10.0;
+    const double turns = 1.0 + std::round(3.0 * unit(random));
+    const double bend = std::round(9.0 * unit(random)) / 10.0;
+    const double from = std::round(-200.0 * unit(random));
+    const double to = from + 10.0 + std::round(350.0 * unit(random));
+    const double error_mm = (1.0 + std::round(100.0 * unit(random))) / 1000.0;
+    const bool down = i % 2 == 1;
+    const BindResult bound = bound_of(
+        "mill",
+        fmt::format("  cut along t from {} deg {}to {} deg  x {}*1 mm*cos(t) + {}*1 mm*exp(radians(t)/4)  "
+                    "y {}*1 mm*sin({}*t)/(1 + {}*cos(t)/2)  within {} mm",
+                    down ? to : from, down ? "down " : "", down ? from : to, p, q / 10.0, q, turns, bend, error_mm));
+    ASSERT_TRUE(bound.diagnostics.empty()) << bound.diagnostics.front().arguments.front();
+    const auto at = [&](double t) {
+      return Point{p * std::cos(degrees(t)) + q / 10.0 * std::exp(degrees(t) / 4.0),
+                   q * std::sin(turns * degrees(t)) / (1.0 + bend * std::cos(degrees(t)) / 2.0)};
+    };
+    const std::vector<double> counts = counts_of(bound.bound);
+    const double found = farthest(at, down ? to : from, down ? from : to, counts);
+    EXPECT_LE(found, error_mm + 1e-9) << "curve " << i;
+  }
+}
+
+// A circle has the same bend everywhere, so that the count is known: the sagitta of a chord over h is r*(1 - cos(h/2)).
+TEST(ChordCounts, ACircleTakesAsManyChordsAsItsSagittaWants) {
+  const BindResult bound =
+      bound_of("mill", "  cut along t from 0 deg to 360 deg  x size*cos(t)  y size*sin(t)  within error");
+  ASSERT_TRUE(bound.diagnostics.empty());
+  const double by_sagitta = 2.0 * std::numbers::pi / (2.0 * std::acos(1.0 - 0.01 / 20.0));
+  double sum = 0.0;
+  for (const double count : counts_of(bound.bound)) sum += count;
+  EXPECT_GE(sum, by_sagitta);
+  EXPECT_LE(sum, 1.1 * by_sagitta + kCurvePieces);
+}
+
+TEST(ChordCounts, AStraightLineTakesOneChordAPiece) {
+  const BindResult bound = bound_of("mill", "  cut along t from 0 mm to 9 mm  x t  y 2*t + size  within error");
+  ASSERT_TRUE(bound.diagnostics.empty());
+  EXPECT_EQ(counts_of(bound.bound), std::vector<double>(kCurvePieces, 1.0));
+}
+
+TEST(ChordCounts, XOfALatheCountsAsRadius) {
+  const auto sum = [](const std::string& machine) {
+    const BindResult bound = bound_of(machine, "  cut along t from 0 mm to 100 mm  x 2*t*t/size  z t  within error");
+    EXPECT_TRUE(bound.diagnostics.empty());
+    double out = 0.0;
+    for (const double count : counts_of(bound.bound)) out += count;
+    return out;
+  };
+  EXPECT_LT(sum("lathe, x is diameter"), sum("lathe, x is radius"));
+}
+
+TEST(ChordCounts, WhatCannotBeProvedIsRefused) {
+  const std::string circle = "  cut along t from 0 deg to 90 deg  x size*cos(t)  y size*sin(t)  ";
+  EXPECT_EQ(fault("mill", circle + "within 0 mm"), "the error of a curve is 0");
+  EXPECT_EQ(fault("mill", circle + "within error - 1 mm"), "the error of a curve is -0.99");
+  EXPECT_TRUE(
+      fault("mill", "  cut along t from -1 mm to 1 mm  x t  y abs(t)  within error").starts_with("how far this"));
+  EXPECT_TRUE(
+      fault("mill", "  cut along t from 0 deg to 90 deg  x size*tan(t)  y size  within error").starts_with("how far"));
+  EXPECT_TRUE(fault("mill", "  let here = size\n  cut along t from 0 mm to 1 mm  x t*t/size  y t + here  within error")
+                  .starts_with("the chords of a curve are counted before"));
+  EXPECT_TRUE(fault("mill", circle + "within 0.000000000001 mm").ends_with("more than a million chords for its error"));
+}
+
+TEST(ChordCounts, WhatIsNoCurveIsRefused) {
+  const std::string line = "  cut along t from 0 mm to 1 mm  ";
+  EXPECT_EQ(fault("mill", line + "x by t  steps 4"), "the places of a curve are no steps: axes without 'by'");
+  EXPECT_EQ(fault("mill", line + "x t  a 3 deg  within error"),
+            "an error is a length, and this curve turns an axis: use 'steps'");
+  EXPECT_EQ(fault("mill", "  skip cut along t from 0 mm to 1 mm  x t  steps 4"),
+            "a curve is many blocks: only a single move may be skipped");
+  EXPECT_EQ(fault("mill", line + "x t"), "expected steps or within before the end of the line");
+}
+
+}  // namespace
+}  // namespace dripfeed::family
