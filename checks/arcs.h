@@ -28,6 +28,12 @@ inline bool is_arc(const ir::Motion& motion) {
 // An arc whose ends are as near as this is a full circle.
 inline constexpr double kSamePoint_mm = 1e-9;
 
+inline bool is_full_circle(const ir::Motion& motion) {
+  const PlaneAxes plane = axes_of(motion.plane);
+  return is_arc(motion) && std::hypot(motion.end[plane.abscissa] - motion.start[plane.abscissa],
+                                      motion.end[plane.ordinate] - motion.start[plane.ordinate]) < kSamePoint_mm;
+}
+
 using AxisValues = std::array<double, ir::kAxisCount>;
 
 // Calls visit(from, to) for chords of an arc or helix, none farther than `error_mm` from it. Diameters of the motion
@@ -45,9 +51,7 @@ void for_chords(const ir::Motion& motion, double error_mm, Visit&& visit) {
   const double full = 2.0 * std::numbers::pi;
   double sweep = std::fmod(turn * (angle_of(motion.end) - angle_of(motion.start)), full);
   if (sweep < 0.0) sweep += full;
-  const bool closed = std::hypot(motion.end[plane.abscissa] - motion.start[plane.abscissa],
-                                 motion.end[plane.ordinate] - motion.start[plane.ordinate]) < kSamePoint_mm;
-  if (closed) sweep = full;
+  if (is_full_circle(motion)) sweep = full;
   const double angle = std::sqrt(8.0 * error_mm / std::max(radius, error_mm));
   const int chords = std::clamp(static_cast<int>(std::ceil(sweep / angle)), 1, 10000);
   const double start_angle = angle_of(motion.start);

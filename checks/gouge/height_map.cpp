@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "dialects/curves/surface_column.h"
@@ -14,6 +15,12 @@ namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 constexpr int kRegionSamples = 64;
+
+// std::floor without a call, of what an integer holds.
+std::ptrdiff_t floor_of(double value) {
+  const auto whole = static_cast<std::ptrdiff_t>(value);
+  return static_cast<double>(whole) > value ? whole - 1 : whole;
+}
 
 // The hull of all regions.
 void hull(std::span<const curves::HeightField> nominal, curves::Range& x, curves::Range& y) {
@@ -37,7 +44,7 @@ void HeightMap::lay_out(curves::Range x, curves::Range y, double step) {
   y_ = y;
   const double least = std::sqrt(x.width() * y.width() / static_cast<double>(kMostPlaces));
   // A strip is bounded by its length alone.
-  const double longest = std::max(x.width(), y.width()) / static_cast<double>(kMostPlaces / 4);
+  const double longest = 4.0 * std::max(x.width(), y.width()) / static_cast<double>(kMostPlaces);
   step_ = std::max({step, least, longest, 1e-6});
   columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(x.width() / step_));
   rows_ = std::max<std::size_t>(1, static_cast<std::size_t>(y.width() / step_));
@@ -112,38 +119,39 @@ bool HeightMap::falls_off(const std::vector<double>& z, std::size_t row, std::si
   return false;
 }
 
-// The columns whose middle lies between the ends of a row; first > last: there are none.
-HeightMap::Columns HeightMap::columns_of(const Sweep::Row& row) const {
-  return {std::max(0.0, std::ceil((row.low - x_.low) / step_ - 0.5)),
-          std::min(std::floor((row.high - x_.low) / step_ - 0.5), static_cast<double>(columns_ - 1))};
+HeightMap::Places HeightMap::places(double low, double high, double origin, std::size_t count) const {
+  const auto most = static_cast<double>(count);
+  const double first = std::clamp((low - origin) / step_ - 0.5, -1.0, most);
+  const double last = std::clamp((high - origin) / step_ - 0.5, -1.0, most);
+  return {.first = std::max<std::ptrdiff_t>(0, -floor_of(-first)),
+          .last = std::min(floor_of(last), static_cast<std::ptrdiff_t>(count) - 1)};
 }
 
 // `goes_on`: what lies under the cutter where the move starts is left out.
 template <class Visit>
 void HeightMap::pass(const Sweep& sweep, bool goes_on, Visit&& visit) const {
-  const double first_row = std::ceil((sweep.y_low() - y_.low) / step_ - 0.5);
-  const double last_row = std::floor((sweep.y_high() - y_.low) / step_ - 0.5);
+  const Places rows = rows_of(sweep.y_low(), sweep.y_high());
   const bool same = sweep.is_flat_and_level();
-  for (double row = std::max(0.0, first_row); row <= std::min(last_row, static_cast<double>(rows_ - 1)); ++row) {
+  for (std::ptrdiff_t row = rows.first; row <= rows.last; ++row) {
     const auto r = static_cast<std::size_t>(row);
     const double y = y_at(r);
     const auto stretch = sweep.row(y);
     if (!stretch) continue;
-    const Columns all = columns_of(*stretch);
-    const auto visit_some = [&](double first, double last) {
-      for (double c = first; c <= last; ++c) {
+    const Places all = columns_of(*stretch);
+    const auto visit_some = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      for (std::ptrdiff_t c = first; c <= last; ++c) {
         const auto column = static_cast<std::size_t>(c);
         const double x = x_at(column);
         visit(r * columns_ + column, x, y, same ? sweep.z_low() : sweep.lowest(x, y));
       }
     };
     const std::optional<Sweep::Row> start = goes_on ? sweep.start_row(y) : std::nullopt;
-    const Columns done = start ? columns_of(*start) : Columns{1.0, 0.0};
-    if (!(done.first <= done.last)) {
+    const Places done = start ? columns_of(*start) : Places{};
+    if (done.first > done.last) {
       visit_some(all.first, all.last);
     } else {
-      visit_some(all.first, std::min(all.last, done.first - 1.0));
-      visit_some(std::max(all.first, done.last + 1.0), all.last);
+      visit_some(all.first, std::min(all.last, done.first - 1));
+      visit_some(std::max(all.first, done.last + 1), all.last);
     }
   }
 }
@@ -166,10 +174,18 @@ HeightMap::Touch HeightMap::touch(const Cutter& cutter, const Point3& from, cons
   return deepest;
 }
 
+bool HeightMap::lower(std::size_t place, double x, double y, double z, Depth& deepest) {
+  if (!(z < heights_[place])) return false;
+  heights_[place] = z <= bottom_ ? kNothing : z;
+  if (nominal_.empty()) return true;
+  const double below = nominal_[place] - z;
+  if (below > static_cast<double>(tolerances_[place]) && below > deepest.mm) deepest = {below, x, y};
+  return true;
+}
+
 Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to) {
   Depth deepest;
   if (std::min(from.z, to.z) >= top_) return deepest;
-  const bool judged = !nominal_.empty();
   const Sweep sweep(cutter, from, to);
   // A chord of an arc goes on from the one before: what that one cut at this height is not cut again.
   const bool even = sweep.is_flat_and_level();
@@ -177,13 +193,40 @@ Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to)
       even && sweep.z_low() == from.z && last_cut_ && last_cut_->at == from && last_cut_->cutter == cutter;
   last_cut_ = even ? std::optional(LastCut{cutter, to}) : std::nullopt;
   pass(sweep, goes_on, [&](std::size_t place, double x, double y, double z) {
-    if (!(z < heights_[place])) return;
-    heights_[place] = z <= bottom_ ? kNothing : z;
-    if (log_ != nullptr) log_->take(place, heights_[place], sweep.share_before(x, y));
-    if (!judged) return;
-    const double below = nominal_[place] - z;
-    if (below > static_cast<double>(tolerances_[place]) && below > deepest.mm) deepest = {below, x, y};
+    if (lower(place, x, y, z, deepest) && log_ != nullptr) log_->take(place, heights_[place], sweep.share_before(x, y));
   });
+  return deepest;
+}
+
+// A ring: what lies nearer to the center than its inner edge stays.
+Depth HeightMap::cut_circle(const Cutter& cutter, const Point3& start, double center_x, double center_y) {
+  Depth deepest;
+  if (start.z >= top_) return deepest;
+  const double radius = std::hypot(start.x - center_x, start.y - center_y);
+  const double outer = radius + cutter.radius;
+  const double inner = std::max(0.0, radius - cutter.radius);
+  const Places rows = rows_of(center_y - outer, center_y + outer);
+  for (std::ptrdiff_t row = rows.first; row <= rows.last; ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    const double y = y_at(r);
+    const double away = y - center_y;
+    const auto lower_some = [&](double from_x, double to_x) {
+      const Places some = columns_of({from_x, to_x});
+      for (std::ptrdiff_t c = some.first; c <= some.last; ++c) {
+        const auto column = static_cast<std::size_t>(c);
+        lower(r * columns_ + column, x_at(column), y, start.z, deepest);
+      }
+    };
+    const double half = std::sqrt(std::max(0.0, outer * outer - away * away));
+    if (std::fabs(away) >= inner) {
+      lower_some(center_x - half, center_x + half);
+      continue;
+    }
+    const double gap = std::sqrt(inner * inner - away * away);
+    lower_some(center_x - half, center_x - gap);
+    lower_some(center_x + gap, center_x + half);
+  }
+  last_cut_ = LastCut{cutter, start};
   return deepest;
 }
 

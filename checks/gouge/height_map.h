@@ -54,6 +54,9 @@ class HeightMap {
   // the depth is from the nominal.
   Depth cut(const Cutter& cutter, const Point3& from, const Point3& to);
 
+  // The same of a full circle at the height of `start` around a center, by a flat cutter. It writes no log.
+  Depth cut_circle(const Cutter& cutter, const Point3& start, double center_x, double center_y);
+
   // From now on `log`, which must outlive this, gets what the cuts take away, by place(row, column).
   void log_to(RemovalLog* log) { log_ = log; }
   // Rows lie along x; the first one is the lowest in y.
@@ -81,11 +84,17 @@ class HeightMap {
   [[nodiscard]] double x_at(std::size_t column) const { return x_.low + (static_cast<double>(column) + 0.5) * step_; }
   [[nodiscard]] double y_at(std::size_t row) const { return y_.low + (static_cast<double>(row) + 0.5) * step_; }
   [[nodiscard]] bool falls_off(const std::vector<double>& z, std::size_t row, std::size_t column, double below) const;
-  struct Columns {
-    double first = 0.0;
-    double last = 0.0;
+  // Of a row or a column; first > last: there are none.
+  struct Places {
+    std::ptrdiff_t first = 0;
+    std::ptrdiff_t last = -1;
   };
-  [[nodiscard]] Columns columns_of(const Sweep::Row& row) const;
+  // Those whose middle lies between two ends; the first of `count` begins at `origin`.
+  [[nodiscard]] Places places(double low, double high, double origin, std::size_t count) const;
+  [[nodiscard]] Places columns_of(const Sweep::Row& row) const { return places(row.low, row.high, x_.low, columns_); }
+  [[nodiscard]] Places rows_of(double low, double high) const { return places(low, high, y_.low, rows_); }
+  // Whether the place was higher than z; it is not any more. `deepest` is that below the nominal.
+  bool lower(std::size_t place, double x, double y, double z, Depth& deepest);
   // Calls visit(place, x, y, z) for the places that are passed and might lie lower than `top`.
   template <class Visit>
   void pass(const Sweep& sweep, bool goes_on, Visit&& visit) const;

@@ -161,7 +161,16 @@ void Milling::log_part(const ir::Motion& motion, double from, double to) {
   if (settings_.log != nullptr) settings_.log->begin(motion, from, to);
 }
 
+// A flat cutter on a level circle leaves a ring, which takes no chords. The log has a time for each part of an arc.
+bool Milling::is_ring(const ir::Motion& motion) const {
+  return settings_.log == nullptr && cutter_->corner == 0.0 && motion.plane == ir::Plane::xy &&
+         motion.start[2] == motion.end[2] && checks::is_full_circle(motion);
+}
+
 void Milling::check_arc(const ir::Motion& motion) {
+  if (is_ring(motion))
+    return judge_cut(motion, map_->cut_circle(*cutter_, point_of(motion.start), motion.start[0] + motion.center[0],
+                                              motion.start[1] + motion.center[1]));
   double chords = 0.0;
   if (settings_.log != nullptr)
     checks::for_chords(motion, kArcError_mm, [&](const checks::AxisValues&, const checks::AxisValues&) { ++chords; });
@@ -217,9 +226,12 @@ void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Po
 }
 
 void Milling::check_cut(const ir::Motion& motion, const Point3& from, const Point3& to) {
+  judge_cut(motion, map_->cut(*cutter_, from, to));
+}
+
+void Milling::judge_cut(const ir::Motion& motion, const Depth& depth) {
   ++report_.cuts;
   has_cut_ = true;
-  const Depth depth = map_->cut(*cutter_, from, to);
   if (!(depth.mm > 0.0)) return;
   report_.deepest_cut_mm = std::max(report_.deepest_cut_mm, depth.mm);
   const auto place = curves::surface_at(settings_.nominal, depth.x, depth.y);

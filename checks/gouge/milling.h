@@ -59,6 +59,8 @@ class Milling final : public ir::MotionSink {
   void check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to);
   void log_part(const ir::Motion& motion, double from, double to);
   void check_arc(const ir::Motion& motion);
+  [[nodiscard]] bool is_ring(const ir::Motion& motion) const;
+  void judge_cut(const ir::Motion& motion, const Depth& depth);
   void check_cut(const ir::Motion& motion, const Point3& from, const Point3& to);
   void add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth);
 

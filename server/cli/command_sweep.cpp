@@ -1,5 +1,7 @@
 // dripfeed sweep: for which values of its parameters a family passes on a machine, and the smallest example that fails.
+#include <algorithm>
 #include <memory>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -78,12 +80,13 @@ int sweep_of(const SweepOptions& options) {
 void add_sweep(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("sweep", "which values of a family's parameters pass on a machine");
   const auto options = std::make_shared<SweepOptions>();
+  options->settings.threads = std::max(1U, std::thread::hardware_concurrency());
   add_family_options(*command, options->family);
   command->add_option("--seed", options->settings.seed, "of samples and corners")->capture_default_str();
   command->add_option("--samples", options->settings.samples, "places of the box of all ranges")
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
-  command->add_option("--threads", options->settings.threads, "the result is the same for any")
+  command->add_option("--threads", options->settings.threads, "the result is the same for any; by default one a core")
       ->check(CLI::Range(1, 256));
   command->add_option("--plot", options->plot, "writes what passes as SVG");
   command->callback([options, &exit_code] { exit_code = sweep_of(*options); });

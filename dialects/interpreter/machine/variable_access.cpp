@@ -17,6 +17,8 @@ ir::Bank bank_of(const Instruction& i) { return static_cast<ir::Bank>(i.extra); 
 }  // namespace
 
 std::optional<std::uint32_t> VariableAccess::whole_number(double value, double last) const {
+  if (value >= 0.0 && value <= last)  // most indices are whole already; no vacant one comes here
+    if (const auto number = static_cast<std::uint32_t>(value); static_cast<double>(number) == value) return number;
   if (is_vacant(value)) return std::nullopt;
   const double whole = arithmetic_.round(value);
   if (whole < 0.0 || whole > last) return std::nullopt;
