@@ -15,8 +15,10 @@ struct ChordCounts {
 };
 
 // The values of the curve's ends, its error and all that its axes name are known. Lengths in mm; x counts as a radius.
-// For a curve r(t) a chord over a step h of t lies within h²/8·max|r''| of it (the remainder of linear interpolation),
-// and max|r''| is enclosed by second_derivative.h: the counts are proved, before the coordinates are rounded.
+// For a curve r(t) the chord over a step h of t lies within h²/8·max|r''| of it (the remainder of linear
+// interpolation). Across a chord of the direction u only |u × r''| counts, and u is that of a mean of r', which lies
+// in the enclosure of r' (mean value theorem). Both derivatives are enclosed over each chord, see second_derivative.h:
+// the counts are proved, before the coordinates are rounded.
 ChordCounts chord_counts(const BoundFamily& bound, const ChordedCurve& curve);
 
 // Its axes.

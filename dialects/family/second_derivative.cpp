@@ -194,9 +194,15 @@ class Enclosure {
 
 }  // namespace
 
+DerivativeRanges derivatives(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values,
+                             ir::SymbolId by, curves::Range range) {
+  const Jet jet = Enclosure(arena, values, by, range).of(expression);
+  return {jet.first, jet.second};
+}
+
 curves::Range second_derivative(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values,
                                 ir::SymbolId by, curves::Range range) {
-  return Enclosure(arena, values, by, range).of(expression).second;
+  return derivatives(arena, expression, values, by, range).second;
 }
 
 }  // namespace dripfeed::family

@@ -14,4 +14,12 @@ namespace dripfeed::family {
 curves::Range second_derivative(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values,
                                 ir::SymbolId by, curves::Range range);
 
+// Both derivatives, likewise.
+struct DerivativeRanges {
+  curves::Range first;
+  curves::Range second;
+};
+DerivativeRanges derivatives(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values,
+                             ir::SymbolId by, curves::Range range);
+
 }  // namespace dripfeed::family
