@@ -54,6 +54,11 @@ class Rules {
   constexpr Rules() {
     for (std::size_t i = 0; i < kRules; ++i) on_[i] = kRuleRows[i].is_standard;
   }
+  static constexpr Rules none() {
+    Rules out;
+    out.on_.fill(false);
+    return out;
+  }
   constexpr void set(Rule rule, bool on) { on_[static_cast<std::size_t>(rule)] = on; }
   [[nodiscard]] constexpr bool has(Rule rule) const { return on_[static_cast<std::size_t>(rule)]; }
 

@@ -1,6 +1,8 @@
 // Times by the cost model, with the model's own doubts next to them.
 #include "server/cli/optimize_report.h"
 
+#include <string>
+
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"
@@ -13,6 +15,16 @@ void print_changes(const compile::OptimizeResult& result, std::string_view name)
     fmt::print(stderr, "{}:{}: {}: {}\n", name, change.line, optimize::row_of(change.rule).name, change.what);
 }
 
+namespace {
+
+std::string ms(double value) { return text::format_fixed(value, 2); }
+
+std::string text_of(const compile::Saving& saved) {
+  return fmt::format("{} ms ({} to {})", ms(saved.ms), ms(saved.least_ms), ms(saved.most_ms));
+}
+
+}  // namespace
+
 void print_saving(const compile::OptimizeResult& result, std::string_view name, const ir::CostModel& cost) {
   if (!result.obstacle.empty()) return print_error(fmt::format("{} is left unchanged: {}", name, result.obstacle));
   if (!result.not_verified.empty()) print_error("not verified by running it: " + result.not_verified);
@@ -21,7 +33,9 @@ void print_saving(const compile::OptimizeResult& result, std::string_view name, 
     fmt::print(stderr, "blocks are merged: the path is {} mm from the program's at most (proved)\n",
                text::format_fixed(*result.off_mm, 6));
   if (!result.before || !result.after) return;
-  const auto ms = [](double value) { return text::format_fixed(value, 2); };
+  for (const compile::RuleSaving& one : result.savings)
+    fmt::print(stderr, "{} saves {}\n", optimize::row_of(one.rule).name, text_of(one.saved));
+  if (result.saved && !result.savings.empty()) fmt::print(stderr, "all rules save {}\n", text_of(*result.saved));
   const compile::ComputeCost &before = *result.before, &after = *result.after;
   fmt::print(stderr,
              "computing {} moves: {} ms in {} blocks before, {} ms in {} blocks after\n"

@@ -112,6 +112,13 @@ Schema compute_cost(std::string of) {
                                 {"blocks", integer("that were executed")}});
 }
 
+// An interval: each figure of the cost model may be off by its spread.
+Schema saving(std::string of) {
+  return or_null(object(std::move(of), {{"ms", number("by the cost model; below zero: it costs more")},
+                                        {"least_ms", number("if each figure of the model is off to its disadvantage")},
+                                        {"most_ms", number("if each is off to its advantage")}}));
+}
+
 Schema optimized_schema() {
   std::vector<std::string_view> names;
   for (const optimize::RuleRow& row : optimize::kRuleRows) names.push_back(row.name);
@@ -122,7 +129,9 @@ Schema optimized_schema() {
        {"origins", list_of(integer("line of the given text; 0: of none"),
                            "where each line of the new text comes from; empty: it is unchanged")},
        {"passes", list_of(object("a rule that changed something",
-                                 {{"rule", rule}, {"edits", integer("how many changes it made")}}),
+                                 {{"rule", rule},
+                                  {"edits", integer("how many of the changes are its own")},
+                                  {"saved", saving("next to the text with the rules before it alone; null: not run")}}),
                           "in the order of the rules")},
        {"changes", list_of(object("a change",
                                   {{"line", integer("of the given text")}, {"rule", rule}, {"what", text("a clause")}}),
@@ -132,6 +141,7 @@ Schema optimized_schema() {
        {"proved_max_mm",
         or_null(number("how far both paths lie apart at most, where blocks were merged; null: they are the same"))},
        {"not_merged", or_null(text("why no blocks were merged; null: they were, or it was not asked for"))},
+       {"saved", saving("by all rules; null: it was not run")},
        {"before", or_null(compute_cost("what the given text's run costs; null: it was not run"))},
        {"after", or_null(compute_cost("what the new text's run costs; null: it was not run"))},
        {"cost",

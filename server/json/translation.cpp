@@ -1,6 +1,7 @@
 // What was refused has no text: half of one would be cut.
 #include "server/json/translation.h"
 
+#include <array>
 #include <utility>
 
 #include "server/json/diagnostics.h"
@@ -80,12 +81,21 @@ Document cost_of_run(const std::optional<compile::ComputeCost>& cost) {
           {"blocks", cost->blocks}};
 }
 
-Document passes_of(const std::vector<optimize::Change>& changes) {
-  std::array<std::size_t, optimize::kRules> edits{};
-  for (const optimize::Change& change : changes) ++edits[static_cast<std::size_t>(change.rule)];
+Document saving_of(const std::optional<compile::Saving>& saved) {
+  if (!saved) return nullptr;
+  return {{"ms", saved->ms}, {"least_ms", saved->least_ms}, {"most_ms", saved->most_ms}};
+}
+
+Document passes_of(const compile::OptimizeResult& result) {
   Document out = Document::array();
+  for (const compile::RuleSaving& one : result.savings)
+    out.push_back({{"rule", optimize::row_of(one.rule).name}, {"edits", one.edits}, {"saved", saving_of(one.saved)}});
+  if (!result.savings.empty()) return out;
+  // Not run: what was changed, without figures.
+  std::array<std::size_t, optimize::kRules> edits{};
+  for (const optimize::Change& change : result.changes) ++edits[static_cast<std::size_t>(change.rule)];
   for (std::size_t i = 0; i < optimize::kRules; ++i)
-    if (edits[i] > 0) out.push_back({{"rule", optimize::kRuleRows[i].name}, {"edits", edits[i]}});
+    if (edits[i] > 0) out.push_back({{"rule", optimize::kRuleRows[i].name}, {"edits", edits[i]}, {"saved", nullptr}});
   return out;
 }
 
@@ -97,12 +107,13 @@ std::string optimized(const compile::OptimizeResult& result, const ir::CostModel
     changes.push_back({{"line", change.line}, {"rule", optimize::row_of(change.rule).name}, {"what", change.what}});
   return dump({{"text", text::has_error(result.diagnostics) ? Document(nullptr) : Document(result.text)},
                {"origins", result.origin_lines},
-               {"passes", passes_of(result.changes)},
+               {"passes", passes_of(result)},
                {"changes", std::move(changes)},
                {"left_because", text_or_null(result.obstacle)},
                {"not_verified", text_or_null(result.not_verified)},
                {"proved_max_mm", result.off_mm ? Document(*result.off_mm) : Document(nullptr)},
                {"not_merged", text_or_null(result.not_merged)},
+               {"saved", saving_of(result.saved)},
                {"before", cost_of_run(result.before)},
                {"after", cost_of_run(result.after)},
                {"cost", {{"source", ir::name_of(cost.source)}, {"origin", cost.origin}, {"spread", cost.spread}}},

@@ -25,9 +25,10 @@ std::string value_changes(const app::ValueChanges& changes);
 std::string received_values(std::string_view changes, const store::ProgramRevision& stored);
 
 // What optimizing a text gave: for the API, and for `dripfeed optimize --json`.
-// {"text","origins","passes":[{"rule","edits"}],"changes":[{"line","rule","what"}],"left_because","not_verified","proved_max_mm",
-// "not_merged","before","after","cost","diagnostics"}: the two costs are null where the program was not run before and
-// after, `left_because` is why it is unchanged. The text is null where it could not be read.
+// {"text","origins","passes":[{"rule","edits","saved"}],"changes":[{"line","rule","what"}],"left_because",
+// "not_verified","proved_max_mm","not_merged","saved","before","after","cost","diagnostics"}: the two costs are null
+// where the program was not run before and after, `left_because` is why it is unchanged. The text is null where it
+// could not be read.
 std::string optimized(const compile::OptimizeResult& result, const ir::CostModel& cost, const text::Source& source);
 
 }  // namespace dripfeed::json

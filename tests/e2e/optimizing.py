@@ -56,10 +56,15 @@ def the_command(folder):
     rules = {change["rule"] for change in found["changes"]}
     if not {"numbered", "loops", "invariants"} <= rules or found["after"]["total_ms"] >= found["before"]["total_ms"] or found["left_because"] is not None:
         raise AssertionError(f"{found}")
+    saved = sum(one["saved"]["ms"] for one in found["passes"])
+    if abs(saved - found["saved"]["ms"]) > 1e-9 or abs(saved - found["before"]["total_ms"] + found["after"]["total_ms"]) > 1e-9:
+        raise AssertionError(f"the rules save {saved}: {found['passes']}, {found['saved']}")
+    if any(not one["saved"]["least_ms"] <= one["saved"]["ms"] <= one["saved"]["most_ms"] for one in found["passes"]):
+        raise AssertionError(f"{found['passes']}")
     if answer.stderr:
         raise AssertionError(f"--json says more: {answer.stderr}")
     text = run("optimize", program, "--machine", "sinumerik-840d-mill", "--free", "R200-R209", "--own", "R1-R9")
-    if text.stdout != found["text"] or "cost model" not in text.stderr:
+    if text.stdout != found["text"] or "cost model" not in text.stderr or "invariants saves " not in text.stderr or "all rules save " not in text.stderr:
         raise AssertionError(f"{text}")
     for arguments, words in ((["--free", "R200-#9"], "is no range of variables"), (["--with", "magic"], 'there is no rule "magic"'),
                              (["--with", "lines"], "need a tolerance"), (["--tolerance", "0.01"], "a tolerance is for the rules lines and arcs")):

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dialects/compile/render/compute_cost.h"
 #include "dialects/text/number.h"
 #include "server/json/profile_document.h"
 #include "tests/numeric/paper_times.h"
@@ -150,8 +151,13 @@ TEST(JointCost, ThePresetIsTheBestFitOfAllTwelveFigures) {
   const auto ratios = ratios_of(figures, x);
   for (std::size_t r = 0; r < figures.size(); ++r) {
     const double printed = figures[r].measured_ms * figures[r].share;
-    fmt::print("{:<28} measured {:>6} ms, model {:>6} ms, ratio {}\n", figures[r].what, text::format_fixed(printed, 2),
-               text::format_fixed(printed * ratios[r], 2), text::format_fixed(ratios[r], 2));
+    const double predicted = printed * ratios[r];
+    fmt::print("{:<28} measured {:>6} ms, model {:>6} ms ({} to {}), ratio {}\n", figures[r].what,
+               text::format_fixed(printed, 2), text::format_fixed(predicted, 2),
+               text::format_fixed(predicted / m.spread, 2), text::format_fixed(predicted * m.spread, 2),
+               text::format_fixed(ratios[r], 2));
+    EXPECT_LT(printed, predicted * m.spread) << figures[r].what;
+    EXPECT_GT(printed, predicted / m.spread) << figures[r].what;
   }
   fmt::print("worst ratio {} (least squares {}), spread {}\n", text::format_fixed(worst_of(ratios), 3),
              text::format_fixed(worst_of(ratios_of(figures, squares)), 3),
@@ -186,14 +192,25 @@ TEST(JointCost, OnlyTheFourthProgramMeetsTheLimit) {
   }
 }
 
+compile::ComputeCost run_of(const ir::ComputeCounts& counts) {
+  compile::ComputeCost out{.total_ms = ir::compute_ms(preset(), counts)};
+  for (std::size_t i = 0; i < out.counts.size(); ++i) out.counts[i] = counts.*ir::kCostTerms[i].count;
+  return out;
+}
+
 // Table 5. The bodies are not printed whole ("…"), but are the same in all rows and fall out of the differences.
 TEST(JointCost, Table5AsDifferences) {
   const ir::CostModel m = preset();
   const auto row = [&](const char* what, double measured, const ir::ComputeCounts& counts) {
     const double difference = measured - paper::kWhile_ms;
     const double predicted = ir::compute_ms(m, counts) - ir::compute_ms(m, kWhile);
-    fmt::print("table 5, {:<18} measured {:>5} ms, model {:>5} ms\n", what, text::format_fixed(difference, 2),
-               text::format_fixed(predicted, 2));
+    const compile::Saving less = compile::saving_between(run_of(counts), run_of(kWhile), m);
+    fmt::print("table 5, {:<18} measured {:>5} ms, model {:>5} ms ({} to {})\n", what,
+               text::format_fixed(difference, 2), text::format_fixed(predicted, 2),
+               text::format_fixed(less.least_ms, 2), text::format_fixed(less.most_ms, 2));
+    EXPECT_NEAR(less.ms, predicted, 1e-9) << what;
+    EXPECT_GT(difference, less.least_ms) << what;
+    EXPECT_LT(difference, less.most_ms) << what;
     EXPECT_NEAR(predicted, difference, 0.05) << what;  // as far as the same row of tables 1 and 2 differs
   };
   row("IF GOTO less WHILE", paper::kIfGoto_ms, kIfGoto);
@@ -217,8 +234,9 @@ TEST(JointCost, Table6AsADifference) {
   const ir::CostModel m = preset();
   const double measured = paper::kStatementsOfARound * (paper::kWithCall_ms - paper::kWithoutCall_ms);
   const double predicted = ir::compute_ms(m, {.blocks = 2, .calls = 1});  // CALL and M17
-  fmt::print("table 6, a call: measured {} ms (ten statements; with four {}), model {} ms\n",
-             text::format_fixed(measured, 1), text::format_fixed(measured * 0.4, 1), text::format_fixed(predicted, 1));
+  fmt::print("table 6, a call: measured {} ms (ten statements; with four {}), model {} ms ({} to {})\n",
+             text::format_fixed(measured, 1), text::format_fixed(measured * 0.4, 1), text::format_fixed(predicted, 1),
+             text::format_fixed(predicted / m.spread, 1), text::format_fixed(predicted * m.spread, 1));
   EXPECT_NEAR(predicted, measured, 0.1);
 }
 

@@ -181,6 +181,9 @@ Sums run(const char* dialect_name, bool has_words, int programs) {
     ++sums.programs;
     if (!result.before || result.changes.empty()) continue;
     ++sums.changed;
+    double saved_ms = 0.0;
+    for (const RuleSaving& one : result.savings) saved_ms += one.saved.ms;
+    EXPECT_NEAR(saved_ms, result.before->total_ms - result.after->total_ms, 1e-6) << "seed " << seed << "\n" << text;
     sums.before_ms += result.before->total_ms;
     sums.after_ms += result.after->total_ms;
   }

@@ -64,6 +64,7 @@ class Optimization {
                              .tolerance_mm = request_.settings.tolerance_mm};
     if ((wishes.lines || wishes.arcs) && wishes.tolerance_mm > 0.0 && !text::has_error(result.diagnostics))
       merge(wishes, result);
+    if (result.before && result.after) result.saved = saving_between(*result.before, *result.after, request_.cost);
     return result;
   }
 
@@ -83,12 +84,33 @@ class Optimization {
           {group.is_arc ? optimize::Rule::arcs : optimize::Rule::lines, line_before(group.first_line),
            fmt::format("{} blocks are one, {} mm off at most", group.last_line - group.first_line + 1,
                        text::format_fixed(group.off_mm, 6))});
+    const std::optional<ComputeCost> exact_cost = result.after;
+    std::optional<ComputeCost> lines_cost;
+    if (wishes.lines && wishes.arcs && exact_cost) lines_cost = cost_of_lines(exact, wishes);
     for (std::uint32_t& line : merged.origin_lines) line = line_before(line);
     result.off_mm = merged.most_mm;
     result.text = std::move(merged.text);
     result.origin_lines = std::move(merged.origin_lines);
-    const ir::ReadResult read = dialect_.read(text::Source(request_.source.name(), result.text), request_.control);
-    if (result.after) result.after = cost_of(run(read.program, 0));
+    if (!exact_cost) return;
+    result.after = cost_of_text(result.text);
+    if (result.savings.empty() && exact.text() != request_.source.text()) return;  // part of the sum is not known
+    const ComputeCost between = !wishes.arcs ? *result.after : lines_cost ? *lines_cost : *exact_cost;
+    add_saving(optimize::Rule::lines, *exact_cost, between, result);
+    add_saving(optimize::Rule::arcs, between, *result.after, result);
+    std::erase_if(result.savings, [](const RuleSaving& one) {
+      return one.edits == 0 && (one.rule == optimize::Rule::lines || one.rule == optimize::Rule::arcs);
+    });
+  }
+
+  // Of the text with its lines merged and its arcs left.
+  [[nodiscard]] ComputeCost cost_of_lines(const text::Source& exact, MergeWishes wishes) {
+    wishes.arcs = false;
+    return cost_of_text(merge_blocks(exact, request_.control, library(), wishes).text);
+  }
+
+  [[nodiscard]] ComputeCost cost_of_text(const std::string& made) {
+    const text::Source source(request_.source.name(), made);
+    return cost_of(run(dialect_.read(source, request_.control).program, 0));
   }
 
   OptimizeResult run_exact() {
@@ -125,6 +147,7 @@ class Optimization {
       result.origin_lines.clear();
       result.after = result.before;
     }
+    attribute(read.program, result);
     return result;
   }
 
@@ -149,24 +172,36 @@ class Optimization {
     return out;
   }
 
-  // Nothing where rules that change nothing more lead to the text that was tried before.
-  std::optional<Attempt> try_rules(const ir::Program& before, const optimize::Rules& rules) {
-    Attempt attempt;
+  struct WrittenText {
+    ChangedText text;  // none with an obstacle
+    optimize::Result report;
+  };
+  [[nodiscard]] WrittenText written_by(const ir::Program& before, const optimize::Rules& rules) const {
     ir::Program changed = before;
     optimize::Settings settings = request_.settings;
     settings.rules = rules;
-    optimize::Result made = optimize::optimize(changed, request_.control, request_.cost, settings);
-    attempt.obstacle = std::move(made.obstacle);
-    if (!attempt.obstacle.empty()) return attempt;
+    WrittenText out;
+    out.report = optimize::optimize(changed, request_.control, request_.cost, settings);
+    if (!out.report.obstacle.empty()) return out;
     const KeptText kept{.comments = !rules.has(optimize::Rule::comments),
                         .numbers = !rules.has(optimize::Rule::numbers)};
-    ChangedText written = changed_text(before, changed, made.made, dialect_, request_.control, kept);
+    out.text = changed_text(before, changed, out.report.made, dialect_, request_.control, kept);
+    return out;
+  }
+
+  // Nothing where rules that change nothing more lead to the text that was tried before.
+  std::optional<Attempt> try_rules(const ir::Program& before, const optimize::Rules& rules) {
+    Attempt attempt;
+    WrittenText made = written_by(before, rules);
+    ChangedText& written = made.text;
+    attempt.obstacle = std::move(made.report.obstacle);
+    if (!attempt.obstacle.empty()) return attempt;
     if (written.text == tried_) return {};
     tried_ = written.text;
     const text::Source text(request_.source.name(), std::move(written.text));
     attempt.obstacle = prove(before, text, attempt);
     if (!attempt.obstacle.empty()) return attempt;
-    attempt.changes = std::move(made.changes);
+    attempt.changes = std::move(made.report.changes);
     attempt.text = text.text();
     attempt.origin_lines = std::move(written.origin_lines);
     return attempt;
@@ -260,20 +295,44 @@ class Optimization {
     return record(program, request_.control, library(), options, {}, {});
   }
 
-  [[nodiscard]] ComputeCost cost_of(const RecordedRun& run) const {
-    ComputeCost out;
-    out.blocks = run.result.blocks;
-    double since_ms = 0.0;
-    for (const ir::Motion& m : run.motions) {
-      const double ms = ir::compute_ms(request_.cost, m.compute);
-      out.total_ms += ms;
-      since_ms += ms;
-      if (!ir::is_move(m.kind)) continue;
-      ++out.moves;
-      if (since_ms > out.longest_ms) out.longest_ms = since_ms, out.longest_line = m.place.line;
-      since_ms = 0.0;
+  [[nodiscard]] ComputeCost cost_of(const RecordedRun& run) const { return compute_cost(run, request_.cost); }
+
+  // --- what each rule saves
+
+  void add_saving(optimize::Rule rule, const ComputeCost& before, const ComputeCost& after, OptimizeResult& result) {
+    const auto edits = std::ranges::count(result.changes, rule, &optimize::Change::rule);
+    result.savings.push_back({rule, static_cast<std::size_t>(edits), saving_between(before, after, request_.cost)});
+  }
+
+  // Those that the text was made by, in their order. Dropping comments and numbers is not listed as changes.
+  [[nodiscard]] std::vector<optimize::Rule> applied(const OptimizeResult& result) const {
+    std::vector<optimize::Rule> out;
+    for (std::size_t i = 0; i < optimize::kRules; ++i) {
+      const auto rule = static_cast<optimize::Rule>(i);
+      const bool is_of_text = rule == optimize::Rule::comments || rule == optimize::Rule::numbers;
+      const bool listed = std::ranges::find(result.changes, rule, &optimize::Change::rule) != result.changes.end();
+      if (listed || (is_of_text && request_.settings.rules.has(rule))) out.push_back(rule);
     }
     return out;
+  }
+
+  void attribute(const ir::Program& before, OptimizeResult& result) {
+    if (!result.before || !result.after || result.text == request_.source.text()) return;
+    optimize::Rules rules = optimize::Rules::none();
+    ComputeCost last = *result.before;
+    std::string last_text(request_.source.text());
+    for (const optimize::Rule rule : applied(result)) {
+      rules.set(rule, true);
+      WrittenText made = written_by(before, rules);
+      if (made.text.text == last_text) continue;
+      const ComputeCost cost = made.text.text == result.text ? *result.after : cost_of_text(made.text.text);
+      // Figures of another run are of other work.
+      if (cost.moves != result.before->moves) return result.savings.clear();
+      add_saving(rule, last, cost, result);
+      last = cost;
+      last_text = std::move(made.text.text);
+    }
+    if (last_text != result.text) result.savings.clear();
   }
 
   const OptimizeRequest& request_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dialects/compile/dialect/library.h"
+#include "dialects/compile/render/compute_cost.h"
 #include "dialects/compile/translate/changed_text.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
@@ -26,13 +27,12 @@ struct OptimizeRequest {
   ProgramLibrary* library = nullptr;  // of called programs; nullptr: none are found
 };
 
-// What computing cost a run, by the model: in all, and for the move before which most was computed.
-struct ComputeCost {
-  double total_ms = 0.0;
-  double longest_ms = 0.0;
-  std::uint32_t longest_line = 0;
-  std::uint64_t moves = 0;
-  std::uint64_t blocks = 0;
+// What a rule saves: the run with it and with the rules before it in the table, next to the run with those alone. So
+// the savings of all rules add up to the whole difference.
+struct RuleSaving {
+  optimize::Rule rule = optimize::Rule::values;
+  std::size_t edits = 0;  // changes that are listed
+  Saving saved;
 };
 
 struct OptimizeResult {
@@ -43,8 +43,10 @@ struct OptimizeResult {
   std::string not_verified;                 // why running does not show that both are the same; empty where it does
   std::optional<ComputeCost> before;        // of the runs that were compared
   std::optional<ComputeCost> after;
-  std::optional<double> off_mm;               // where blocks were merged: how far the paths lie apart at most, proved
-  std::string not_merged;                     // why no blocks were; empty where they were, or need not be
+  std::optional<Saving> saved;      // from `before` to `after`
+  std::vector<RuleSaving> savings;  // of rules that changed the text, in their order; none where it is not run
+  std::optional<double> off_mm;     // where blocks were merged: how far the paths lie apart at most, proved
+  std::string not_merged;           // why no blocks were; empty where they were, or need not be
   std::vector<text::Diagnostic> diagnostics;  // of reading the source; with an error nothing is done
 };
 

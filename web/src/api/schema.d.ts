@@ -6000,8 +6000,17 @@ export interface components {
                  * @enum {string}
                  */
                 rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "lines" | "arcs";
-                /** @description how many changes it made */
+                /** @description how many of the changes are its own */
                 edits: number;
+                /** @description next to the text with the rules before it alone; null: not run */
+                saved: {
+                    /** @description by the cost model; below zero: it costs more */
+                    ms: number;
+                    /** @description if each figure of the model is off to its disadvantage */
+                    least_ms: number;
+                    /** @description if each is off to its advantage */
+                    most_ms: number;
+                } | null;
             }[];
             /** @description in the order in which they were made */
             changes: {
@@ -6023,6 +6032,15 @@ export interface components {
             proved_max_mm: number | null;
             /** @description why no blocks were merged; null: they were, or it was not asked for */
             not_merged: string | null;
+            /** @description by all rules; null: it was not run */
+            saved: {
+                /** @description by the cost model; below zero: it costs more */
+                ms: number;
+                /** @description if each figure of the model is off to its disadvantage */
+                least_ms: number;
+                /** @description if each is off to its advantage */
+                most_ms: number;
+            } | null;
             /** @description what the given text's run costs; null: it was not run */
             before: {
                 /** @description of all that is computed */

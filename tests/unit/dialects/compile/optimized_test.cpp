@@ -210,5 +210,43 @@ TEST(Optimized, ReportsTheCostOfBothRuns) {
   EXPECT_NEAR(result.before->total_ms - result.after->total_ms, 2 * 0.782, 1e-9);
 }
 
+TEST(Optimized, ReportsWhatEachRuleSaves) {
+  const OptimizeResult result = optimized(
+      "R1=30 ; depth\nG0 X0\nWHILE R2<3\nR3=R1*SIN(R1) R4=R3+R2\nG1 X=R4 F100\nR2=R2+1 ; round\nENDWHILE\nM30\n",
+      {.only = {Rule::values, Rule::invariants, Rule::merge, Rule::comments}, .own = {kR}});
+  ASSERT_TRUE(result.saved);
+  ASSERT_EQ(result.savings.size(), 3U) << result.text;  // no value was known already
+  EXPECT_EQ(result.savings[0].rule, Rule::invariants);
+  EXPECT_EQ(result.savings[1].rule, Rule::merge);
+  EXPECT_EQ(result.savings[2].rule, Rule::comments);
+  // SIN once instead of three times, for a block before the loop; then two rounds less of the block that it shared.
+  double sum = 0.0;
+  for (const RuleSaving& one : result.savings) {
+    sum += one.saved.ms;
+    EXPECT_LE(one.saved.least_ms, one.saved.ms);
+    EXPECT_GE(one.saved.most_ms, one.saved.ms);
+  }
+  EXPECT_NEAR(sum, result.saved->ms, 1e-9);
+  EXPECT_NEAR(sum, result.before->total_ms - result.after->total_ms, 1e-9);
+  EXPECT_GT(result.savings[1].saved.ms, 0.0);
+  EXPECT_EQ(result.savings[2].saved.ms, 0.0);  // the model has no figure for comments
+  EXPECT_EQ(result.savings[2].edits, 0U);
+}
+
+// Fewer functions for one more block: by the model a gain, by the low figure of the one and the high one of the other
+// none.
+TEST(Optimized, TheIntervalOfASavingTakesEachFigureForItself) {
+  ir::CostModel model;
+  model.block_ms = 1.0, model.function_ms = 0.5, model.spread = 2.0;
+  ComputeCost before{.total_ms = 3.0}, after{.total_ms = 1.5};
+  before.counts[6] = 6;  // functions
+  after.counts[0] = 1;   // blocks
+  after.counts[6] = 1;
+  const Saving saved = saving_between(before, after, model);
+  EXPECT_EQ(saved.ms, 1.5);
+  EXPECT_EQ(saved.least_ms, 2.5 / 2.0 - 1.0 * 2.0);
+  EXPECT_EQ(saved.most_ms, 2.5 * 2.0 - 1.0 / 2.0);
+}
+
 }  // namespace
 }  // namespace dripfeed::compile
