@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "dialects/facts/flow_graph.h"
+#include "dialects/ir/readable_line.h"
 #include "dialects/optimize/expressions.h"
 #include "dialects/optimize/work.h"
 #include "dialects/passes/rewrite.h"
@@ -19,7 +21,36 @@ namespace {
 
 using ir::StatementKind;
 
-constexpr std::uint32_t kJoinedLine = 80;  // columns, as the printer joins
+bool is_product(ir::Operator op) { return op == ir::Operator::multiply || op == ir::Operator::divide; }
+bool is_sum(ir::Operator op) { return op == ir::Operator::add || op == ir::Operator::subtract; }
+
+std::uint32_t columns_of(const ir::Program& program, ir::VariableId id) {
+  const ir::Variable& v = program.at(id);
+  return static_cast<std::uint32_t>(v.symbol == ir::SymbolId::none
+                                        ? 1 + std::to_string(v.number).size()
+                                        : program.strings.at(program.at(v.symbol).name).size());
+}
+
+// Columns that the expression takes in a line at most: where no more are in doubt than parentheses, those count.
+std::uint32_t columns_of(const ir::Program& program, ir::ExpressionId id) {
+  constexpr std::uint32_t kParentheses = 2, kLongestName = 7;  // ROUNDUP, " B_AND "
+  const ir::Expression& e = program.at(id);
+  if (e.op == ir::Operator::variable) return columns_of(program, e.variable);
+  if (!is_sum(e.op) && !is_product(e.op)) {
+    std::uint32_t operands = 0;
+    for (const ir::ExpressionId operand : {e.a, e.b, e.c})
+      if (operand != ir::ExpressionId::none) operands += columns_of(program, operand) + kParentheses;
+    return operands == 0 ? length_of(program, id) : operands + kLongestName;
+  }
+  const auto operand = [&](ir::ExpressionId of, bool is_right) {
+    const ir::Operator op = program.at(of).op;
+    const bool is_leaf = op == ir::Operator::variable || op == ir::Operator::constant;
+    const bool is_stronger = is_sum(e.op) && is_product(op);
+    const bool is_like = !is_right && (is_sum(e.op) ? is_sum(op) : is_product(op));
+    return columns_of(program, of) + (is_leaf || is_stronger || is_like ? 0 : kParentheses);
+  };
+  return operand(e.a, false) + 1 + operand(e.b, true);
+}
 
 class Joining {
  public:
@@ -97,8 +128,9 @@ class Joining {
       const Place place = access.sets.front();
       std::size_t earliest = std::max(at(last_set, place), at(last_read, place));
       for (const Place p : access.reads) earliest = std::max(earliest, at(last_set, p));
-      const std::uint32_t length = length_of(program_, program_.assigns[program_.statements[i].payload].value) + 6;
-      while (earliest < groups.size() && groups[earliest].length + length > kJoinedLine) ++earliest;
+      const ir::Assign assign = program_.assigns[program_.statements[i].payload];
+      const std::uint32_t length = columns_of(program_, assign.target) + columns_of(program_, assign.value) + 2;
+      while (earliest < groups.size() && groups[earliest].length + length > ir::kReadableLine) ++earliest;
       if (earliest == groups.size()) groups.push_back({});
       groups[earliest].members.push_back(i);
       groups[earliest].length += length;

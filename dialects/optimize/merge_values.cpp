@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dialects/facts/flow_graph.h"
+#include "dialects/ir/readable_line.h"
 #include "dialects/optimize/edit.h"
 #include "dialects/optimize/work.h"
 #include "dialects/passes/value_facts.h"
@@ -17,7 +18,6 @@ using ir::ExpressionId;
 using ir::StatementKind;
 
 constexpr std::uint32_t kFarthest = 64;  // statements from an assignment to where it is read
-constexpr std::uint32_t kLongest = 110;  // characters of an expression that people read
 
 class Merging {
  public:
@@ -118,7 +118,7 @@ class Merging {
     std::uint32_t length = length_of(program_, whole) + length_of(program_, value);
     for (const Moved& m : into_[reader]) length += length_of(program_, m.value);
     const std::uint32_t longest =
-        limits.block_length_bytes == 0 ? kLongest : std::min(kLongest, limits.block_length_bytes / 2);
+        limits.block_length_bytes == 0 ? ir::kReadableLine : std::min(ir::kReadableLine, limits.block_length_bytes / 2);
     const std::uint32_t depth = depth_of(program_, whole) + depth_of(program_, value);
     return length <= longest && (limits.expression_nesting == 0 || depth <= limits.expression_nesting);
   }

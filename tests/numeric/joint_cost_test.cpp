@@ -19,21 +19,13 @@
 
 #include "dialects/compile/render/compute_cost.h"
 #include "dialects/text/number.h"
-#include "server/json/profile_document.h"
 #include "tests/numeric/paper_times.h"
 #include "tests/numeric/seal_ring.h"
 
 namespace dripfeed {
 namespace {
 
-ir::CostModel preset() {
-  std::ifstream file(DRIPFEED_SOURCE_DIR "/deploy/machines/sinumerik-810d-lathe.json");
-  std::ostringstream text;
-  text << file.rdbuf();
-  const auto profile = json::read_profile(text.str());
-  EXPECT_TRUE(profile);
-  return profile->machine.timing.cost.value();
-}
+using seal_ring::preset;
 
 // What a point of a program computes, the first one left out: with it comes the set-up. Sum and number of points.
 std::pair<ir::ComputeCounts, double> counts_of(const char* program) {

@@ -12,6 +12,7 @@
 
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/compile/dialect/execute.h"
+#include "server/json/profile_document.h"
 
 namespace dripfeed::seal_ring {
 
@@ -26,6 +27,16 @@ inline text::Source text_of(const std::string& name) {
   std::ostringstream text;
   text << file.rdbuf();
   return {name, text.str()};
+}
+
+// The cost model of the paper's control.
+inline ir::CostModel preset() {
+  std::ifstream file(DRIPFEED_SOURCE_DIR "/deploy/machines/sinumerik-810d-lathe.json");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const auto profile = json::read_profile(text.str());
+  EXPECT_TRUE(profile);
+  return profile->machine.timing.cost.value();
 }
 
 // The cutting moves of one of the programs.

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "dialects/ir/readable_line.h"
 #include "dialects/sinumerik/reader/lower.h"
 #include "dialects/sinumerik/sinumerik.h"
 #include "dialects/sinumerik/tables/name_index.h"
@@ -15,8 +16,6 @@ namespace dripfeed::sinumerik {
 namespace {
 
 using ir::StatementKind;
-
-constexpr std::size_t kJoinedLine = 80;  // columns up to which assignments share a line
 
 std::string_view name_of(ir::ValueType type) {
   switch (type) {
@@ -68,7 +67,7 @@ class Printer {
 
   [[nodiscard]] bool joins(const ir::Statement& s, const std::string& words) const {
     return open_line_ && joinable_ && comment_.empty() && s.line != 0 && s.line == origin_ &&
-           s.skip_level == open_skip_ && line_.size() + words.size() < kJoinedLine;
+           s.skip_level == open_skip_ && line_.size() + words.size() < ir::kReadableLine;
   }
 
   void end_line() {

@@ -141,6 +141,16 @@ TEST(Optimized, AssignmentsThatDoNotNeedEachOtherShareABlock) {
   expect_text(fanuc, fanuc, {.dialect = "fanuc"});
 }
 
+// Columns count as they are printed, parentheses of a product in a sum left out.
+TEST(Optimized, AssignmentsShareALineThatPeopleCanRead) {
+  const std::string left = "R11=R20*R21*R22+R23*R24*R25-R26*R27*R28+R20*R21";
+  const std::string right = "R12=R30*R31*R32+R33*R34*R35-R36*R37*R38+R30*R31";
+  const std::string more = "R13=R40*R41*R42+R43";
+  ASSERT_LT(left.size() + right.size(), 110U);
+  expect_text("G0 X0\n" + left + "\n" + right + "\n" + more + "\nG1 X=R11+R12+R13 F100\nM30\n",
+              "G0 X0\n" + left + " " + right + "\n" + more + "\nG1 X=R11+R12+R13 F100\nM30\n", {.only = {Rule::join}});
+}
+
 TEST(Optimized, CommentsAndNumbersGoWhereTheyAreAskedTo) {
   expect_text("; ring 4\nN10 G0 X0 ; begin\nN20 R1=R1+1\n; inside\nN30 G1 X=R1 F100\nIF R1<5 GOTOB N20\nN40 M30\n",
               "; ring 4\nG0 X0\nN20 R1=R1+1\nG1 X=R1 F100\nIF R1<5 GOTOB N20\nM30\n",
