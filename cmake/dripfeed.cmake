@@ -166,3 +166,15 @@ function(dripfeed_fuzz name)
     set_tests_properties(${target} PROPERTIES TIMEOUT 300 LABELS fuzz)
   endif()
 endfunction()
+
+# dripfeed_slots([names...]): how many tests of the folder it is called in go beside each other. deploy/test gives ctest two slots a core. A test takes
+# two of them; those that are named wait for a line, a clock or a peer for most of their time and take one, so four of them go beside each other on two cores.
+function(dripfeed_slots)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  if(tests)  # libFuzzer's build has none of them
+    set_tests_properties(${tests} PROPERTIES PROCESSORS 2)
+  endif()
+  if(ARGN)
+    set_tests_properties(${ARGN} PROPERTIES PROCESSORS 1)
+  endif()
+endfunction()

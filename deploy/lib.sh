@@ -27,12 +27,12 @@ build() {
   cmake --build "$root/build/$preset" -j "$jobs" ${1:+--target "$@"}
 }
 
-# run_tests PRESET [CTEST ARGUMENTS...]: ctest's own summary is the last thing printed.
+# run_tests PRESET [CTEST ARGUMENTS...]: ctest's own summary is the last thing printed. Its slots are half a core each (dripfeed_slots).
 run_tests() {
   local preset=$1
   shift
   say "test $preset"
-  ctest --test-dir "$root/build/$preset" -j "$jobs" --output-on-failure --no-label-summary --no-tests=error "$@"
+  ctest --test-dir "$root/build/$preset" -j "$((2 * jobs))" --output-on-failure --no-label-summary --no-tests=error "$@"
 }
 
 # The page and the documentation into web/dist. Nothing to do when no source is younger than the last build.
