@@ -35,7 +35,8 @@ async function buildTests() {
   });
 }
 
-// The page names what was built: the script, the sheet, the icon and the worker that the script starts.
+// The page names what was built: the script, the sheet, the icon, the worker that the script starts, and the manifest by which a browser installs it. There is
+// no service worker: it could show a machine's state of before.
 async function writePage(outputs) {
   const builtFrom = (source) => {
     const found = Object.entries(outputs).find(([, output]) => output.entryPoint === source);
@@ -46,7 +47,9 @@ async function writePage(outputs) {
   const [script, { cssBundle }] = builtFrom('src/main.tsx');
   const [worker] = builtFrom('src/live/worker.ts');
   const icon = Object.keys(outputs).find((file) => file.endsWith('.svg'));
-  const places = { script, style: cssBundle, worker, icon };
+  const manifest = 'dripfeed.webmanifest';
+  await writeFile(at('dist', 'assets', manifest), (await readFile(at('src', 'manifest.webmanifest'), 'utf8')).replace('{icon}', asset(icon)));
+  const places = { script, style: cssBundle, worker, icon, manifest };
   let page = await readFile(at('src', 'index.html'), 'utf8');
   for (const [name, file] of Object.entries(places)) {
     if (!file || !page.includes(`{${name}}`)) throw new Error(`index.html: no place or no file for {${name}}`);
@@ -68,7 +71,7 @@ async function writeDocPages({ inputs, outputs }) {
   });
 }
 
-const kTexts = /\.(?:js|css|svg|html)$/;
+const kTexts = /\.(?:js|css|svg|html|webmanifest)$/;
 
 async function compress(folder) {
   const pack = { br: promisify(brotliCompress), gz: promisify(gzip) };

@@ -19,8 +19,8 @@ import { JobView } from './views/job_view';
 import { JobsView } from './views/jobs_view';
 import { MachineView } from './views/machine/machine_view';
 import { NotFound } from './views/not_found';
-import { ReceivedView } from './views/received_view';
 import { ReleasesView } from './views/releases_view';
+import { useKeySheet } from './views/show_keys';
 import { SignIn } from './views/sign_in';
 
 export function App() {
@@ -36,6 +36,7 @@ function Desk() {
   const before = useRef(place);
   useTitle(route.value);
   useBadge(route.value);
+  useKeySheet();
   // After a change of view a keyboard goes on at its heading, and one who goes back finds the place again. At once: later
   // it could take the focus from a field into which a person types by then.
   useLayoutEffect(() => {
@@ -92,8 +93,6 @@ function View({ here }: { here: Route }) {
       return <AlarmsView />;
     case 'releases':
       return <ReleasesView />;
-    case 'received':
-      return <ReceivedView />;
     default:
       return <NotFound />;
   }

@@ -2,9 +2,9 @@
 // and what its parameters are; an address that no row has is "not found", never another view.
 import { signal } from '@preact/signals';
 
-export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'received' | 'badge' | DeskView | 'not_found';
+export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'badge' | DeskView | 'not_found';
 // The half of the page for who does not stand at a machine; its code is loaded when it is asked for.
-export const kDeskViews = ['orders', 'order', 'history', 'review', 'reviewed', 'library', 'program', 'families', 'family', 'part', 'people', 'profile'] as const;
+export const kDeskViews = ['received', 'orders', 'order', 'history', 'review', 'reviewed', 'library', 'program', 'families', 'family', 'part', 'people', 'profile'] as const;
 export type DeskView = (typeof kDeskViews)[number];
 export const deskView = (view: ViewName): DeskView | undefined => kDeskViews.find((one) => one === view);
 

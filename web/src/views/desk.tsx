@@ -1,4 +1,4 @@
-// The half of the page for who does not stand at a machine: orders, reviews, library, programs, families and parts. It is loaded when one
+// The half of the page for who does not stand at a machine: receipts, orders, reviews, library, programs, families and parts. It is loaded when one
 // of its addresses is asked for.
 import type { VNode } from 'preact';
 import { kPeoplePlaces, kProgramPlaces, type DeskView, type PeoplePlace, type ProgramPlace } from '../router';
@@ -12,6 +12,7 @@ import { OrdersView } from './orders/orders_view';
 import { PeopleView } from './people/people_view';
 import { ProfileView } from './people/profile_view';
 import { ProgramView } from './program/program_view';
+import { ReceivedView } from './received_view';
 import { ReviewView } from './review/review_view';
 import { ReviewedView } from './review/reviewed_view';
 
@@ -28,6 +29,7 @@ const placeOf = (text: string): ProgramPlace => kProgramPlaces.find((one) => one
 type Draw = (first: string, second: string, query: URLSearchParams) => VNode;
 
 const kViews: Record<DeskView, Draw> = {
+  received: () => <ReceivedView />,
   orders: (_first, _second, query) => <OrdersView query={query} />,
   order: (id) => <OrderView key={id} id={Number(id)} />,
   history: (_first, _second, query) => <HistoryView query={query} />,

@@ -10,6 +10,7 @@ import { loader } from '../state/loader';
 import { connection, loaded, loadError, person } from '../state/shop';
 import { setTour } from '../state/tour';
 import { AlarmBell } from './alarms/tray';
+import { showKeys } from './show_keys';
 
 const kPlaces: { views: ViewName[]; href: string; label: string; from?: Role }[] = [
   { views: ['floor', 'machine'], href: hrefs.floor, label: 'nav.floor' },
@@ -83,6 +84,9 @@ function Person() {
         </label>
         <button type="button" class="button" onClick={takeTour}>
           {t('nav.tour')}
+        </button>
+        <button type="button" class="button" onClick={showKeys}>
+          {t('nav.keys')}
         </button>
         <button type="button" class="button" onClick={() => void loader.signOut().catch(() => setError(true))}>
           {t('session.sign_out')}
