@@ -128,14 +128,22 @@ export function pictureOf(view: View, width: number): Picture {
     lanes = lanesOf(view, box, scale);
     scale = Math.max(Math.min((width - depth('left') - depth('right')) / wide, most / high), 20 / wide);
   }
-  const tall = Math.max(high * scale, kLeast);
+  // A text that is read upwards has its room, too.
+  const upwards = lanes.filter(({ side }) => side === 'left' || side === 'right').map(({ dimension }) => widthOf(textOf(dimension)) + kTextHeight);
+  const tall = Math.max(high * scale, kLeast, ...upwards);
   const left = depth('left') + (width - depth('left') - depth('right') - wide * scale) / 2;
   const top = depth('top') + (tall - high * scale) / 2;
   const height = depth('top') + tall + depth('bottom');
   const at = (point: readonly number[]): Point => [left + ((point[0] ?? 0) - box.low[0]) * scale, top + (box.high[1] - (point[1] ?? 0)) * scale];
   const edge: Record<Side, number> = { left, right: left + wide * scale, top, bottom: top + high * scale };
-  const placed: PlacedDimension[] = lanes.map((one) => outside(one, at, edge, width, height));
-  const covered: Point[] = [];
+  const covered: Covered[] = [];
+  // Where two sides meet, a level text gives way along its own line: it has more room.
+  const isUpwards = ({ side }: Lane) => side === 'left' || side === 'right';
+  const placed: PlacedDimension[] = [...lanes.filter(isUpwards), ...lanes.filter((one) => !isUpwards(one))].map((one) => {
+    const wished = outside(one, at, edge, width, height);
+    const half = widthOf(wished.text) / 2;
+    return { ...wished, at: free(wished.at, half, height, covered, wished.turned ? 'turned' : 'level') };
+  });
   for (const dimension of view.dimensions) {
     if (lanes.some((one) => one.dimension === dimension)) continue;
     placed.push(dimension.kind === 'angle' ? angle(dimension, at, width, height, covered) : inside(dimension, at, width, height, covered));
@@ -175,19 +183,29 @@ function outside({ dimension, side, lane }: Lane, at: (point: readonly number[])
   };
 }
 
-// The nearest place that no other text covers.
-function free(at: Point, covered: Point[]): Point {
-  const isFree = ([x, y]: Point) => covered.every(([a, b]) => Math.abs(a - x) > 110 || Math.abs(b - y) >= kTextHeight);
-  for (let step = 0; step < 12; ++step) {
-    const place: Point = [at[0], at[1] + (step % 2 === 0 ? 1 : -1) * Math.ceil(step / 2) * kTextHeight];
+// What a text covers: its middle, and how far it goes from there.
+interface Covered {
+  x: number;
+  y: number;
+  across: number;
+  up: number;
+}
+
+// The nearest place that no other text covers: of a text in the part above or below, within the picture; of one at an outer line along that line.
+function free(at: Point, half: number, height: number, covered: Covered[], outer?: 'level' | 'turned'): Point {
+  const [across, up] = outer === 'turned' ? [kTextHeight / 2, half] : [half, kTextHeight / 2];
+  const isFree = ([x, y]: Point) => (outer === 'level' || (y >= up && y <= height - up)) && covered.every((one) => Math.abs(one.x - x) >= one.across + across || Math.abs(one.y - y) >= one.up + up);
+  for (let step = 0; step < 60; ++step) {
+    const by = (step % 2 === 0 ? 1 : -1) * Math.ceil(step / 2) * (kTextHeight / 3);
+    const place: Point = outer === 'level' ? [at[0] + by, at[1]] : [at[0], at[1] + by];
     if (!isFree(place)) continue;
-    covered.push(place);
+    covered.push({ x: place[0], y: place[1], across, up });
     return place;
   }
   return at;
 }
 
-function inside(dimension: Dimension, at: (point: readonly number[]) => Point, width: number, height: number, covered: Point[]): PlacedDimension {
+function inside(dimension: Dimension, at: (point: readonly number[]) => Point, width: number, height: number, covered: Covered[]): PlacedDimension {
   const text = textOf(dimension);
   const [from, to] = [at(dimension.from), at(dimension.to)];
   const tips = arrows(from, to);
@@ -196,7 +214,7 @@ function inside(dimension: Dimension, at: (point: readonly number[]) => Point, w
   const isLong = Math.hypot(to[0] - from[0], to[1] - from[1]) > 60;
   const beside: Point = [from[0] + 0.75 * (to[0] - from[0]) + half + 6, from[1] + 0.75 * (to[1] - from[1])];
   const wished: Point = isLong ? beside : [to[0] + outward * (half + 10), to[1] - 6];
-  const place = free([clamp(wished[0], half, width - half), clamp(wished[1], kTextHeight, height - kTextHeight)], covered);
+  const place = free([clamp(wished[0], half, width - half), clamp(wished[1], kTextHeight, height - kTextHeight)], half, height, covered);
   const isRadius = dimension.kind === 'radius';
   return {
     parameter: dimension.parameter,
@@ -208,7 +226,7 @@ function inside(dimension: Dimension, at: (point: readonly number[]) => Point, w
   };
 }
 
-function angle(dimension: Dimension, at: (point: readonly number[]) => Point, width: number, height: number, covered: Point[]): PlacedDimension {
+function angle(dimension: Dimension, at: (point: readonly number[]) => Point, width: number, height: number, covered: Covered[]): PlacedDimension {
   const text = textOf(dimension);
   const [corner, from, to] = [at(dimension.at ?? [0, 0]), at(dimension.from), at(dimension.to)];
   const reach = ([x, y]: Point) => Math.hypot(x - corner[0], y - corner[1]);
@@ -229,7 +247,7 @@ function angle(dimension: Dimension, at: (point: readonly number[]) => Point, wi
     text,
     lines: [arc, [corner, from], [corner, to]],
     arrows: isLong ? [arrow(on(0), on(0.1)), arrow(on(1), on(0.9))] : [],
-    at: free([clamp(wished[0] + half * Math.sign(wished[0] - corner[0]) * 0.8, half, width - half), clamp(wished[1], kTextHeight, height - kTextHeight)], covered),
+    at: free([clamp(wished[0] + half * Math.sign(wished[0] - corner[0]) * 0.8, half, width - half), clamp(wished[1], kTextHeight, height - kTextHeight)], half, height, covered),
     turned: false,
   };
 }
