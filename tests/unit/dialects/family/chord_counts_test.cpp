@@ -57,7 +57,7 @@ double farthest(const Curve& at, double from, double to, const std::vector<doubl
   double most = 0.0;
   const double piece = (to - from) / static_cast<double>(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i)
-    for (double chord = 0.0; chord < counts[i]; ++chord) {
+    for (int chord = 0; chord < static_cast<int>(counts[i]); ++chord) {
       const auto t = [&](double part) { return from + (static_cast<double>(i) + (chord + part) / counts[i]) * piece; };
       for (int sample = 1; sample < 20; ++sample)
         most = std::max(most, distance(at(t(sample / 20.0)), at(t(0.0)), at(t(1.0))));
