@@ -20,11 +20,20 @@ struct ReadResult {
   std::vector<text::Diagnostic> diagnostics;
 };
 
+// A name of the program that became variables with numbers.
+struct PlacedName {
+  SymbolId symbol = SymbolId::none;
+  Bank bank = Bank::hash;
+  std::uint32_t first = 0;
+  std::uint32_t count = 1;  // in a row
+};
+
 // `program` is to be used only when no diagnostic is an error. Spans of the diagnostics are in the text of the program
 // that was raised; a built program has none, then Statement::line reports the place.
 struct RaiseResult {
   Program program;
   std::vector<text::Diagnostic> diagnostics;
+  std::vector<PlacedName> placed = {};
 };
 
 struct PrintResult {

@@ -385,4 +385,11 @@ AllocationReport allocate_variables(ir::Program& program, const ir::Control& fro
   return Allocator(program, from, to, bank, rules).run();
 }
 
+std::vector<ir::PlacedName> placed_names(const AllocationReport& report, ir::Bank bank) {
+  std::vector<ir::PlacedName> out;
+  for (const AllocatedVariable& v : report.variables)
+    if (v.symbol != ir::SymbolId::none) out.push_back({v.symbol, bank, v.number, v.count});
+  return out;
+}
+
 }  // namespace dripfeed::passes

@@ -10,6 +10,7 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/ir/stage.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::passes {
@@ -53,5 +54,8 @@ std::uint32_t shared_number(const ir::Control& to, ir::Bank bank, std::uint32_t 
 // symbols stay for messages.
 AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to, ir::Bank bank,
                                     const AllocationRules& rules = {});
+
+// Those of them that had a name, with numbers of `bank` now.
+std::vector<ir::PlacedName> placed_names(const AllocationReport& report, ir::Bank bank);
 
 }  // namespace dripfeed::passes

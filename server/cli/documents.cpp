@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/json/diagnostics.h"
+#include "server/json/records.h"
 #include "server/json/reports.h"
 #include "store/hash/hash.h"
 
@@ -96,6 +97,7 @@ std::string render_document(const compile::RenderResult& result, const text::Sou
                {"blocks", result.blocks},
                {"bytes", result.bytes},
                {"variables", result.variables},
+               {"legend", Document::parse(json::legend(result.legend))},
                {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, family))}});
 }
 

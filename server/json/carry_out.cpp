@@ -4,6 +4,7 @@
 #include "server/app/checks/measured.h"
 #include "server/json/diagnostics.h"
 #include "server/json/documents.h"
+#include "server/json/records.h"
 #include "server/json/reports.h"
 #include "server/json/requests.h"
 #include "server/json/sweep_report.h"
@@ -62,6 +63,7 @@ Reply render(const Work& work) {
   reply.add(result.text);
   reply.add(done->places);
   reply.add(done->drawing);
+  reply.add(legend(result.legend));
   return reply;
 }
 

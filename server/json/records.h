@@ -37,6 +37,9 @@ std::string family_summary(const store::Family& family, std::string_view title);
 std::string part(const store::Part& part);
 std::string program(const store::Program& program);
 std::string program_revision(const store::ProgramRevision& revision);
+// The legend of a macro; and what that wrote, read back.
+std::string legend(std::span<const compile::LegendEntry> entries);
+std::vector<compile::LegendEntry> read_legend(std::string_view text);
 std::string rendered(const app::Rendered& rendered, const text::Source& family);
 std::string preview(const app::Preview& preview);
 std::string release(const store::Release& release);

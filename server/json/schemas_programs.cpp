@@ -31,13 +31,28 @@ Members revision() {
          created();
 }
 
+Schema legend_entry() {
+  return object("a variable, or a list of some in a row",
+                {{"variable", text("as the control names it; of a list the first")},
+                 {"count", integer("how many, in a row; 1: no list")},
+                 {"name", text("in the family")},
+                 {"meaning", or_null(text("of the parameter; null: none is stated"))},
+                 {"unit", or_null(text("of the number in the variable; null: none, or not known"))},
+                 {"kind", one_of(compile::kLegendKindNames,
+                                 "parameter: people may change it; derived: it follows from those; computed: the "
+                                 "program changes it")},
+                 {"value", or_null(number("that the text gives it; null: a list, or computed"))}});
+}
+
 Members rendering() {
-  return {{"mode", one_of(render_modes(), "that was taken")},
-          {"because", text("why this mode, as one sentence")},
-          {"blocks", integer("lines of the text that are not empty and no %")},
-          {"bytes", integer("of the text")},
-          {"variables", integer("different user variables that the text touches")},
-          {"diagnostics", diagnostics_schema("of the family's text")}};
+  return {
+      {"mode", one_of(render_modes(), "that was taken")},
+      {"because", text("why this mode, as one sentence")},
+      {"blocks", integer("lines of the text that are not empty and no %")},
+      {"bytes", integer("of the text")},
+      {"variables", integer("different user variables that the text touches")},
+      {"legend", list_of(legend_entry(), "what the variables of a macro mean, by their numbers; empty: plain blocks")},
+      {"diagnostics", diagnostics_schema("of the family's text")}};
 }
 
 Schema place(std::string about) { return list_of(2, number("mm"), std::move(about)); }

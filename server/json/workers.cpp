@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "server/json/records.h"
 #include "server/json/work_package.h"
 
 namespace dripfeed::json {
@@ -108,6 +109,7 @@ app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work
   done.result.variables = head.at("variables").get<std::uint32_t>();
   for (const Document& one : head.at("profile_lines"))
     done.result.profile_lines.push_back({one.at(0).get<std::uint32_t>(), one.at(1).get<std::uint32_t>()});
+  done.result.legend = read_legend(reply->texts.at(3));
   done.result.diagnostics = read_diagnostics(head.at("diagnostics"));
   return done;
 }

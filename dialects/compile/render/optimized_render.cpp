@@ -53,6 +53,7 @@ OptimizeResult optimize_rendered(RenderResult& rendered, const ir::Control& cont
   rendered.text = result.text;
   rendered.bytes = rendered.text.size();
   rendered.blocks = count_blocks(rendered.text);
+  keep_parameters(rendered.legend, rendered.text, control);
   rendered.profile_lines = moved(rendered.profile_lines, result.origin_lines);
   return result;
 }

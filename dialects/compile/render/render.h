@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dialects/compile/plain/place_index.h"
+#include "dialects/compile/render/legend.h"
 #include "dialects/family/bind.h"
 #include "dialects/family/drawing.h"
 #include "dialects/family/geometry.h"
@@ -47,6 +48,7 @@ struct RenderResult {
   std::uint32_t variables = 0;                   // distinct user variables that the text touches
   std::vector<family::LineRange> profile_lines;  // ranges of printed lines that make the nominal
   PlaceIndex places;                             // explicit only
+  std::vector<LegendEntry> legend;               // of a macro's variables
   family::Geometry geometry;                     // stock and nominal with these values
   std::vector<family::DrawnView> drawing;        // and the drawing
   // Spans are in RenderRequest::family. With an error there is no text.

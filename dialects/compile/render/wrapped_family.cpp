@@ -194,6 +194,7 @@ class WrappedRenderer {
     result_.mode = RenderMode::macro;
     result_.because = kKept;
     result_.is_kept = true;
+    result_.legend = legend_of_bindings(bound_);
     result_.variables = user_variables(program);
     describe(std::string(written_.text()));
   }

@@ -328,6 +328,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   const std::vector<passes::OutsideValue> outside = passes::outside_values(p, from, ir::Bank::r);
   passes::AllocationReport placed = passes::allocate_variables(p, from, to, ir::Bank::hash, rules);
   append(result.diagnostics, std::move(placed.diagnostics));
+  result.placed = passes::placed_names(placed, ir::Bank::hash);
   if (!by_number) warn_of_outside_values(outside, placed.variables, to, result.diagnostics);
   check_system_variables(p, to, result.diagnostics);
   write_other_forms(p, to, grammar, result.diagnostics);

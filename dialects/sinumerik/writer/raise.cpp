@@ -60,7 +60,7 @@ void warn_of_outside_values(const Raising& raising, const passes::OutsideValue& 
 
 }  // namespace
 
-void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept) {
+std::vector<ir::PlacedName> raise_variables(const Raising& raising, std::set<ir::SymbolId> kept) {
   ir::Program& program = raising.program;
   const std::vector<passes::OutsideValue> outside = passes::outside_values(program, raising.from, ir::Bank::hash);
   passes::AllocationReport report = passes::allocate_variables(program, raising.from, raising.to, ir::Bank::r,
@@ -79,6 +79,7 @@ void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept) {
     if (v.bank != ir::Bank::r || v.index != ir::ExpressionId::none) continue;
     if (const auto name = names.find(v.number); name != names.end()) v.symbol = name->second;
   }
+  return passes::placed_names(report, ir::Bank::r);
 }
 
 namespace {
@@ -115,7 +116,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   raise_blocks(raising);
   if (!raising.is_own()) {
     raise_modes(raising);
-    raise_variables(raising, std::move(kept));
+    result.placed = raise_variables(raising, std::move(kept));
   }
   return result;
 }

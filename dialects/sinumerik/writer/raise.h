@@ -9,6 +9,7 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/ir/stage.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/text/diagnostic.h"
 
@@ -46,6 +47,6 @@ void raise_blocks(const Raising& raising);  // raise_blocks.cpp: codes and words
 void incremental_letter(ir::Word& w);
 void raise_modes(const Raising& raising);  // raise_modes.cpp: feed and surface speed in one group; the safe start
 // raise.cpp: numbers and names become R parameters, except those in `kept`
-void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept);
+std::vector<ir::PlacedName> raise_variables(const Raising& raising, std::set<ir::SymbolId> kept);
 
 }  // namespace dripfeed::sinumerik
