@@ -47,7 +47,7 @@ std::optional<LegendEntry> declared(const family::BoundFamily& bound, ir::Symbol
 
 std::vector<LegendEntry> legend_of(const family::BoundFamily& bound, const ir::RaiseResult& raised) {
   std::vector<ir::PlacedName> placed = raised.placed;
-  std::ranges::stable_sort(placed, {}, &ir::PlacedName::first);
+  std::ranges::sort(placed, {}, [](const ir::PlacedName& one) { return std::pair(one.first, one.symbol); });
   std::vector<LegendEntry> out;
   for (const ir::PlacedName& one : placed) {
     LegendEntry entry = declared(bound, one.symbol).value_or(LegendEntry{});
