@@ -75,29 +75,13 @@ void BodyReader::chords(const Along& along, ExpressionId error) {
     add(std::move(out));
     add(along.cut);
   };
-  const auto count_to = [&](std::string_view name, double first, ExpressionId last) {
-    Step loop = hidden_loop(name, kRatio);
-    loop.values[0] = number(first);
-    loop.values[1] = last;
-    loop.values[2] = number(1.0);
-    const ExpressionId counter = name_of(loop);
-    add(std::move(loop));
-    return counter;
-  };
   set_place(whole.values[0]);
   const ExpressionId part =
       kept("part", calculated(Operator::divide, span_of(whole), number(kCurvePieces)), along.dimension);
-  const ExpressionId piece = count_to("piece", 0.0, number(kCurvePieces - 1));
-  const auto of_piece = [&] {
-    ir::Variable out;
-    out.bank = ir::Bank::named;
-    out.symbol = counts;
-    out.index = piece;
-    out.span = verb_;
-    return family_.arena.add_variable(out);
-  };
-  const ExpressionId chord = count_to("chord", 1.0, of_piece());
-  const ExpressionId parts = calculated(Operator::add, piece, calculated(Operator::divide, chord, of_piece()));
+  const ExpressionId piece = count_hidden("piece", 0.0, number(kCurvePieces - 1));
+  const ExpressionId chord = count_hidden("chord", 1.0, name_of(counts, piece));
+  const ExpressionId parts =
+      calculated(Operator::add, piece, calculated(Operator::divide, chord, name_of(counts, piece)));
   set_place(calculated(whole.down ? Operator::subtract : Operator::add, whole.values[0],
                        calculated(Operator::multiply, parts, part)));
   end_hidden_loop();

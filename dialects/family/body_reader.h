@@ -108,7 +108,9 @@ class BodyReader {
   void end_hidden_loop();
   ir::ExpressionId kept(std::string_view stem, ir::ExpressionId value, Dimension dimension);
   void move_to(StepKind kind, ir::Address axis, ir::ExpressionId value);
-  ir::ExpressionId name_of(const Step& loop);
+  ir::ExpressionId name_of(const Step& step);
+  ir::ExpressionId name_of(ir::SymbolId symbol, ir::ExpressionId index = ir::ExpressionId::none);
+  ir::ExpressionId count_hidden(std::string_view stem, double first, ir::ExpressionId last);
   ir::ExpressionId calculated(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
   ir::ExpressionId in_x(ir::ExpressionId on_radius);
 

@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "dialects/family/evaluate.h"
+#include "dialects/family/range_arithmetic.h"
 #include "dialects/family/second_derivative.h"
 #include "dialects/text/number.h"
 
@@ -18,20 +18,10 @@ namespace dripfeed::family {
 
 namespace {
 
-using curves::Range;
-
 constexpr int kCells = 32;  // of a piece
 constexpr double kMostChords = 100'000.0;
-constexpr double kRounding = 1.0 + 1e-12;
+constexpr double kOfSums = 1.0 + 1e-12;  // rounding of what is no range
 constexpr double kGrowth = 1.03;
-
-double most_of(Range a) { return std::max(std::abs(a.low), std::abs(a.high)); }
-double least_of(Range a) { return a.contains(0.0) ? 0.0 : std::min(std::abs(a.low), std::abs(a.high)); }
-Range product(Range a, Range b) {
-  const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  return {low, high};
-}
-Range operator-(Range a, Range b) { return {a.low - b.high, a.high - b.low}; }
 
 // r' and r'' over a range of t, by axis.
 class Bend {
@@ -42,28 +32,28 @@ class Bend {
       const double on_radius = word.address == ir::Address::x && family.x_is_diameter ? 0.5 : 1.0;
       const DerivativeRanges one = derivatives(family.arena, word.value, bound.values, curve.parameter, t);
       const auto axis = static_cast<std::size_t>(word.address) - static_cast<std::size_t>(ir::Address::x);
-      first_[axis] = {on_radius * one.first.low, on_radius * one.first.high};
-      second_[axis] = {on_radius * one.second.low, on_radius * one.second.high};
+      first_[axis] = on_radius * one.first;
+      second_[axis] = on_radius * one.second;
     }
   }
 
   // |r''|, or of it only what lies across the chord: 8/h² times how far the curve lies from it at most.
   [[nodiscard]] double most() const {
     const double all = std::hypot(most_of(second_[0]), most_of(second_[1]), most_of(second_[2]));
-    if (!std::isfinite(all)) return std::numeric_limits<double>::infinity();
+    if (!std::isfinite(all)) return kInfinity;
     const double length = std::hypot(least_of(first_[0]), least_of(first_[1]), least_of(first_[2]));
     // Where the curve turns back along its chord, the chord's ends may be nearer than its line is.
     double onward = 0.0;
-    for (const Range& one : first_) onward += product(one, one).low;
-    if (!(length > 0.0) || !(onward > 0.0)) return kRounding * all;
+    for (const Range& one : first_) onward += (one * one).low;
+    if (!(length > 0.0) || !(onward > 0.0)) return kOfSums * all;
     double squares = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
-      const double across = most_of(product(first_[i], second_[j]) - product(first_[j], second_[i]));
+      const double across = most_of(first_[i] * second_[j] - first_[j] * second_[i]);
       squares += across * across;
     }
     const double across = std::sqrt(squares) / length;
-    return kRounding * (across < all ? across : all);  // NaN is not less
+    return kOfSums * (across < all ? across : all);  // NaN is not less
   }
 
  private:

@@ -1,6 +1,5 @@
 // Value, first and second derivative are carried as intervals through each operator: for f(a),
 //   (f(a))'' = f''(a)·a'² + f'(a)·a''.
-// Every result is widened by a few units in the last place, so that rounding cannot make it too narrow.
 #include "dialects/family/second_derivative.h"
 
 #include <algorithm>
@@ -10,41 +9,15 @@
 #include <numbers>
 
 #include "dialects/family/evaluate.h"
+#include "dialects/family/range_arithmetic.h"
 
 namespace dripfeed::family {
 
 namespace {
 
-using curves::Range;
 using ir::Operator;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kAnything{-kInfinity, kInfinity};
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
-
-Range widened(double low, double high) {
-  if (!(low <= high)) return kAnything;  // NaN included
-  return {low - kRounding * std::abs(low), high + kRounding * std::abs(high)};
-}
-
-Range operator+(Range a, Range b) { return widened(a.low + b.low, a.high + b.high); }
-Range operator-(Range a) { return {-a.high, -a.low}; }
-
-Range operator*(Range a, Range b) {
-  const auto product = [](double p, double q) { return p == 0.0 || q == 0.0 ? 0.0 : p * q; };
-  const auto [low, high] =
-      std::minmax({product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
-  return widened(low, high);
-}
-Range operator*(double k, Range a) { return Range{k, k} * a; }
-
-Range square(Range a) {
-  const double largest = std::max(std::abs(a.low), std::abs(a.high));
-  const double least = a.contains(0.0) ? 0.0 : std::min(std::abs(a.low), std::abs(a.high));
-  return widened(least * least, largest * largest);
-}
-
 struct Jet {
   Range value;
   Range first;

@@ -36,12 +36,27 @@ void BodyReader::end_hidden_loop() {
   add(step(StepKind::for_end));
 }
 
-ExpressionId BodyReader::name_of(const Step& loop) {
+ExpressionId BodyReader::name_of(const Step& step) { return name_of(step.target); }
+
+// Or of a number of a list.
+ExpressionId BodyReader::name_of(ir::SymbolId symbol, ExpressionId index) {
   ir::Variable variable;
   variable.bank = ir::Bank::named;
-  variable.symbol = loop.target;
+  variable.symbol = symbol;
+  variable.index = index;
   variable.span = verb_;
   return family_.arena.add_variable(variable);
+}
+
+// A hidden loop over whole numbers, which gives its counter.
+ExpressionId BodyReader::count_hidden(std::string_view stem, double first, ExpressionId last) {
+  Step loop = hidden_loop(stem, kRatio);
+  loop.values[0] = family_.arena.add_constant(first, verb_);
+  loop.values[1] = last;
+  loop.values[2] = family_.arena.add_constant(1.0, verb_);
+  const ExpressionId counter = name_of(loop);
+  add(std::move(loop));
+  return counter;
 }
 
 ExpressionId BodyReader::calculated(Operator op, ExpressionId a, ExpressionId b) {
@@ -158,25 +173,16 @@ void BodyReader::thread_passes(const Step& one, ExpressionId pitch) {
     move_to(StepKind::rapid, Address::x, clear);
     move_to(StepKind::rapid, Address::z, from);
   };
-  const auto repeat = [&](std::string_view name, ExpressionId count) {
-    Step loop = hidden_loop(name, kRatio);
-    loop.values[0] = family_.arena.add_constant(1.0, verb_);
-    loop.values[1] = count;
-    loop.values[2] = family_.arena.add_constant(1.0, verb_);
-    const ExpressionId number = name_of(loop);
-    add(std::move(loop));
-    return number;
-  };
   move_to(StepKind::rapid, Address::x, clear);
   move_to(StepKind::rapid, Address::z, from);
   // Each pass takes a chip of the same area.
-  const ExpressionId number = repeat("thread_pass", passes);
+  const ExpressionId number = count_hidden("thread_pass", 1.0, passes);
   const ExpressionId share =
       calculated(Operator::sqrt, calculated(Operator::divide, number, passes), ExpressionId::none);
   pass(at_depth(calculated(Operator::multiply, depth, share)));
   end_hidden_loop();
   if (!springs) return;
-  repeat("spring_pass", spring);
+  count_hidden("spring_pass", 1.0, spring);
   pass(at_depth(depth));
   end_hidden_loop();
 }

@@ -263,64 +263,6 @@ std::string program_revision(const store::ProgramRevision& revision) {
   return dump(document);
 }
 
-std::string legend(std::span<const compile::LegendEntry> entries) {
-  Document out = Document::array();
-  for (const compile::LegendEntry& one : entries)
-    out.push_back({{"variable", one.variable},
-                   {"count", one.count},
-                   {"name", one.name},
-                   {"meaning", text_or_null(one.meaning)},
-                   {"unit", text_or_null(one.unit)},
-                   {"kind", compile::kLegendKindNames.at(static_cast<std::size_t>(one.kind))},
-                   {"value", one.value ? Document(*one.value) : Document(nullptr)}});
-  return dump(out);
-}
-
-std::vector<compile::LegendEntry> read_legend(std::string_view text) {
-  const auto text_of = [](const Document& member) { return member.is_null() ? "" : member.get<std::string>(); };
-  std::vector<compile::LegendEntry> out;
-  for (const Document& one : Document::parse(text)) {
-    const auto kind = std::ranges::find(compile::kLegendKindNames, one.at("kind").get<std::string>());
-    compile::LegendEntry entry{.variable = one.at("variable").get<std::string>(),
-                               .count = one.at("count").get<std::uint32_t>(),
-                               .name = one.at("name").get<std::string>(),
-                               .meaning = text_of(one.at("meaning")),
-                               .unit = text_of(one.at("unit")),
-                               .kind = static_cast<compile::LegendKind>(kind - compile::kLegendKindNames.begin())};
-    if (!one.at("value").is_null()) entry.value = one.at("value").get<double>();
-    out.push_back(std::move(entry));
-  }
-  return out;
-}
-
-std::string rendered(const app::Rendered& rendered, const text::Source& family) {
-  const compile::RenderResult& r = rendered.result;
-  return dump({{"program", rendered.program.id},
-               {"name", rendered.program.name},
-               {"revision", rendered.program.newest.revision},
-               {"mode", compile::name_of(r.mode)},
-               {"because", r.because},
-               {"blocks", r.blocks},
-               {"bytes", r.bytes},
-               {"variables", r.variables},
-               {"legend", embedded(legend(r.legend))},
-               {"sha256", rendered.program.newest.sha256},
-               {"diagnostics", embedded(diagnostics(r.diagnostics, family))}});
-}
-
-std::string preview(const app::Preview& preview) {
-  const compile::RenderResult& r = preview.result;
-  return dump({{"text", r.text},
-               {"mode", compile::name_of(r.mode)},
-               {"because", r.because},
-               {"blocks", r.blocks},
-               {"bytes", r.bytes},
-               {"variables", r.variables},
-               {"legend", embedded(legend(r.legend))},
-               {"diagnostics", embedded(diagnostics(r.diagnostics, {preview.family, preview.family_text}))},
-               {"drawing", embedded(preview.drawing)}});
-}
-
 std::string work(const app::Work& work) {
   const bool runs = work.running_since_ms != 0;
   return dump({{"id", work.id},

@@ -45,14 +45,14 @@ Schema legend_entry() {
 }
 
 Members rendering() {
-  return {
-      {"mode", one_of(render_modes(), "that was taken")},
-      {"because", text("why this mode, as one sentence")},
-      {"blocks", integer("lines of the text that are not empty and no %")},
-      {"bytes", integer("of the text")},
-      {"variables", integer("different user variables that the text touches")},
-      {"legend", list_of(legend_entry(), "what the variables of a macro mean, by their numbers; empty: plain blocks")},
-      {"diagnostics", diagnostics_schema("of the family's text")}};
+  return {{"mode", one_of(render_modes(), "that was taken")},
+          {"because", text("why this mode, as one sentence")},
+          {"blocks", integer("lines of the text that are not empty and no %")},
+          {"bytes", integer("of the text")},
+          {"variables", integer("different user variables that the text touches")},
+          {"legend", list_of(reference("LegendEntry"),
+                             "what the variables of a macro mean, by their numbers; empty: plain blocks")},
+          {"diagnostics", diagnostics_schema("of the family's text")}};
 }
 
 Schema place(std::string about) { return list_of(2, number("mm"), std::move(about)); }
@@ -81,6 +81,7 @@ Schema drawn_view() {
 
 Schemas program_schemas() {
   return {
+      {"LegendEntry", legend_entry()},
       {"Program",
        object(
            "a program with its newest revision",

@@ -187,12 +187,13 @@ class Renderer {
     if (text::has_error(raised.diagnostics)) return;
     result_.mode = RenderMode::macro;
     result_.because = because;
-    result_.legend = legend_of(bound_, raised);
     print(raised.program);
     const std::size_t longest = longest_line(printed_.text);
     const std::size_t most = request_.target.limits.block_length_bytes;
-    if (most == 0 || longest <= most) return;
-    if (!only) result_.legend.clear();
+    if (most == 0 || longest <= most) {
+      result_.legend = legend_of(bound_, raised);
+      return;
+    }
     if (!only)
       return explicit_blocks(fmt::format("as a macro a block has {} bytes, the control takes {}", longest, most));
     report({ir::diagnose(request_.target, text::DiagnosticId::block_too_long, {},

@@ -4882,6 +4882,26 @@ export interface components {
             /** @description when it was made; milliseconds since 1970, UTC */
             changed_at_ms: number;
         };
+        /** @description a variable, or a list of some in a row */
+        LegendEntry: {
+            /** @description as the control names it; of a list the first */
+            variable: string;
+            /** @description how many, in a row; 1: no list */
+            count: number;
+            /** @description in the family */
+            name: string;
+            /** @description of the parameter; null: none is stated */
+            meaning: string | null;
+            /** @description of the number in the variable; null: none, or not known */
+            unit: string | null;
+            /**
+             * @description parameter: people may change it; derived: it follows from those; computed: the program changes it
+             * @enum {string}
+             */
+            kind: "parameter" | "derived" | "computed";
+            /** @description that the text gives it; null: a list, or computed */
+            value: number | null;
+        };
         /**
          * @description a program with its newest revision
          * @example {
@@ -5089,25 +5109,7 @@ export interface components {
             /** @description different user variables that the text touches */
             variables: number;
             /** @description what the variables of a macro mean, by their numbers; empty: plain blocks */
-            legend: {
-                /** @description as the control names it; of a list the first */
-                variable: string;
-                /** @description how many, in a row; 1: no list */
-                count: number;
-                /** @description in the family */
-                name: string;
-                /** @description of the parameter; null: none is stated */
-                meaning: string | null;
-                /** @description of the number in the variable; null: none, or not known */
-                unit: string | null;
-                /**
-                 * @description parameter: people may change it; derived: it follows from those; computed: the program changes it
-                 * @enum {string}
-                 */
-                kind: "parameter" | "derived" | "computed";
-                /** @description that the text gives it; null: a list, or computed */
-                value: number | null;
-            }[];
+            legend: components["schemas"]["LegendEntry"][];
             /** @description of the family's text */
             diagnostics: {
                 /** @description of the kind of fault */
@@ -5155,25 +5157,7 @@ export interface components {
             /** @description different user variables that the text touches */
             variables: number;
             /** @description what the variables of a macro mean, by their numbers; empty: plain blocks */
-            legend: {
-                /** @description as the control names it; of a list the first */
-                variable: string;
-                /** @description how many, in a row; 1: no list */
-                count: number;
-                /** @description in the family */
-                name: string;
-                /** @description of the parameter; null: none is stated */
-                meaning: string | null;
-                /** @description of the number in the variable; null: none, or not known */
-                unit: string | null;
-                /**
-                 * @description parameter: people may change it; derived: it follows from those; computed: the program changes it
-                 * @enum {string}
-                 */
-                kind: "parameter" | "derived" | "computed";
-                /** @description that the text gives it; null: a list, or computed */
-                value: number | null;
-            }[];
+            legend: components["schemas"]["LegendEntry"][];
             /** @description of the family's text */
             diagnostics: {
                 /** @description of the kind of fault */
