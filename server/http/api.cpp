@@ -243,6 +243,8 @@ Response too_low(const Route& route, const Caller& caller, Right right) {
 std::expected<Caller, Response> Api::admit(const Request& request, const Route& route,
                                            std::optional<std::uint64_t> version) {
   auto caller = sessions_.caller(request, version);
+  if (!caller && caller.error().code != store::ErrorCode::not_found)
+    return std::unexpected(problem_response(app::from_store(caller.error())));
   if (!caller) {
     Response response = problem_response(401, "sign in, or send a token");
     response.headers.emplace_back("WWW-Authenticate", "Bearer");

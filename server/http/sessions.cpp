@@ -61,12 +61,12 @@ std::string owner_of(store::Id user) { return fmt::format("user/{}", user); }
 }  // namespace
 
 // A user that is disabled, or a token whose user is, is as good as none.
-std::optional<Sessions::Known> Sessions::ask(const std::string& hash, bool is_session) {
+store::Result<Sessions::Known> Sessions::ask(const std::string& hash, bool is_session) {
   Known known;
   store::Id user = 0;
   if (is_session) {
     auto found = kept_.find(hash);
-    if (!found) return std::nullopt;
+    if (!found) return std::unexpected(found.error());
     known = {.token = std::move(found->token),
              .user = std::nullopt,
              .owner = std::move(found->token_hash),
@@ -76,34 +76,38 @@ std::optional<Sessions::Known> Sessions::ask(const std::string& hash, bool is_se
     user = found->user_id;
   } else {
     auto token = tokens_.find(hash);
-    if (!token) return std::nullopt;
+    if (!token) return std::unexpected(token.error());
     known.token = std::move(*token);
     known.owner = hash;
   }
   if (known.token) user = known.token->user_id;
   if (user == 0) return known;
   auto rights = users_.rights(user);
-  if (!rights) return std::nullopt;
+  if (!rights) return std::unexpected(rights.error());
   known.user = std::move(*rights);
   if (!known.token) known.owner = owner_of(user);
   return known;
 }
 
-std::optional<Sessions::Known> Sessions::known(const std::string& hash, bool is_session,
+store::Result<Sessions::Known> Sessions::known(const std::string& hash, bool is_session,
                                                std::optional<std::uint64_t> version) {
   if (version) {
     const std::lock_guard lock(mutex_);
-    if (known_version_ != version) known_.clear();
-    known_version_ = version;
-    if (const auto found = known_.find(hash); found != known_.end()) return found->second;
+    if (const auto found = known_.find(hash); found != known_.end() && found->second.version == *version)
+      return found->second.known;
   }
   auto asked = ask(hash, is_session);
-  if (!asked) return std::nullopt;
   const std::lock_guard lock(mutex_);
+  if (!asked) {
+    const bool is_gone = asked.error().code == store::ErrorCode::not_found;
+    if (is_gone) known_.erase(hash);
+    const auto before = known_.find(hash);
+    return before == known_.end() ? asked : before->second.known;
+  }
   // Read after its version was asked for: should it have changed meanwhile, the next request finds another version.
-  if (version && known_version_ == version) {
+  if (version) {
     if (known_.size() >= kMostKnown) known_.clear();
-    known_[hash] = *asked;
+    known_[hash] = {.known = *asked, .version = *version};
   }
   return asked;
 }
@@ -153,19 +157,30 @@ bool Sessions::has_expired(const Known& session, const std::string& hash) const 
          now - session.opened_at_ms >= (is_pin ? kPinLongest_ms : kLongest_ms);
 }
 
-std::optional<Caller> Sessions::caller(const Request& request, std::optional<std::uint64_t> version) {
+namespace {
+
+std::unexpected<store::Error> no_credential() {
+  return std::unexpected(store::Error{store::ErrorCode::not_found, "no valid token or session"});
+}
+
+}  // namespace
+
+store::Result<Caller> Sessions::caller(const Request& request, std::optional<std::uint64_t> version) {
   if (const auto token = bearer_token(request.authorization)) {
     const auto found = known(hash::token_hash(*token), false, version);
-    return found && !has_ended(found->token) ? std::optional(caller_of(*found)) : std::nullopt;
+    if (!found) return std::unexpected(found.error());
+    if (has_ended(found->token)) return no_credential();
+    return caller_of(*found);
   }
   const std::string cookie = cookie_value(request.cookie, kSessionCookie);
-  if (cookie.empty()) return std::nullopt;
+  if (cookie.empty()) return no_credential();
   const std::string session = hash::token_hash(cookie);
   const auto found = known(session, true, version);
-  if (!found || has_ended(found->token)) return std::nullopt;
+  if (!found) return std::unexpected(found.error());
+  if (has_ended(found->token)) return no_credential();
   {
     const std::lock_guard lock(mutex_);
-    if (has_expired(*found, session)) return std::nullopt;
+    if (has_expired(*found, session)) return no_credential();
     used_[session] = now_ms_();
   }
   Caller caller = caller_of(*found);

@@ -50,9 +50,11 @@ class Sessions {
   Sessions(store::Tokens& tokens, store::Users& users, store::BrowserSessions& kept,
            std::function<std::int64_t()> now_ms)
       : tokens_(tokens), users_(users), kept_(kept), now_ms_(std::move(now_ms)) {}
-  // Nothing when the request has no valid token or session. `version`: of the store (Store::version()), asked for with
-  // this request: who was let in at the same one is let in again without asking. Nothing: the store is asked.
-  std::optional<Caller> caller(const Request& request, std::optional<std::uint64_t> version = std::nullopt);
+  // `version`: of the store (Store::version()), asked for with this request: who was let in at the same one is let in
+  // again without asking. Nothing: the store is asked. While it does not answer, who was let in before is let in: a
+  // person must be able to stop a line that still feeds. Errors: not_found (no valid token or session), and those of a
+  // store that cannot be read.
+  store::Result<Caller> caller(const Request& request, std::optional<std::uint64_t> version = std::nullopt);
   // The cookie's value for this token. Errors: not_found (the token is not valid), and those of a store that cannot
   // write.
   store::Result<std::string> open(std::string_view token);
@@ -77,9 +79,13 @@ class Sessions {
   static constexpr std::size_t kMostKnown = 1024;                          // then all are asked for again
   static constexpr std::int64_t kNoteEvery_ms = std::int64_t{5} * 60'000;  // uses, in the store
 
+  struct Remembered {
+    Known known;
+    std::uint64_t version = 0;  // of the store that said it
+  };
   // Of a token (its hash) or of a session, from what is known at this version or from the store.
-  std::optional<Known> known(const std::string& hash, bool is_session, std::optional<std::uint64_t> version);
-  std::optional<Known> ask(const std::string& hash, bool is_session);
+  store::Result<Known> known(const std::string& hash, bool is_session, std::optional<std::uint64_t> version);
+  store::Result<Known> ask(const std::string& hash, bool is_session);
   static Caller caller_of(const Known& known);
   [[nodiscard]] bool has_expired(const Known& session, const std::string& hash) const;
   [[nodiscard]] bool has_ended(const std::optional<store::Token>& token) const;
@@ -91,9 +97,8 @@ class Sessions {
   store::BrowserSessions& kept_;
   std::function<std::int64_t()> now_ms_;
   std::mutex mutex_;
-  std::optional<std::uint64_t> known_version_;  // of the store that `known_` was read from
-  std::map<std::string, Known> known_;          // by the hash of the token or of the cookie
-  std::map<std::string, std::int64_t> used_;    // sessions: the last use here, later than the store's
+  std::map<std::string, Remembered> known_;   // by the hash of the token or of the cookie
+  std::map<std::string, std::int64_t> used_;  // sessions: the last use here, later than the store's
 };
 
 // The cookie's value in a Cookie header, "" without one.

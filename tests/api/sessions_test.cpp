@@ -24,9 +24,11 @@ class CountedTokens final : public store::Tokens {
  public:
   explicit CountedTokens(store::Tokens& tokens) : tokens_(tokens) {}
   int asked = 0;
+  bool answers = true;
 
   store::Result<store::Token> find(std::string_view token_hash) override {
     ++asked;
+    if (!answers) return std::unexpected(store::Error{store::ErrorCode::io_failed, "no database"});
     return tokens_.find(token_hash);
   }
   store::Result<store::Token> add(const store::NewToken& token, const store::Stamp& by) override {
@@ -74,12 +76,14 @@ class SessionsTest : public ::testing::Test {
   std::optional<Caller> by_header(std::string header) {
     Request request;
     request.authorization = std::move(header);
-    return sessions_.caller(request);
+    auto caller = sessions_.caller(request);
+    return caller ? std::optional(std::move(*caller)) : std::nullopt;
   }
   std::optional<Caller> by_cookie(const std::string& header) {
     Request request;
     request.cookie = header;
-    return sessions_.caller(request);
+    auto caller = sessions_.caller(request);
+    return caller ? std::optional(std::move(*caller)) : std::nullopt;
   }
   static std::string cookie(const std::string& value) { return std::string(kSessionCookie) + "=" + value; }
 
@@ -315,6 +319,24 @@ TEST_F(SessionsTest, ATokenIsAskedForOnceAsLongAsTheStoreIsTheSame) {
   EXPECT_FALSE(sessions_.caller(request, 8)) << "a revocation changes the store";
   EXPECT_FALSE(sessions_.caller(request, 7)) << "nothing is left of what was known";
   EXPECT_FALSE(sessions_.caller(request));
+}
+
+TEST_F(SessionsTest, WhoWasLetInIsLetInWhileTheStoreDoesNotAnswer) {
+  Request known;
+  known.authorization = "Bearer secret";
+  ASSERT_TRUE(sessions_.caller(known, 7));
+  Request unknown;
+  unknown.authorization = "Bearer other";
+  tokens_.answers = false;
+  EXPECT_EQ(sessions_.caller(known).value().name, "olga");
+  EXPECT_EQ(sessions_.caller(known, 8).value().name, "olga");
+  EXPECT_EQ(sessions_.caller(unknown).error().code, store::ErrorCode::io_failed) << "it is not known to be wrong";
+  tokens_.answers = true;
+  EXPECT_EQ(sessions_.caller(unknown).error().code, store::ErrorCode::not_found);
+  take("secret");
+  EXPECT_EQ(sessions_.caller(known, 9).error().code, store::ErrorCode::not_found);
+  tokens_.answers = false;
+  EXPECT_FALSE(sessions_.caller(known, 9)) << "a revoked one is forgotten";
 }
 
 TEST_F(SessionsTest, WithoutAVersionATokenIsAskedForEachTime) {
