@@ -1,9 +1,33 @@
-// Reading a small content whole.
+// Reading a content whole, and again and again.
 #include "store/contents.h"
 
 #include <fmt/format.h>
 
 namespace dripfeed::store {
+namespace {
+
+class InPlace final : public ContentReader {
+ public:
+  InPlace(Contents& contents, std::string_view sha256) : contents_(contents), sha256_(sha256) {}
+  Result<std::size_t> read(std::uint64_t offset, std::span<char> into) override {
+    return contents_.read(sha256_, offset, into);
+  }
+
+ private:
+  Contents& contents_;
+  std::string sha256_;
+};
+
+}  // namespace
+
+std::shared_ptr<ContentReader> read_in_place(Contents& contents, std::string_view sha256) {
+  return std::make_shared<InPlace>(contents, sha256);
+}
+
+Result<std::shared_ptr<ContentReader>> Contents::reader(std::string_view sha256) {
+  if (auto whole = verify(sha256); !whole) return std::unexpected(whole.error());
+  return read_in_place(*this, sha256);
+}
 
 Result<std::string> read_whole(Contents& contents, std::string_view sha256, std::uint64_t most) {
   const auto content = contents.find(sha256);

@@ -32,6 +32,17 @@ class ContentWriter {
   virtual Result<Content> finish() = 0;
 };
 
+// Reads one content again and again over hours, as a feed does. One thread at a time.
+class ContentReader {
+ public:
+  ContentReader() = default;
+  ContentReader(const ContentReader&) = delete;
+  ContentReader& operator=(const ContentReader&) = delete;
+  virtual ~ContentReader() = default;
+  // As Contents::read().
+  virtual Result<std::size_t> read(std::uint64_t offset, std::span<char> into) = 0;
+};
+
 class Contents : public Repository {
  public:
   virtual Result<std::unique_ptr<ContentWriter>> begin() = 0;
@@ -42,9 +53,16 @@ class Contents : public Repository {
   // Bytes from `offset` on into `into`, as many as fit; 0 at the end. A call per chunk or more is cheap. Errors:
   // not_found.
   virtual Result<std::size_t> read(std::string_view sha256, std::uint64_t offset, std::span<char> into) = 0;
+  // For a text that goes to a machine, all of it read and compared with its hash: where the store is not on this
+  // computer's disks, a copy that is, so that no network has to answer while it is fed. It must not live longer than
+  // the store. Errors: not_found, corrupt, disk_full, io_failed.
+  virtual Result<std::shared_ptr<ContentReader>> reader(std::string_view sha256);
   // Reads all of it and compares the hash. Errors: not_found, corrupt.
   virtual Result<void> verify(std::string_view sha256) = 0;
 };
+
+// Reads in the store itself, whose reader() it is where the store is on this computer.
+std::shared_ptr<ContentReader> read_in_place(Contents& contents, std::string_view sha256);
 
 // The whole content; invalid_value when it is longer than `most`. For texts that are known to be small.
 Result<std::string> read_whole(Contents& contents, std::string_view sha256, std::uint64_t most);

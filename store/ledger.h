@@ -3,6 +3,7 @@
 // true count lies between `clocked` and `reserve` of the last row.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "store/basics.h"
@@ -41,6 +42,18 @@ struct LedgerFault {
   bool written = false;
 };
 
+// What is wrong with a job's row after the one before it; nothing where it keeps the rule.
+std::optional<LedgerFault> fault_of(Id job, const LedgerCounts& before, const LedgerCounts& counts);
+
+// Rows that are durable on this computer and not in the store yet, because its database does not answer.
+struct LateRows {
+  std::uint64_t commits = 0;  // that wait
+  std::int64_t since_ms = 0;  // of the oldest; 0: none waits
+  std::string why;            // the last attempt failed; "" where it did not
+  std::uint64_t faults = 0;   // rows that the store refused when they came, since the start
+  std::string last_fault;     // the newest of them
+};
+
 // What is known of a job: `low` bytes passed the line for certain, more than `high` never left.
 struct LedgerInterval {
   std::uint64_t low = 0;
@@ -59,6 +72,8 @@ class Ledger : public Repository {
   virtual Result<Page<LedgerRow>> rows(Id job, const PageRequest& page) = 0;
   // Errors: not_found.
   virtual Result<LedgerInterval> interval(Id job) = 0;
+  // See LateRows. It waits for nothing.
+  [[nodiscard]] virtual LateRows late() const { return {}; }
   // Checks of one job that its rows are complete, in order and keep the rule. Errors: not_found, corrupt.
   virtual Result<std::uint64_t> verify(Id job) = 0;
 };

@@ -111,6 +111,7 @@ constexpr std::array kRows = {
         "restart is a new job"},
     // jobs
     Row{"cannot_arm", "{machine} cannot be armed: {why}"},
+    Row{"stops_without_store", "{machine} stops at a block end, but the store does not answer: {why}"},
     Row{"folder_needs_memory", "machine {machine} fetches whole files from a folder: release the program for memory"},
     Row{"changed_after_verdict", "machine {machine} was changed after verdict {verdict}: check the text for it again"},
     Row{"job_not_on_line", "job {job} is not on the line of {machine}"},
@@ -174,6 +175,7 @@ constexpr std::array kRows = {
     Row{"store_busy", "another program holds the database for too long"},
     Row{"store_in_use", "another server runs on this database"},
     Row{"store_disk_full", "the disk is full"},
+    Row{"store_unreachable", "the database cannot be opened"},
     Row{"store_io", "the disk could not be read or written"},
     Row{"store_corrupt", "the database is damaged"},
     Row{"store_internal", "the database refused for a reason that should not exist"},

@@ -81,22 +81,6 @@ LedgerRow read_row(Query& query) {
   return row;
 }
 
-bool in_order(const LedgerCounts& counts) {
-  return counts.reserve >= counts.handed && counts.handed >= counts.clocked && counts.clocked >= counts.confirmed;
-}
-
-bool falls(const LedgerCounts& from, const LedgerCounts& to) {
-  return to.handed < from.handed || to.clocked < from.clocked || to.confirmed < from.confirmed;
-}
-
-// What is wrong with a row after another one.
-std::optional<LedgerFault> fault_of(Id job, const LedgerCounts& before, const LedgerCounts& counts) {
-  if (!in_order(counts)) return LedgerFault{job, "the counts contradict each other", false};
-  if (falls(before, counts)) return LedgerFault{job, "a count fell", false};
-  if (counts.handed > before.reserve) return LedgerFault{job, "more was handed than reserved", true};
-  return std::nullopt;
-}
-
 void write_row(Session& session, const Head& head, const NewLedgerRow& row, std::int64_t at_ms) {
   const std::uint64_t seq = head.known.seq + 1;
   const LedgerCounts& counts = row.counts;
@@ -137,7 +121,7 @@ Result<std::vector<LedgerFault>> LedgerTable::append(std::span<const NewLedgerRo
         faults.push_back({row.job, "there is no such job", false});
         continue;
       }
-      const auto fault = fault_of(row.job, head->known.last, row.counts);
+      const auto fault = store::fault_of(row.job, head->known.last, row.counts);
       if (fault) faults.push_back(*fault);
       if (!fault || fault->written) write_row(session, *head, row, at_ms);
     }
@@ -178,7 +162,7 @@ Result<std::uint64_t> LedgerTable::verify(Id job) {
     while (seq < head->known.seq) {
       const std::uint64_t to = std::min(seq + kMarkEvery, head->known.seq);
       for (const LedgerRow& row : rows_between(session, job, *head, seq + 1, to)) {
-        if (row.seq != ++seq || fault_of(job, before, row.counts)) {
+        if (row.seq != ++seq || store::fault_of(job, before, row.counts)) {
           return session.refuse(ErrorCode::corrupt, fmt::format("row {} of job {}", row.seq, job));
         }
         before = row.counts;

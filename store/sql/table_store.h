@@ -32,7 +32,7 @@ class TableStore : public store::Store {
   store::Machines& machines() override { return machines_; }
   store::Families& families() override { return families_; }
   store::Parts& parts() override { return parts_; }
-  ContentTable& contents() override { return contents_; }
+  store::Contents& contents() override { return contents_; }
   store::Programs& programs() override { return programs_; }
   store::Verdicts& verdicts() override { return verdicts_; }
   store::Releases& releases() override { return releases_; }
@@ -50,6 +50,8 @@ class TableStore : public store::Store {
   store::BrowserSessions& browser_sessions() override { return browser_sessions_; }
   store::Replies& replies() override { return replies_; }
 
+  // See ContentTable.
+  store::Result<void> drop_unused_contents() { return contents_.drop_unused(); }
   store::Result<void> atomically(const std::function<store::Result<void>()>& work) override;
   store::Result<void> atomically_shared(const std::function<store::Result<void>()>& work) override;
   store::Result<std::uint64_t> version() override { return database_->version(); }

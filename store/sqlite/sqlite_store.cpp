@@ -127,7 +127,7 @@ Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSe
   }
   auto opened = std::make_unique<SqliteStore>(path, settings, std::move(*database), std::move(checkpointer));
   if (settings.own) {
-    if (auto dropped = opened->contents().drop_unused(); !dropped) return std::unexpected(dropped.error());
+    if (auto dropped = opened->drop_unused_contents(); !dropped) return std::unexpected(dropped.error());
   }
   return opened;
 }

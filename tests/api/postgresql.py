@@ -44,6 +44,10 @@ class Database:
         log.close()
         shop.wait_for("the database", lambda: subprocess.run([BIN / "pg_isready", "-q", "-h", self.folder], timeout=30).returncode == 0)
 
+    def children(self):
+        with open(f"/proc/{self.process.pid}/task/{self.process.pid}/children", encoding="ascii") as file:
+            return [int(one) for one in file.read().split()]
+
     def stop(self):
         self.process.send_signal(signal.SIGINT)  # it ends connections and itself
         self.process.wait(60)

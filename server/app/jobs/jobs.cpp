@@ -201,8 +201,8 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   if (!machine) return std::unexpected(machine.error());
   const auto profile = documents_.read_profile(machine->profile);
   if (!profile) return std::unexpected(profile.error());
-  const auto whole = lift(store_.contents().verify(job->text_sha256));
-  if (!whole) return std::unexpected(whole.error());
+  const auto text = lift(store_.contents().reader(job->text_sha256));
+  if (!text) return std::unexpected(text.error());
   const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
   if (!facts) return std::unexpected(facts.error());
   if (auto same = refuse_outdated(job->text_sha256, *machine, job->delivery); !same)
@@ -211,7 +211,7 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   if (!name) return std::unexpected(name.error());
   const auto part = part_for(store_.contents(), job->text_sha256, *profile);
   if (!part) return std::unexpected(part.error());
-  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds, *part);
+  auto source = std::make_shared<ContentSource>(*text, rounds, *part);
   return Arming{
       .job = *job, .profile = *profile, .facts = *facts, .file_name = std::move(*name), .source = std::move(source)};
 }
@@ -332,13 +332,30 @@ bool Jobs::protects_number(std::string_view text_sha256) {
   return false;
 }
 
+// A person stops a feed whether the store answers or not. What is known of the job then is what its line reports.
+Result<store::Job> Jobs::end_without_store(store::Id id, feed::Command command, std::string_view actor,
+                                           const store::Error& why) {
+  if (why.code == store::ErrorCode::not_found) return std::unexpected(from_store(why));
+  for (const Seat& seat : lines_.all()) {
+    if (seat.line->report().job != id) continue;
+    if (const auto done = seat.line->command(command); !done) return fail(ErrorCode::refused, done.error());
+    spdlog::error("job {} on {} is stopped by {}, which no row says: {}", id, seat.machine, actor,
+                  store::message_of(why));
+    return fail(ErrorCode::unavailable, fmt::format("{} stops at a block end, but the store does not answer: {}",
+                                                    seat.machine, store::message_of(why)));
+  }
+  return std::unexpected(from_store(why));
+}
+
 Result<store::Job> Jobs::stop(store::Id id, std::string_view actor) {
+  if (const auto job = store_.jobs().get(id); !job)
+    return end_without_store(id, feed::Command::stop, actor, job.error());
   return command(id, feed::Command::stop, "job.stop", "", actor);
 }
 
 Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
   const auto job = store_.jobs().get(id);
-  if (!job) return std::unexpected(from_store(job.error()));
+  if (!job) return end_without_store(id, feed::Command::cancel, actor, job.error());
   if (job->state == store::JobState::queued) return cancel_queued(*job, actor);
   if (job->state != store::JobState::armed) return command(id, feed::Command::cancel, "job.cancel", "", actor);
   auto disarmed = command(id, feed::Command::disarm, "job.cancel", "", actor);

@@ -66,6 +66,8 @@ class Jobs {
   Result<Wanted> find_wanted(store::Id release);
   Result<void> refuse_outdated(std::string_view text_sha256, const store::Machine& machine, store::Delivery delivery);
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
+  Result<store::Job> end_without_store(store::Id job, feed::Command command, std::string_view actor,
+                                       const store::Error& why);
   Result<std::string> file_name(const machine::Profile& profile, store::Id program);
   // `note`: what stands in the ledger, where something does.
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,

@@ -66,6 +66,7 @@ void LedgerWriter::reset_confirmed(const std::string& machine, std::string_view 
 
 void LedgerWriter::round() {
   take_(write_books(), complaint_);
+  report_late();
   if (disk_reserve_ != nullptr && clock_.now() >= restore_at_) {
     restore_at_ = clock_.now() + kRestoreEvery;
     disk_reserve_->restore();
@@ -285,6 +286,16 @@ void LedgerWriter::report_slow_commit(std::chrono::nanoseconds took) {
   slow_again_at_ = clock_.now() + kSlowAgain;
   spdlog::warn("ledger: a commit took {} ms; the disk of the store is slow",
                std::chrono::duration_cast<std::chrono::milliseconds>(took).count());
+}
+
+// Once when the database stops to answer, and once when all is booked.
+void LedgerWriter::report_late() {
+  store::LateRows late = store_.ledger().late();
+  if (late.faults != late_.faults) spdlog::error("ledger: {} rows were refused: {}", late.faults, late.last_fault);
+  if (!late.why.empty() && late_.why.empty())
+    spdlog::error("ledger: the database does not take it ({}): feeds go on, and are booked later", late.why);
+  if (late.why.empty() && !late_.why.empty()) spdlog::info("ledger: the database takes it again");
+  late_ = std::move(late);
 }
 
 // The rows are durable: their windows may be used.

@@ -102,6 +102,7 @@ class LedgerWriter {
   store::Result<std::vector<store::LedgerFault>> append(std::span<const store::NewLedgerRow> rows);
   void after_commit(const Due& due);
   void report_slow_commit(std::chrono::nanoseconds took);
+  void report_late();
 
   store::Store& store_;
   Lines& lines_;
@@ -112,6 +113,7 @@ class LedgerWriter {
   feed::Time slow_again_at_{};
   std::map<std::string, Tracked> tracked_;
   std::string complaint_;  // why the last commit failed; empty: it did not
+  store::LateRows late_;   // as it was reported last
 
   LineMutex mutex_{"what is left for the ledger"};  // of what others leave for the next round
   std::map<std::uint64_t, Expected> expected_;      // by session

@@ -23,8 +23,8 @@ std::unexpected<Error> refuse_at(std::uint64_t line, std::uint64_t column, const
 
 }  // namespace
 
-ContentSource::ContentSource(store::Contents& contents, std::string sha256, std::uint32_t rounds, TextPart part)
-    : contents_(contents), sha256_(std::move(sha256)), rounds_left_(rounds), part_(part), offset_(part.begin) {
+ContentSource::ContentSource(std::shared_ptr<store::ContentReader> text, std::uint32_t rounds, TextPart part)
+    : text_(std::move(text)), rounds_left_(rounds), part_(part), offset_(part.begin) {
   refill();
 }
 
@@ -36,7 +36,7 @@ void ContentSource::refill() {
 
 void ContentSource::fill_one(std::string& chunk) {
   std::string raw(std::min<std::uint64_t>(store::kChunkBytes, part_.end - offset_), '\0');
-  const auto count = raw.empty() ? store::Result<std::size_t>(0) : contents_.read(sha256_, offset_, raw);
+  const auto count = raw.empty() ? store::Result<std::size_t>(0) : text_->read(offset_, raw);
   if (!count) {
     failed_.store(true);
     return;
@@ -90,7 +90,7 @@ Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::s
   if (!line) return fail(ErrorCode::refused, line.error());
   const auto part = part_for(contents, sha256, profile);
   if (!part) return std::unexpected(part.error());
-  ContentSource source(contents, sha256, 1, *part);
+  ContentSource source(store::read_in_place(contents, sha256), 1, *part);
   feed::ProgramCheck check(machine::program_syntax_of(profile, delivery));
   tape_code::CharacterCheck characters(machine::characters_of(*line));
   for (;;) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "protocol/feed/program_check.h"
@@ -29,8 +30,8 @@ class ContentSource final : public tape_code::TextSource {
   static constexpr std::size_t kChunks = 4;
 
   // The text `rounds` times; no piece spans two of them.
-  ContentSource(store::Contents& contents, std::string sha256, std::uint32_t rounds = 1, TextPart part = {});
-  // Fills the free chunks. From one thread; the store is read here and nowhere else.
+  explicit ContentSource(std::shared_ptr<store::ContentReader> text, std::uint32_t rounds = 1, TextPart part = {});
+  // Fills the free chunks. From one thread; the text is read here and nowhere else.
   void refill();
   // On the feed's thread.
   tape_code::TextPiece next() noexcept override;
@@ -38,8 +39,7 @@ class ContentSource final : public tape_code::TextSource {
  private:
   void fill_one(std::string& chunk);
 
-  store::Contents& contents_;
-  std::string sha256_;
+  std::shared_ptr<store::ContentReader> text_;
   std::uint32_t rounds_left_;
   TextPart part_;
   std::uint64_t offset_;

@@ -41,7 +41,7 @@ TEST_F(ContentSourceTest, GivesTheWholeTextAtEveryLength) {
   for (const std::string_view eob : {"\n", "\r\n", "\n\r\r", "\r"}) {
     for (const std::size_t bytes : {std::size_t{1}, kChunk - 1, kChunk, kChunk + 1, 5 * kChunk, 6 * kChunk + 17}) {
       const std::string text = numbered(bytes, eob);
-      ContentSource source(store_->contents(), put(text));
+      ContentSource source(store::read_in_place(store_->contents(), put(text)));
       std::string taken;
       for (;;) {
         const auto piece = source.next();
@@ -64,7 +64,7 @@ TEST_F(ContentSourceTest, GivesTheWholeTextAtEveryLength) {
 }
 
 TEST_F(ContentSourceTest, ReadsNoFurtherAheadThanItsChunks) {
-  ContentSource source(store_->contents(), put(numbered(10 * store::kChunkBytes, "\n")));
+  ContentSource source(store::read_in_place(store_->contents(), put(numbered(10 * store::kChunkBytes, "\n"))));
   for (std::size_t i = 0; i < ContentSource::kChunks; ++i) ASSERT_EQ(source.next().status, SourceStatus::text);
   EXPECT_EQ(source.next().status, SourceStatus::not_ready) << "nobody filled it meanwhile";
   EXPECT_EQ(source.next().status, SourceStatus::not_ready);
@@ -73,7 +73,7 @@ TEST_F(ContentSourceTest, ReadsNoFurtherAheadThanItsChunks) {
 }
 
 TEST_F(ContentSourceTest, ATextThatIsNotThereHasFailed) {
-  ContentSource source(store_->contents(), std::string(64, 'a'));
+  ContentSource source(store::read_in_place(store_->contents(), std::string(64, 'a')));
   EXPECT_EQ(source.next().status, SourceStatus::failed);
   source.refill();
   EXPECT_EQ(source.next().status, SourceStatus::failed);
@@ -81,7 +81,7 @@ TEST_F(ContentSourceTest, ATextThatIsNotThereHasFailed) {
 
 TEST_F(ContentSourceTest, OneThreadFillsWhileAnotherTakes) {
   const std::string text = numbered(40 * store::kChunkBytes, "\n");
-  ContentSource source(store_->contents(), put(text));
+  ContentSource source(store::read_in_place(store_->contents(), put(text)));
   std::atomic<bool> over = false;
   std::thread filling([&] {
     while (!over.load()) source.refill();
@@ -159,7 +159,7 @@ TEST_F(ContentSourceTest, AFolderOfSinumerikGetsTheFileAndNotTheArchive) {
   const std::string body = numbered(3 * store::kChunkBytes, "\n") + "\nM30\n";
   const std::string sha = put("%_N_ROLL_MPF\r\n;$PATH=/_N_MPF_DIR\r\n" + body + "%\r\n");
   const TextPart part = must(part_for(store_->contents(), sha, profile));
-  ContentSource source(store_->contents(), sha, 2, part);
+  ContentSource source(store::read_in_place(store_->contents(), sha), 2, part);
   EXPECT_EQ(all_of(source), body + body);
   const auto facts = must(check_program(store_->contents(), sha, profile, ir::Delivery::memory));
   EXPECT_EQ(facts.text_bytes(), body.size());
