@@ -46,8 +46,8 @@ class Answers : public Repository {
   // A person says that the control of this machine was reset. Errors: not_found (nothing waits), invalid_value (no
   // reason).
   virtual Result<Answer> confirm_reset(std::string_view machine, std::string_view reason, const Stamp& by) = 0;
-  // For the start of a server: what was being sent when the one before it ended is torn.
-  virtual Result<std::vector<Answer>> tear_unfinished(const Stamp& by) = 0;
+  // For the start of a server: what was being sent to these machines when the one before it ended is torn.
+  virtual Result<std::vector<Answer>> tear_unfinished(const Stamp& by, const OfMachines& of = {}) = 0;
   // Newest first; of one machine when it is not empty.
   virtual Result<Page<Answer>> list(const PageRequest& page, std::string_view machine = {}) = 0;
 };

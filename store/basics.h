@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -62,6 +63,9 @@ struct Page {
   std::vector<T> items;
   std::string next;
 };
+
+// Which machines something is about; empty: all.
+using OfMachines = std::function<bool(std::string_view machine)>;
 
 // Base of the repositories: they are referred to, not copied.
 class Repository {

@@ -28,6 +28,7 @@ constexpr std::array kRows{
     Row{ErrorCode::sign_off_missing, "sign-off-missing", "an approval needs a note of who signs it off"},
     Row{ErrorCode::four_eyes, "four-eyes", "whoever wrote or released a text may not approve it on this machine"},
     Row{ErrorCode::machine_busy, "machine-busy", "another job has the machine's line"},
+    Row{ErrorCode::not_leased, "not-leased", "the machine's line is with another server of this store"},
     Row{ErrorCode::machine_torn, "machine-torn",
         "a block was torn on this machine: a person must confirm that the control was reset"},
     Row{ErrorCode::key_reused, "key-reused", "the idempotency key was used for another request"},

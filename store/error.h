@@ -24,6 +24,7 @@ enum class ErrorCode : std::uint8_t {
   sign_off_missing,    // a release is approved by a person with a note
   four_eyes,           // who wrote or released a text wants to approve it
   machine_busy,        // another job of the machine is armed or runs
+  not_leased,          // the machine's line is another node's
   machine_torn,        // a block was torn; a person must confirm the reset of the control first
   key_reused,          // an idempotency key came back with another request
   append_only,         // the row may never change

@@ -131,8 +131,9 @@ class Jobs : public Repository {
   virtual Result<std::optional<Job>> on_line(std::string_view machine) = 0;
   // The job whose torn block waits for a confirmation.
   virtual Result<std::optional<Job>> torn_on(std::string_view machine) = 0;
-  // For the start of a server: every job that had a line becomes interrupted, torn wherever bytes may have gone out.
-  virtual Result<std::vector<Job>> interrupt_unfinished(const Stamp& by) = 0;
+  // For the start of a server: every job that had a line, of these machines, becomes interrupted, torn wherever bytes
+  // may have gone out.
+  virtual Result<std::vector<Job>> interrupt_unfinished(const Stamp& by, const OfMachines& of = {}) = 0;
 };
 
 }  // namespace dripfeed::store

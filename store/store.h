@@ -15,6 +15,7 @@
 #include "store/jobs.h"
 #include "store/ledger.h"
 #include "store/machines.h"
+#include "store/nodes.h"
 #include "store/orders.h"
 #include "store/parts.h"
 #include "store/programs.h"
@@ -54,6 +55,8 @@ class Store : public Repository {
   virtual Tokens& tokens() = 0;
   virtual BrowserSessions& browser_sessions() = 0;
   virtual Replies& replies() = 0;
+  // nullptr: this store has one server.
+  virtual Nodes* nodes() { return nullptr; }
 
   // All that `work` does on this thread is one transaction; it is undone when work returns an error. A call inside that
   // fails is undone alone. Everybody else's changes wait meanwhile, the ledger's too: only calls of the store belong

@@ -70,8 +70,13 @@ Application::Application(const Environment& environment)
       event_source_(environment.event_source),
       links_(environment.links) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
-  if (environment.sender != nullptr)
-    webhooks_.emplace(store_, events_, clock_, *environment.sender, environment.webhooks);
+  if (store::Nodes* const nodes = store_.nodes())
+    nodes_.emplace(store_, *nodes, lines_, catalog_, events_, clock_, environment.version);
+  if (environment.sender != nullptr) {
+    WebhookSettings settings = environment.webhooks;
+    if (nodes_) settings.leads = [this] { return nodes_->leads(); };
+    webhooks_.emplace(store_, events_, clock_, *environment.sender, std::move(settings));
+  }
 }
 
 void Application::line_changed() {
@@ -83,6 +88,7 @@ Application::~Application() { end_lines(); }
 
 void Application::end_lines() {
   receiving_.stop();
+  if (nodes_) nodes_->stop();
   cancel_all();
   static_cast<void>(books_.settle());
   // The lines wake the books, so they go before them.
@@ -93,7 +99,12 @@ void Application::end_lines() {
 }
 
 Result<void> Application::start() {
-  const auto interrupted = store_.jobs().interrupt_unfinished({"dripfeed", clock_.wall_ms()});
+  store::OfMachines ours;
+  if (nodes_) {
+    if (auto started = nodes_->start(); !started) return started;
+    ours = [this](std::string_view machine) { return nodes_->is_ours(machine); };
+  }
+  const auto interrupted = store_.jobs().interrupt_unfinished({"dripfeed", clock_.wall_ms()}, ours);
   if (!interrupted) return std::unexpected(from_store(interrupted.error()));
   for (const store::Job& job : *interrupted) {
     spdlog::warn("job {} on {} was interrupted: {}", job.id, job.machine, job.reason);
@@ -105,12 +116,14 @@ Result<void> Application::start() {
                      .outcome = {},
                      .text = job.reason});
   }
-  const auto torn = store_.answers().tear_unfinished({"dripfeed", clock_.wall_ms()});
+  const auto torn = store_.answers().tear_unfinished({"dripfeed", clock_.wall_ms()}, ours);
   if (!torn) return std::unexpected(from_store(torn.error()));
   for (const store::Answer& answer : *torn) spdlog::warn("an answer to {}: {}", answer.machine, answer.reason);
   // Before the lines: what they report is newer.
   if (auto looked = alarms_.start(); !looked) return looked;
-  return catalog_.open_lines();
+  if (auto opened = catalog_.open_lines(ours); !opened) return opened;
+  if (nodes_) nodes_->follow();
+  return {};
 }
 
 namespace {

@@ -24,6 +24,7 @@
 #include "server/app/ports/ports.h"
 #include "server/app/receive/receiving.h"
 #include "server/app/shop/catalog.h"
+#include "server/app/shop/node_lines.h"
 #include "store/store.h"
 
 namespace dripfeed::app {
@@ -63,6 +64,7 @@ class Application {
     WebhookSettings webhooks{};
     Maintenance* maintenance = nullptr;  // of the store
     std::string event_source{};          // who we are for other systems, a URI
+    std::string version{};               // of this program, for other nodes
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -114,6 +116,8 @@ class Application {
   // They are begun by the first who asks.
   Observations& observations();
   [[nodiscard]] const std::string& event_source() const { return event_source_; }
+  // nullptr: this is the one server of its store.
+  NodeLines* nodes() { return nodes_ ? &*nodes_ : nullptr; }
   // nullptr: there are none.
   Webhooks* webhooks() { return webhooks_ ? &*webhooks_ : nullptr; }
   // nullptr: there is none.
@@ -139,6 +143,7 @@ class Application {
   Jobs jobs_;
   Receiving receiving_;
   std::optional<LibraryIndexer> library_;
+  std::optional<NodeLines> nodes_;
   std::optional<Webhooks> webhooks_;
   Maintenance* maintenance_;
   std::string event_source_;

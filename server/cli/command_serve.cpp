@@ -226,7 +226,8 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .sender = sender->get(),
                                 .webhooks = {.write = write_event, .retries_s = webhook_retries(options)},
                                 .maintenance = &maintenance,
-                                .event_source = event_source(options)});
+                                .event_source = event_source(options),
+                                .version = std::string(kVersion)});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {
@@ -271,6 +272,9 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
     print_error(server.error());
     return kWrongUse;
   }
+  if (app::NodeLines* const nodes = application.nodes())
+    nodes->announce(fmt::format("{}://{}:{}", options.tls_cert.empty() ? "http" : "https",
+                                http::is_loopback(plan.address) ? plan.address.host : host_name(), (*server)->port()));
   announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", options.tls_cert.empty() ? "http" : "https",
                        plan.address.host, (*server)->port(), (fs::path(options.data) / "first-token").string()));
   {
@@ -304,7 +308,7 @@ int serve(const ServerOptions& options, const Reload::Read& read_again) {
     return kWrongUse;
   }
   raise_file_limit();
-  auto store = open_to_serve({.data = options.data, .url = options.store});
+  auto store = open_to_serve({.data = options.data, .url = options.store, .node = options.node});
   if (!store) {
     print_error(store::message_of(store.error()));
     return kWrongUse;

@@ -48,7 +48,7 @@ Result<void> mark(const std::string& data) {
 Result<std::unique_ptr<store::Store>> open_to_serve(const StorePlace& place) {
   if (auto known = know_place(place); !known) return std::unexpected(known.error());
   if (place.url.empty()) return sqlite::open(store_path(place.data), {.own = true, .checkpoints_aside = true});
-  auto opened = postgresql::open(place.url, {.own = true, .local_folder = place.data});
+  auto opened = postgresql::open(place.url, {.own = true, .node = place.node, .local_folder = place.data});
   if (!opened) return opened;
   if (auto marked = mark(place.data); !marked) return std::unexpected(marked.error());
   return opened;

@@ -14,7 +14,8 @@ inline constexpr const char* kStoreOption =
 
 struct StorePlace {
   std::string data;   // the folder
-  std::string url{};  // of the database; "": the store is in the folder
+  std::string url{};   // of the database; "": the store is in the folder
+  std::string node{};  // of several servers of it, this one
 };
 
 // As the one server of the store. It is made where there is none. Errors: as sqlite::open() and postgresql::open();

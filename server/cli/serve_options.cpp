@@ -32,6 +32,8 @@ constexpr Row<std::string> kTexts[] = {
      "postgresql://USER@HOST/DATABASE: keep the store in this database of a PostgreSQL server, 14 or later; without "
      "it, "
      "in the folder"},
+    {"--node", &ServerOptions::node,
+     "name of this server, where several share the store of a PostgreSQL server: each has the lines of its machines"},
     {"--backups", &ServerOptions::backups,
      "folder of the backups that admins make on the page, best on another disk; DATA/backups by default"},
     {"--listen", &ServerOptions::listen, "ADDRESS:PORT, loopback by default"},
@@ -157,6 +159,11 @@ app::Result<void> check_readers(const ServerOptions& options, const http::Listen
                                options.modbus_listen));
 }
 
+app::Result<void> check_node(const ServerOptions& options) {
+  if (options.node.empty() || !options.store.empty()) return {};
+  return app::fail(app::ErrorCode::invalid, "--node: only servers that share a store have names; give --store, too");
+}
+
 app::Result<void> check_mqtt(const ServerOptions& options) {
   if (options.mqtt.empty()) return {};
   if (const std::string why = io::why_no_mqtt_url(options.mqtt); !why.empty())
@@ -218,6 +225,7 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
   const auto address = http::parse_listen_address(options.listen);
   if (!address) return app::fail(app::ErrorCode::invalid, address.error());
   if (const auto tls = check_tls(options, *address); !tls) return std::unexpected(tls.error());
+  if (const auto node = check_node(options); !node) return std::unexpected(node.error());
   if (const auto mqtt = check_mqtt(options); !mqtt) return std::unexpected(mqtt.error());
   if (const auto proxies = check_addresses("--proxy", options.proxy); !proxies) return std::unexpected(proxies.error());
   if (const auto readers = check_addresses("--modbus-allow", options.modbus_allow); !readers)

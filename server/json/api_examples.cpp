@@ -46,6 +46,7 @@ constexpr std::array kExamples = {
       "needs_confirmation": false, "confirmed_by": null, "confirm_reason": null, "read_back": null,
       "read_back_state": null})"},
     ApiExample{"Reason", R"({"reason": "the control was reset"})"},
+    ApiExample{"HandOver", R"({"node": "hall-2", "reason": "the machine moves to hall 2"})"},
     ApiExample{"NewToken", R"({"name": "the MES", "role": "operator", "scope": ["queue"]})"},
     ApiExample{"NewWebhook", R"({"url": "https://mes.shop/dripfeed", "types": ["job.*", "alarm.raised"],
       "description": "the MES"})"},

@@ -35,6 +35,7 @@ struct PathRow {
 constexpr std::array kPaths = {
     PathRow{"/api/v1/machines", "Machines"},
     PathRow{"/api/v1/groups", "Machines"},
+    PathRow{"/api/v1/nodes", "Machines"},
     PathRow{"/api/v1/families", "Families and parts"},
     PathRow{"/api/v1/parts", "Families and parts"},
     PathRow{"/api/v1/render", "Families and parts"},

@@ -41,6 +41,7 @@ constexpr GlossaryRow kRows[] = {
     {"user", "name of a person whose rights it has, up to its role; not given: a program's own"},
     {"scope", "what it may change: library, checks, releases, queue, line, setup; not given: all that its role may"},
     {"expires_at_ms", "until when it is valid, in milliseconds since 1970; not given: it does not end"},
+    {"HandOver/node", "name of the server that gets the line, as GET /nodes lists it"},
     {"machines", "names of all machines of the group"},
     {"four_eyes",
      "whether a person who wrote or released a text may not approve it on these machines; not given: false"},

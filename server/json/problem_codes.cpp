@@ -54,7 +54,7 @@ constexpr std::array kCodes = {
                 "store_machine_torn torn_reset_first maybe_torn block_torn_here block_torn_confirm other_session "
                 "line_confirm_first"},
     ProblemCode{"line_down", 409, "line down", "the machine has no line, or its link is down", 0,
-                "no_line no_line_because link_down link_down_plain nothing_leaves"},
+                "no_line no_line_because line_elsewhere store_not_leased link_down link_down_plain nothing_leaves"},
     ProblemCode{"append_only", 409, "append only", "what is written there never changes", 0, "store_append_only"},
     ProblemCode{"stale_revision", 412, "stale revision", "another change came first: read it again"},
     ProblemCode{"too_large", 413, "too large", "the body is too long for this route"},

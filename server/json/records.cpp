@@ -277,6 +277,25 @@ std::string work(const app::Work& work) {
                {"budget_s", work.budget_s == 0 ? Document(nullptr) : Document(work.budget_s)}});
 }
 
+std::string node(const store::Node& node, std::span<const store::Lease> leases, bool is_this) {
+  Document machines = Document::array();
+  for (const store::Lease& lease : leases) {
+    machines.push_back({{"name", lease.machine},
+                        {"lease", lease.number},
+                        {"since_ms", lease.since_ms},
+                        {"given_by", lease.given_by},
+                        {"reason", text_or_null(lease.reason)}});
+  }
+  return dump({{"name", node.name},
+               {"this", is_this},
+               {"url", text_or_null(node.url)},
+               {"version", text_or_null(node.version)},
+               {"answers", node.is_heard},
+               {"started_at_ms", node.started_at_ms},
+               {"seen_at_ms", node.seen_at_ms},
+               {"machines", std::move(machines)}});
+}
+
 std::string release(const store::Release& release) {
   return dump({{"id", release.id},
                {"state", store::name_of(release.state)},

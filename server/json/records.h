@@ -63,6 +63,8 @@ std::string search_result(std::span<const SearchHit> hits, std::string_view next
                           std::uint64_t waiting);
 std::string program_uses(const app::ProgramUses& uses);
 std::string work(const app::Work& work);
+// A server of the store with the machines whose lines it has; `is_this`: the one that answers.
+std::string node(const store::Node& node, std::span<const store::Lease> leases, bool is_this);
 std::string store_room(const app::StoreRoom& room);
 std::string backup(const app::BackupFile& file);
 

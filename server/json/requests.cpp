@@ -251,6 +251,11 @@ void read_members(ObjectReader& o, app::SweepOrder& into) {
 void read_reason(ObjectReader& o, ReasonBody& into) { o.text("reason", into.reason, true); }
 void read_optional_reason(ObjectReader& o, ReasonBody& into) { o.text("reason", into.reason); }
 
+void read_members(ObjectReader& o, HandOverBody& into) {
+  o.text("node", into.node, true);
+  o.text("reason", into.reason, true);
+}
+
 void read_members(ObjectReader& o, store::NewWaiver& into) {
   o.text("reason", into.reason, true);
   o.text("point", into.point);
@@ -359,6 +364,7 @@ app::Result<RestartBody> read_restart_body(std::string_view body, bool makes) {
 app::Result<ReasonBody> read_reason_body(std::string_view body, bool required) {
   return read_by<ReasonBody>(required ? read_reason : read_optional_reason, or_empty(body));
 }
+app::Result<HandOverBody> read_hand_over_body(std::string_view body) { return read_body<HandOverBody>(body); }
 app::Result<store::NewWaiver> read_waiver_body(std::string_view body) { return read_body<store::NewWaiver>(body); }
 app::Result<store::ReleaseMove> read_transition_body(std::string_view body) {
   return read_body<store::ReleaseMove>(body);
@@ -417,6 +423,7 @@ Schemas request_schemas() {
       described<MoveBody>("Move", read_members, "the new place of a queued job"),
       described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for no person"),
       described<store::NewWaiver>("NewWaiver", read_members, "a person answers for a verdict, or for a point of it"),
+      described<HandOverBody>("HandOver", read_members, "which server gets a machine's line, and why"),
       described<ReasonBody>("Reason", read_reason, "why a person does it"),
       described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, where they state it"),
       described<store::WebhookSettings>("NewWebhook", read_new_webhook, "who receives which events"),

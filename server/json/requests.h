@@ -141,6 +141,12 @@ struct ReasonBody {
 // An empty body is one without members.
 app::Result<ReasonBody> read_reason_body(std::string_view body, bool required);
 
+struct HandOverBody {
+  std::string node;
+  std::string reason;
+};
+app::Result<HandOverBody> read_hand_over_body(std::string_view body);
+
 app::Result<store::ReleaseMove> read_transition_body(std::string_view body);
 
 // An empty body is one without members.

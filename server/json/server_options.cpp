@@ -69,6 +69,7 @@ void read_retries(ObjectReader& o, std::vector<double>& into) {
 void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("data", into.data);
   o.text("store", into.store);
+  o.text("node", into.node);
   o.text("backups", into.backups);
   o.text("listen", into.listen);
   o.text("web", into.web);

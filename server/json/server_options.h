@@ -14,6 +14,7 @@ namespace dripfeed::json {
 struct ServerOptions {
   std::string data = "data";
   std::string store{};    // "": in the folder
+  std::string node{};     // name of this server among those of its store; "": it is the only one
   std::string backups{};  // "": DATA/backups
   std::string listen = "127.0.0.1:8840";
   std::string web{};

@@ -20,8 +20,9 @@ class JournaledAnswers final : public store::Answers {
   // Waits for the rows before it. Errors besides: busy, where the database does not answer.
   store::Result<store::Answer> confirm_reset(std::string_view machine, std::string_view reason,
                                              const store::Stamp& by) override;
-  store::Result<std::vector<store::Answer>> tear_unfinished(const store::Stamp& by) override {
-    return booked_.tear_unfinished(by);
+  store::Result<std::vector<store::Answer>> tear_unfinished(const store::Stamp& by,
+                                                            const store::OfMachines& of) override {
+    return booked_.tear_unfinished(by, of);
   }
   store::Result<store::Page<store::Answer>> list(const store::PageRequest& page, std::string_view machine) override {
     return booked_.list(page, machine);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <sys/prctl.h>
 
 namespace dripfeed::journal {
 namespace {
@@ -86,6 +87,7 @@ void LedgerJournal::each_waiting(const std::function<void(const Entry&)>& visit)
 }
 
 void LedgerJournal::loop(const std::stop_token& stop) {
+  ::prctl(PR_SET_NAME, "journal");
   while (!stop.stop_requested()) {
     {
       std::unique_lock lock(mutex_);

@@ -1,4 +1,5 @@
-// The table of error codes: Appendix A of PostgreSQL's manual, and DF001, which the triggers of the schema raise.
+// The table of error codes: Appendix A of PostgreSQL's manual, and DF001 and DF002, which the triggers of the schema
+// raise.
 #include "store/postgresql/fault.h"
 
 #include <array>
@@ -16,6 +17,7 @@ struct Row {
 // A code before the class that it belongs to: the first match counts.
 constexpr std::array kRows{
     Row{"DF001", ErrorCode::append_only},
+    Row{"DF002", ErrorCode::not_leased},
     Row{"23505", ErrorCode::exists},
     Row{"23503", ErrorCode::broken_reference},
     Row{"23001", ErrorCode::broken_reference},

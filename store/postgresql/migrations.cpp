@@ -46,7 +46,7 @@ constexpr sql::Mark kStore{.stands = is_marked, .sql = kMark};
 
 std::span<const sql::Migration> migrations() {
   static const std::array kMigrations{sql::Migration{1, "tables", kSchemaV1}, sql::Migration{2, "rules", kSchemaV2},
-                                      sql::Migration{3, "journals", kSchemaV3}};
+                                      sql::Migration{3, "nodes", kSchemaV3}};
   return kMigrations;
 }
 

@@ -14,6 +14,8 @@ struct OpenSettings {
   bool own = false;                      // be the one server of this store: others that want to own it get in_use
   bool create = true;                    // make the tables when they are not there
   std::uint32_t busy_timeout_ms = 5000;  // how long to wait for another process's write
+  // One of several servers of this store, by its name; with `own`. "": the only one.
+  std::string node{};
   // Folder on this computer, for one store and one server: what a feed needs while the database does not answer is kept
   // there, see store/journal/entry.h. "": a feed waits for the database.
   std::string local_folder{};

@@ -5,6 +5,7 @@
 #include "store/journal/journaled_ledger.h"
 #include "store/journal/local_contents.h"
 #include "store/postgresql/journal_booking.h"
+#include "store/postgresql/node_table.h"
 #include "store/postgresql/open.h"
 #include "store/postgresql/server.h"
 #include "store/sql/table_store.h"
@@ -38,6 +39,12 @@ class PostgresqlStore final : public sql::TableStore {
   store::Answers& answers() override { return local_ ? local_->answers : TableStore::answers(); }
   store::Contents& contents() override { return local_ ? local_->contents : TableStore::contents(); }
 
+  store::Nodes* nodes() override { return nodes_ ? &*nodes_ : nullptr; }
+  void be_node(const std::string& name, const std::string& url) {
+    nodes_.emplace(database(), NodeTable::Others{TableStore::jobs(), TableStore::answers(), TableStore::ledger()}, name,
+                   url);
+  }
+
   // Before anything else is done with the store.
   Result<void> keep_locally(const std::string& folder) {
     auto journal = open_journal(database(), {TableStore::ledger(), TableStore::answers()}, folder + "/ledger.journal");
@@ -61,6 +68,7 @@ class PostgresqlStore final : public sql::TableStore {
   }
 
  private:
+  std::optional<NodeTable> nodes_;
   std::unique_ptr<Local> local_;  // before the tables that it writes to go
 };
 
@@ -72,7 +80,9 @@ Result<std::unique_ptr<store::Store>> open(const std::string& url, const OpenSet
   auto database = sql::Database::open(std::move(*server));
   if (!database) return std::unexpected(database.error());
   auto opened = std::make_unique<PostgresqlStore>(std::move(*database));
-  if (settings.own) {
+  if (!settings.node.empty()) opened->be_node(settings.node, url);
+  // Another node may be writing a content that nothing refers to yet.
+  if (settings.own && settings.node.empty()) {
     if (auto dropped = opened->drop_unused_contents(); !dropped) return std::unexpected(dropped.error());
   }
   if (!settings.local_folder.empty()) {

@@ -16,15 +16,25 @@ using store::Error;
 using store::ErrorCode;
 using store::Result;
 
+// Nodes share the lock that a server without a name has alone.
 constexpr std::string_view kLock = "SELECT pg_try_advisory_lock(1146243408, 2)";
+constexpr std::string_view kLockShared = "SELECT pg_try_advisory_lock_shared(1146243408, 2)";
+constexpr std::string_view kLockName = "SELECT pg_try_advisory_lock(1146243409, hashtext(?))";
 constexpr std::string_view kBegin = "UPDATE owner SET epoch = epoch + 1 WHERE id = 1 RETURNING epoch";
 constexpr std::string_view kEpoch = "SELECT epoch FROM owner WHERE id = 1";
+constexpr std::string_view kBeginNode =
+    "INSERT INTO node (name, epoch, started_at_ms, seen_at_ms) VALUES (?, 1, now_ms(), now_ms()) ON CONFLICT (name) DO "
+    "UPDATE SET epoch = node.epoch + 1, started_at_ms = now_ms(), seen_at_ms = now_ms() RETURNING epoch";
+constexpr std::string_view kNodeEpoch = "SELECT epoch FROM node WHERE name = ?";
+// What the trigger of the schema asks for.
+constexpr std::string_view kNameConnection = "SELECT length(set_config('dripfeed.node', ?, false))";
 
-Result<std::uint64_t> one_number(Connection& connection, std::string_view sql) {
+template <class... P>
+Result<std::uint64_t> one_number(Connection& connection, std::string_view sql, const P&... parameters) {
   Session session(connection, "owner");
   std::uint64_t number = 0;
   {
-    Query query(session, sql);
+    Query query(session, sql, parameters...);
     if (query.next()) number = query.number();
   }
   if (!session.ok()) return std::unexpected(session.error());
@@ -63,21 +73,50 @@ std::unique_ptr<Server> Server::only_read(const std::string& url) {
 Result<std::unique_ptr<Connection>> Server::connect_as_owner() {
   auto connection = Connection::open(url_, settings_);
   if (!connection || !settings_.own) return connection;
-  const auto locked = one_number(**connection, kLock);
+  const auto locked = settings_.node.empty() ? lock_alone(**connection) : lock_as_node(**connection);
   if (!locked) return std::unexpected(locked.error());
-  if (*locked == 0) return std::unexpected(Error{ErrorCode::in_use, "another server has the database"});
   return connection;
 }
 
+Result<void> Server::lock_alone(Connection& connection) const {
+  const auto locked = one_number(connection, kLock);
+  if (!locked) return std::unexpected(locked.error());
+  if (*locked == 0) return std::unexpected(Error{ErrorCode::in_use, "another server has the database"});
+  return {};
+}
+
+Result<void> Server::lock_as_node(Connection& connection) const {
+  const auto shared = one_number(connection, kLockShared);
+  if (!shared) return std::unexpected(shared.error());
+  if (*shared == 0)
+    return std::unexpected(Error{ErrorCode::in_use, "a server without a node's name has the database alone"});
+  const auto locked = one_number(connection, kLockName, settings_.node);
+  if (!locked) return std::unexpected(locked.error());
+  if (*locked == 0)
+    return std::unexpected(
+        Error{ErrorCode::in_use, fmt::format("another server runs as node {} of the database", settings_.node)});
+  if (auto named = one_number(connection, kNameConnection, settings_.node); !named)
+    return std::unexpected(named.error());
+  return {};
+}
+
 Result<void> Server::begin_epoch(Connection& connection) {
-  const auto epoch = one_number(connection, kBegin);
+  const bool is_alone = settings_.node.empty();
+  if (is_alone) {
+    const auto nodes = one_number(connection, "SELECT count(*) FROM node");
+    if (!nodes) return std::unexpected(nodes.error());
+    if (*nodes > 0)
+      return std::unexpected(Error{ErrorCode::cannot_open, "the store has nodes: name this one with --node"});
+  }
+  const auto epoch = is_alone ? one_number(connection, kBegin) : one_number(connection, kBeginNode, settings_.node);
   if (!epoch) return std::unexpected(epoch.error());
   epoch_ = *epoch;
   return {};
 }
 
 Result<void> Server::know_epoch(Connection& connection) const {
-  const auto epoch = one_number(connection, kEpoch);
+  const auto epoch =
+      settings_.node.empty() ? one_number(connection, kEpoch) : one_number(connection, kNodeEpoch, settings_.node);
   if (!epoch) return std::unexpected(epoch.error());
   if (*epoch == epoch_) return {};
   return std::unexpected(Error{ErrorCode::in_use, "another server had the database meanwhile; restart this one"});

@@ -1,5 +1,6 @@
-// Opens connections to one database. With `own` the connection that writes holds the lock of the one server of a store:
-// it goes with the connection, and is taken again with the next one, unless another had it meanwhile.
+// Opens connections to one database. With `own` the connection that writes holds the lock of the one server of a store,
+// or of the one process of a node's name: it goes with the connection, and is taken again with the next one, unless
+// another had it meanwhile.
 #pragma once
 
 #include <string>
@@ -18,8 +19,10 @@ class Server final : public sql::Engine {
   store::Result<std::unique_ptr<sql::Connection>> connect_to_write() override;
 
  private:
-  Server(std::string url, OpenSettings settings) : url_(std::move(url)), settings_(settings) {}
+  Server(std::string url, OpenSettings settings) : url_(std::move(url)), settings_(std::move(settings)) {}
   store::Result<std::unique_ptr<Connection>> connect_as_owner();
+  store::Result<void> lock_alone(Connection& connection) const;
+  store::Result<void> lock_as_node(Connection& connection) const;
   store::Result<void> begin_epoch(Connection& connection);
   store::Result<void> know_epoch(Connection& connection) const;
 

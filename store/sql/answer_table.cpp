@@ -124,7 +124,7 @@ Result<Answer> AnswerTable::confirm_reset(std::string_view machine, std::string_
   });
 }
 
-Result<std::vector<Answer>> AnswerTable::tear_unfinished(const Stamp& by) {
+Result<std::vector<Answer>> AnswerTable::tear_unfinished(const Stamp& by, const store::OfMachines& of) {
   return database_.write("answers", [&](Session& session) -> Result<std::vector<Answer>> {
     std::vector<Answer> answers;
     {
@@ -132,6 +132,7 @@ Result<std::vector<Answer>> AnswerTable::tear_unfinished(const Stamp& by) {
       Query query(session, kSql);
       while (query.next()) answers.push_back(read_answer(query));
     }
+    if (of) std::erase_if(answers, [&](const Answer& answer) { return !of(answer.machine); });
     for (Answer& answer : answers) {
       answer.state = AnswerState::torn;
       answer.reason = "the server stopped while it was sent";

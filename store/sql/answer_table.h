@@ -16,7 +16,8 @@ class AnswerTable final : public store::Answers {
   store::Result<std::optional<store::Answer>> torn_on(std::string_view machine) override;
   store::Result<store::Answer> confirm_reset(std::string_view machine, std::string_view reason,
                                              const store::Stamp& by) override;
-  store::Result<std::vector<store::Answer>> tear_unfinished(const store::Stamp& by) override;
+  store::Result<std::vector<store::Answer>> tear_unfinished(const store::Stamp& by,
+                                                            const store::OfMachines& of) override;
   store::Result<store::Page<store::Answer>> list(const store::PageRequest& page, std::string_view machine) override;
 
  private:

@@ -287,7 +287,7 @@ Result<std::optional<Job>> JobTable::torn_on(std::string_view machine) {
   return find(kSql, machine);
 }
 
-Result<std::vector<Job>> JobTable::interrupt_unfinished(const Stamp& by) {
+Result<std::vector<Job>> JobTable::interrupt_unfinished(const Stamp& by, const store::OfMachines& of) {
   return database_.write("jobs", [&](Session& session) -> Result<std::vector<Job>> {
     std::vector<Job> jobs;
     {
@@ -295,6 +295,7 @@ Result<std::vector<Job>> JobTable::interrupt_unfinished(const Stamp& by) {
       Query query(session, kSql);
       while (query.next()) jobs.push_back(read_job(query));
     }
+    if (of) std::erase_if(jobs, [&](const Job& job) { return !of(job.machine); });
     for (Job& job : jobs) {
       const JobState from = job.state;
       // An armed job may have begun after the last commit, as far as its reserve reaches.

@@ -24,7 +24,8 @@ class JobTable final : public store::Jobs {
   store::Result<store::Page<store::Job>> list(const store::PageRequest& page, const store::JobFilter& filter) override;
   store::Result<std::optional<store::Job>> on_line(std::string_view machine) override;
   store::Result<std::optional<store::Job>> torn_on(std::string_view machine) override;
-  store::Result<std::vector<store::Job>> interrupt_unfinished(const store::Stamp& by) override;
+  store::Result<std::vector<store::Job>> interrupt_unfinished(const store::Stamp& by,
+                                                              const store::OfMachines& of) override;
 
  private:
   store::Result<void> check_clearance(const store::Job& job, std::int64_t now_ms);

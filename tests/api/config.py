@@ -38,6 +38,7 @@ def what_it_says(folder):
     expect("--insecure" in check(folder, {"listen": "0.0.0.0:80"}, code=2), "no TLS")
     check(folder, {"listen": "0.0.0.0:80", "insecure": True})
     expect("named twice" in check(folder, {"modbus_unit": {"a": 1, "b": 1}}, code=2), "a unit twice")
+    expect("--store" in check(folder, {"node": "hall-1"}, code=2), "a node without a store that is shared")
     expect("not 0..65535" in check(folder, {"modbus_listen": ":x"}, code=2), "no address")
     serve("--config", folder / "none.json", "--check", code=2)
 
@@ -46,7 +47,7 @@ def the_schema(folder):
     schema = json.loads(serve("--config-schema", code=0))
     Draft202012Validator.check_schema(schema)
     validator = Draft202012Validator(schema)
-    whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
+    whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "node": "hall-1", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
              "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "check_seconds": 1, "check_memory": 64}
     expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")

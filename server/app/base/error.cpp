@@ -26,6 +26,7 @@ constexpr std::array kRows = {
     Row{store::ErrorCode::sign_off_missing, ErrorCode::refused},
     Row{store::ErrorCode::four_eyes, ErrorCode::refused},
     Row{store::ErrorCode::machine_busy, ErrorCode::refused},
+    Row{store::ErrorCode::not_leased, ErrorCode::refused},
     Row{store::ErrorCode::machine_torn, ErrorCode::refused},
     Row{store::ErrorCode::key_reused, ErrorCode::invalid},
     Row{store::ErrorCode::append_only, ErrorCode::refused},

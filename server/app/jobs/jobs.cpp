@@ -113,9 +113,17 @@ Result<std::string> Jobs::file_name(const machine::Profile& profile, store::Id p
   return std::move(*name);
 }
 
+Error Jobs::no_line(const std::string& machine) const {
+  const std::string why = lines_.why_none(machine);
+  return {
+      ErrorCode::refused,
+      why.empty() ? fmt::format("machine {} has no line", machine) : fmt::format("{} has no line: {}", machine, why),
+      {}};
+}
+
 Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
   auto line = lines_.find(job.machine);
-  if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job.machine));
+  if (!line) return std::unexpected(no_line(job.machine));
   if (line->report().job != job.id)
     return fail(ErrorCode::refused, fmt::format("job {} is not on the line of {}", job.id, job.machine));
   return line;
@@ -232,8 +240,7 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   const auto hold = lines_.hold(named->machine);
   const auto arming = prepare_arming(id, rounds);
   if (!arming) return std::unexpected(arming.error());
-  if (!lines_.find(named->machine))
-    return fail(ErrorCode::refused, fmt::format("machine {} has no line", named->machine));
+  if (!lines_.find(named->machine)) return std::unexpected(no_line(named->machine));
   const double minutes = given.value_or(arming->profile.line.arming_minutes);
   const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
   auto armed = lift(store_.jobs().move(id,

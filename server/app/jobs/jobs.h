@@ -65,6 +65,7 @@ class Jobs {
   struct Wanted;
   Result<Wanted> find_wanted(store::Id release);
   Result<void> refuse_outdated(std::string_view text_sha256, const store::Machine& machine, store::Delivery delivery);
+  [[nodiscard]] Error no_line(const std::string& machine) const;
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
   Result<store::Job> end_without_store(store::Id job, feed::Command command, std::string_view actor,
                                        const store::Error& why);

@@ -181,6 +181,13 @@ Result<void> Lines::put_back(const machine::Profile& profile) {
   return set(profile);
 }
 
+Result<void> Lines::leave(const std::string& machine, std::string why) {
+  if (auto gone = let_go(machine); !gone) return gone;
+  const std::lock_guard lock(mutex_);
+  refusals_[machine] = std::move(why);
+  return {};
+}
+
 void Lines::close() {
   std::map<std::string, Entry> all;
   const std::lock_guard lock(mutex_);

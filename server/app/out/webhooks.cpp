@@ -117,6 +117,7 @@ Result<void> Webhooks::remove(store::Id webhook, std::string_view actor) {
 void Webhooks::round() {
   if (ends_.stop_requested()) return;
   line_events_.look();
+  if (settings_.leads && !settings_.leads()) return;
   if (const auto taken = store_.webhooks().take_new(clock_.wall_ms(), kMostPending); !taken)
     spdlog::warn("webhooks: {}", store::message_of(taken.error()));
   begin_due();

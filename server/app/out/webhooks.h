@@ -27,6 +27,7 @@ inline const std::vector<double> kWebhookRetries_s = {5, 300, 1'800, 7'200, 18'0
 struct WebhookSettings {
   WriteEvent write;
   std::vector<double> retries_s = kWebhookRetries_s;
+  std::function<bool()> leads{};  // whether this server posts for all nodes of its store; empty: it does
 };
 
 class Webhooks {

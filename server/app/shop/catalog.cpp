@@ -1,6 +1,7 @@
 // Check, store, publish; in this order.
 #include "server/app/shop/catalog.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -23,12 +24,47 @@ void Catalog::publish(const std::string& machine) {
       {.id = 0, .kind = EventKind::machine, .machine = machine, .job = {}, .verdict = 0, .outcome = {}, .text = {}});
 }
 
-Result<void> Catalog::open_lines() {
+Result<void> Catalog::open_line(const std::string& machine) {
+  const auto profile = this->profile(machine);
+  if (!profile) return std::unexpected(profile.error());
+  const auto hold = lines_.hold(machine);
+  return lines_.set(*profile);
+}
+
+// A machine of another node is changed there, where its line is.
+Result<void> Catalog::refuse_elsewhere(std::string_view machine) {
+  store::Nodes* const nodes = store_.nodes();
+  if (nodes == nullptr) return {};
+  const auto leases = lift(nodes->leases());
+  if (!leases) return std::unexpected(leases.error());
+  const auto lease = std::ranges::find(*leases, machine, &store::Lease::machine);
+  if (lease == leases->end() || lease->node == nodes->own()) return {};
+  return fail(ErrorCode::refused, fmt::format("the line of {} is with node {}: change it there", machine, lease->node));
+}
+
+// A new machine is this node's.
+Result<store::Machine> Catalog::store_machine(const std::string& name, std::string_view document,
+                                              std::string_view actor) {
+  store::Result<store::Machine> stored;
+  const auto done = store_.atomically([&]() -> store::Result<void> {
+    stored = store_.machines().add(name, document, stamp(actor));
+    if (!stored) return std::unexpected(stored.error());
+    if (store::Nodes* const nodes = store_.nodes()) {
+      if (auto leased = nodes->claim(name, stamp(actor)); !leased) return std::unexpected(leased.error());
+    }
+    return {};
+  });
+  if (!done) return std::unexpected(from_store(done.error()));
+  return std::move(*stored);
+}
+
+Result<void> Catalog::open_lines(const store::OfMachines& of) {
   store::PageRequest page{.limit = store::kPageLimitMax, .after = {}};
   do {
     const auto machines = store_.machines().list(page);
     if (!machines) return std::unexpected(from_store(machines.error()));
     for (const store::Machine& machine : machines->items) {
+      if (of && !of(machine.name)) continue;
       const auto profile = documents_.read_profile(machine.profile);
       const auto hold = lines_.hold(machine.name);
       const auto set = profile ? lines_.set(*profile) : Result<void>(std::unexpected(profile.error()));
@@ -51,7 +87,7 @@ Result<store::Machine> Catalog::add_machine(std::string_view document, std::stri
   const auto profile = checked_profile(document);
   if (!profile) return std::unexpected(profile.error());
   const auto hold = lines_.hold(profile->name);
-  auto stored = lift(store_.machines().add(profile->name, document, stamp(actor)));
+  auto stored = store_machine(profile->name, document, actor);
   if (!stored) return stored;
   const auto line = lines_.set(*profile);
   if (!line) spdlog::error("{} has no line: {}", profile->name, line.error().text);
@@ -71,6 +107,7 @@ Result<store::Machine> Catalog::change_machine(std::string_view name, store::Rev
   const auto on_line = lift(store_.jobs().on_line(name));
   if (!on_line) return std::unexpected(on_line.error());
   if (*on_line) return fail(ErrorCode::refused, fmt::format("job {} is on the line of {}", (*on_line)->id, name));
+  if (auto here = refuse_elsewhere(name); !here) return std::unexpected(here.error());
   if (auto free = lines_.may_set(*profile); !free) return std::unexpected(free.error());
   auto stored = lift(store_.machines().change(name, expected, document, stamp(actor)));
   if (!stored) return stored;

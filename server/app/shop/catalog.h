@@ -19,8 +19,10 @@ class Catalog {
  public:
   Catalog(store::Store& store, Lines& lines, Events& events, const Clock& clock, const Documents& documents);
 
-  // Opens the lines of all stored machines; a profile that cannot be kept any more is logged and has no line.
-  Result<void> open_lines();
+  // Opens the lines of stored machines; a profile that cannot be kept any more is logged and has no line.
+  Result<void> open_lines(const store::OfMachines& of = {});
+  // Errors: not_found, and those of a line that cannot be opened.
+  Result<void> open_line(const std::string& machine);
 
   // Errors: invalid (with places), exists, stale, refused (a job is on the line).
   Result<store::Machine> add_machine(std::string_view document, std::string_view actor);
@@ -54,6 +56,8 @@ class Catalog {
                                           const store::PartValues& values, std::string_view actor);
 
  private:
+  Result<void> refuse_elsewhere(std::string_view machine);
+  Result<store::Machine> store_machine(const std::string& name, std::string_view document, std::string_view actor);
   Result<machine::Profile> checked_profile(std::string_view document);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
   void publish(const std::string& machine);
