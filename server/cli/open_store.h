@@ -13,7 +13,7 @@ inline constexpr const char* kStoreOption =
     "postgresql://USER@HOST/DATABASE: where the store is, if not in its folder; see --store of dripfeed serve";
 
 struct StorePlace {
-  std::string data;   // the folder
+  std::string data;    // the folder
   std::string url{};   // of the database; "": the store is in the folder
   std::string node{};  // of several servers of it, this one
 };

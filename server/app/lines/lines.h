@@ -45,8 +45,9 @@ class Lines {
   // between. Refused: a job, a torn block or a control that sends is on it.
   Result<void> take_out(const std::string& machine, std::string why);
   Result<void> put_back(const machine::Profile& profile);
-  // A machine whose line is not this server's; who asks for it is given `why`. Closes the line if there is one, whatever
-  // state it has: a job on it is over before, and what is torn stays in its record. The caller holds the machine.
+  // A machine whose line is not this server's; who asks for it is given `why`. Closes the line if there is one,
+  // whatever state it has: a job on it is over before, and what is torn stays in its record. The caller holds the
+  // machine.
   Result<void> leave(const std::string& machine, std::string why);
   // Closes all. What was on a line is over; callers see to it before.
   void close();
