@@ -1,6 +1,6 @@
-// Contents: bytes of any length under their SHA-256 (program texts, place indexes). They are cut into chunks, so that a
-// large one streams in and out; equal contents are kept once. One that nothing refers to is dropped when the store is
-// opened the next time.
+// Contents: bytes of any length under their SHA-256 (program texts, place indexes, attachments). They are cut into
+// chunks, so that a large one streams in and out; equal contents are kept once. One that nothing refers to is dropped
+// when the store is opened the next time.
 #pragma once
 
 #include <cstddef>

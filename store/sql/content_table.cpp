@@ -22,7 +22,8 @@ constexpr std::string_view kUnused =
     "SELECT id FROM content c WHERE sha256 IS NULL OR (NOT EXISTS (SELECT 1 FROM program_revision WHERE sha256 = "
     "c.sha256) "
     "AND NOT EXISTS (SELECT 1 FROM program_revision WHERE places_sha256 = c.sha256) "
-    "AND NOT EXISTS (SELECT 1 FROM receipt WHERE sha256 = c.sha256))";
+    "AND NOT EXISTS (SELECT 1 FROM receipt WHERE sha256 = c.sha256) "
+    "AND NOT EXISTS (SELECT 1 FROM attachment WHERE content = c.sha256))";
 constexpr std::string_view kDropSome =
     "DELETE FROM content_chunk WHERE content = ? AND n IN "
     "(SELECT n FROM content_chunk WHERE content = ? ORDER BY n LIMIT 64)";
