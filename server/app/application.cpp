@@ -62,6 +62,7 @@ Application::Application(const Environment& environment)
       books_(store_, lines_, events_, alarms_, clock_, environment.disk_reserve),
       catalog_(store_, lines_, events_, clock_, documents_),
       programs_(store_, clock_, documents_, environment.disk_reserve, environment.workers),
+      attachments_(store_, clock_, environment.disk_reserve),
       line_reading_(store_),
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_, CalledPrograms(store_, environment.library)),

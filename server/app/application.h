@@ -11,6 +11,7 @@
 #include "server/app/checks/checking.h"
 #include "server/app/jobs/books.h"
 #include "server/app/jobs/jobs.h"
+#include "server/app/library/attachments.h"
 #include "server/app/library/library_indexer.h"
 #include "server/app/library/program_lines.h"
 #include "server/app/library/programs.h"
@@ -107,6 +108,7 @@ class Application {
   Alarms& alarms() { return alarms_; }
   Catalog& catalog() { return catalog_; }
   Programs& programs() { return programs_; }
+  Attachments& attachments() { return attachments_; }
   LineReading& line_reading() { return line_reading_; }
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
@@ -134,6 +136,7 @@ class Application {
   Books books_;
   Catalog catalog_;
   Programs programs_;
+  Attachments attachments_;
   LineReading line_reading_;
   Checking checking_;
   Jobs jobs_;

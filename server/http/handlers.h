@@ -106,6 +106,13 @@ Response fetch_back_program(const Call& call);
 Response search_programs(const Call& call);
 Response get_program_uses(const Call& call);
 
+// handlers_attachments.cpp
+Response list_attachments(const Call& call);
+Response add_attachment(const Call& call);
+Response get_attachment(const Call& call);
+Response get_attachment_content(const Call& call);
+Response remove_attachment(const Call& call);
+
 // handlers_measures.cpp
 Response measure_accuracy(const Call& call);
 Response measure_gouge(const Call& call);

@@ -62,6 +62,7 @@ struct SearchHit {
 std::string search_result(std::span<const SearchHit> hits, std::string_view next, const store::LibraryState& state,
                           std::uint64_t waiting);
 std::string program_uses(const app::ProgramUses& uses);
+std::string attachment(const store::Attachment& attachment);
 std::string work(const app::Work& work);
 std::string store_room(const app::StoreRoom& room);
 std::string backup(const app::BackupFile& file);

@@ -76,6 +76,11 @@ def rows(made):
         ("POST", "/api/v1/programs/{id}/revisions", "programmer", {"id": "program"}, {"text": plain_program(2001)}, {"headers": MATCH_1}),
         ("GET", "/api/v1/programs/{id}/revisions", "viewer", {"id": "program"}, None, {}),
         ("PATCH", "/api/v1/programs/{id}", "programmer", {"id": "program"}, {"tags": ["pump"], "folder": "acme"}, {}),
+        ("POST", "/api/v1/attachments", "programmer", {}, b"%PDF-1.4", {"query": lambda: f"?name=sheet.pdf&program={made['program']}", "keep": "attachment"}),
+        ("GET", "/api/v1/attachments", "viewer", {}, None, {}),
+        ("GET", "/api/v1/attachments/{id}", "viewer", {"id": "attachment"}, None, {}),
+        ("GET", "/api/v1/attachments/{id}/content", "viewer", {"id": "attachment"}, None, {}),
+        ("POST", "/api/v1/attachments/{id}/remove", "programmer", {"id": "attachment"}, {"reason": "of another part"}, {}),
         ("POST", "/api/v1/programs/{id}/archive", "programmer", {"id": "program"}, {"reason": "sold"}, {}),
         ("POST", "/api/v1/programs/{id}/fetch-back", "programmer", {"id": "program"}, {"reason": "ordered again"}, {}),
         ("GET", "/api/v1/programs/{id}/uses", "viewer", {"id": "program"}, None, {}),
@@ -259,7 +264,8 @@ def try_row(client, stage, made, row):
     method, pattern, role, names, body, more = row
     if "ready" in more:
         getattr(stage, more["ready"])()
-    path, body = path_of(pattern, names, made) + more.get("query", ""), body() if callable(body) else body
+    query = more.get("query", "")
+    path, body = path_of(pattern, names, made) + (query() if callable(query) else query), body() if callable(body) else body
     headers, what = more.get("headers", {}), f"{method} {pattern}"
     if role:
         for wrong in ({}, {"Authorization": "Bearer nonsense"}, {"Authorization": f"Basic {client.tokens['admin']}"}, {"Cookie": "dripfeed_session=nonsense"}):
@@ -274,7 +280,7 @@ def try_row(client, stage, made, row):
         made[more["note"]] = answer.document["id"]
     if "keep" in more:
         made[more["keep"]] = answer.document["id"]
-        expect(answer.status == 201 and answer.headers["Location"] == f"{path}/{answer.document['id']}", f"{what}: {answer.headers['Location']}")
+        expect(answer.status == 201 and answer.headers["Location"] == f"{path.split('?')[0]}/{answer.document['id']}", f"{what}: {answer.headers['Location']}")
     if method == "GET" and role:
         for above in ROLES[ROLES.index(role):]:
             expect(client.call(method, path, None, above, headers).status == answer.status, f"{what} as {above}")

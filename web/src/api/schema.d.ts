@@ -1120,6 +1120,90 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/attachments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * files that are attached: setup sheets, drawings, pictures; newest first, without those that were removed
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
+        get: operations["get_attachments"];
+        put?: never;
+        /**
+         * attach a file to one program, family, part or order; the body is the file, Content-Type its type
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_attachments"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/attachments/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * one attached file, also one that was removed
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_attachments_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/attachments/{id}/content": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * the file itself, to be saved; its type, where that is one of a list of harmless ones
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_attachments_id_content"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/attachments/{id}/remove": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * remove a file, with a reason; what it was stays known
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_attachments_id_remove"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/search": {
         parameters: {
             query?: never;
@@ -5846,6 +5930,40 @@ export interface components {
             /** @description programs that could not be read as a whole: what they call is not known */
             unread: number;
         };
+        /** @description a file of a program, family, part or order */
+        Attachment: {
+            /** @description of the attachment */
+            id: number;
+            /** @description whose file it is, by its id; null: not of a program */
+            program: number | null;
+            /** @description whose file it is, by its name; null: not of a family */
+            family: string | null;
+            /** @description whose file it is, by its number; null: not of a part */
+            part: string | null;
+            /** @description whose file it is, by its id; null: not of an order */
+            order: number | null;
+            /** @description of the file */
+            name: string;
+            /** @description as whoever attached it stated it */
+            media_type: string;
+            /** @description of the file */
+            bytes: number;
+            /** @description of the file, in hexadecimal */
+            sha256: string;
+            /** @description who attached it */
+            added_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            added_at_ms: number;
+            /** @description who removed it; null: it is there */
+            removed: {
+                /** @description who did */
+                by: string;
+                /** @description why */
+                reason: string;
+                /** @description when; milliseconds since 1970, UTC */
+                at_ms: number;
+            } | null;
+        };
         /** @description what reading and validating a text finds; it is not run */
         Diagnosed: {
             /** @description in which it was read */
@@ -8049,6 +8167,13 @@ export interface components {
         ProgramRevisionPage: {
             /** @description in the list's order */
             items: components["schemas"]["ProgramRevision"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        AttachmentPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Attachment"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
@@ -11360,6 +11485,241 @@ export interface operations {
             404: components["responses"]["Problem404"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_attachments: {
+        parameters: {
+            query?: {
+                /** @description how many a page has at most; 50 without */
+                limit?: number;
+                /** @description `next` of the page before */
+                after?: string;
+                /** @description whose files, by its id */
+                program?: number;
+                /** @description whose files, by its name */
+                family?: string;
+                /** @description whose files, by its number */
+                part?: string;
+                /** @description whose files, by its id */
+                order?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description files that are attached: setup sheets, drawings, pictures; newest first, without those that were removed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AttachmentPage"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_attachments: {
+        parameters: {
+            query?: {
+                /** @description of the file */
+                name?: string;
+                /** @description whose files, by its id */
+                program?: number;
+                /** @description whose files, by its name */
+                family?: string;
+                /** @description whose files, by its number */
+                part?: string;
+                /** @description whose files, by its id */
+                order?: number;
+            };
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description the file, as it is */
+        requestBody: {
+            content: {
+                "*/*": string;
+            };
+        };
+        responses: {
+            /** @description attach a file to one program, family, part or order; the body is the file, Content-Type its type */
+            201: {
+                headers: {
+                    /** @description the path of what was made */
+                    Location: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Attachment"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_attachments_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one attached file, also one that was removed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Attachment"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_attachments_id_content: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the file itself, to be saved; its type, where that is one of a list of harmless ones */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "*/*": string;
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_attachments_id_remove: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description remove a file, with a reason; what it was stays known */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Attachment"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
             /** @description another problem */
             default: {
                 headers: {
