@@ -37,6 +37,8 @@ class Contents : public Repository {
   virtual Result<std::unique_ptr<ContentWriter>> begin() = 0;
   // The whole in one call.
   virtual Result<Content> put(std::string_view bytes) = 0;
+  // Of all contents.
+  virtual Result<std::uint64_t> total_bytes() = 0;
   // Errors: not_found.
   virtual Result<Content> find(std::string_view sha256) = 0;
   // Bytes from `offset` on into `into`, as many as fit; 0 at the end. A call per chunk or more is cheap. Errors:

@@ -6,6 +6,7 @@
 #include "store/postgresql/schema_v1.h"
 #include "store/postgresql/schema_v2.h"
 #include "store/postgresql/schema_v3.h"
+#include "store/postgresql/schema_v4.h"
 #include "store/sql/session.h"
 
 namespace dripfeed::postgresql {
@@ -46,7 +47,8 @@ constexpr sql::Mark kStore{.stands = is_marked, .sql = kMark};
 
 std::span<const sql::Migration> migrations() {
   static const std::array kMigrations{sql::Migration{1, "tables", kSchemaV1}, sql::Migration{2, "rules", kSchemaV2},
-                                      sql::Migration{3, "attachments", kSchemaV3}};
+                                      sql::Migration{3, "attachments", kSchemaV3},
+                                      sql::Migration{4, "deleted programs", kSchemaV4}};
   return kMigrations;
 }
 

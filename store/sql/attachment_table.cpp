@@ -80,6 +80,11 @@ bool has_name(Session& session, const store::NewAttachment& attachment) {
   return with_owner(session, sql, attachment.to, [](Query& query) { return query.next(); }, attachment.name);
 }
 
+bool is_deleted(Session& session, Id program) {
+  Query query(session, "SELECT 1 FROM program WHERE id = ? AND deleted_at_ms <> 0", program);
+  return query.next();
+}
+
 }  // namespace
 
 Result<Attachment> AttachmentTable::add(const store::NewAttachment& attachment, const Stamp& by) {
@@ -88,6 +93,8 @@ Result<Attachment> AttachmentTable::add(const store::NewAttachment& attachment, 
       return session.refuse(ErrorCode::invalid_value, "an attachment is of one program, family, part or order");
     if (attachment.name.empty() || attachment.media_type.empty())
       return session.refuse(ErrorCode::invalid_value, "an attachment has a name and a media type");
+    if (is_deleted(session, attachment.to.program))
+      return session.refuse(ErrorCode::refused_transition, "the program is deleted");
     if (has_name(session, attachment))
       return session.refuse(ErrorCode::exists, fmt::format("{} of {}", attachment.name, words_of(attachment.to)));
     const AttachedTo& to = attachment.to;

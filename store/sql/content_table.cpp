@@ -51,6 +51,13 @@ Result<Content> ContentTable::put(std::string_view bytes) {
   return writer.finish();
 }
 
+Result<std::uint64_t> ContentTable::total_bytes() {
+  return database_.read("contents", [&](Session& session) -> Result<std::uint64_t> {
+    Query query(session, "SELECT CAST(coalesce(sum(bytes), 0) AS BIGINT) FROM content");
+    return query.next() ? query.number() : 0;
+  });
+}
+
 Result<Content> ContentTable::find(std::string_view sha256) {
   return database_.read(subject_of(sha256), [&](Session& session) -> Result<Content> {
     const auto place = place_of(session, sha256);

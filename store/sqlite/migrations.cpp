@@ -11,6 +11,7 @@
 #include "store/sqlite/schema_v13.h"
 #include "store/sqlite/schema_v14.h"
 #include "store/sqlite/schema_v15.h"
+#include "store/sqlite/schema_v16.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -71,7 +72,8 @@ std::span<const Migration> migrations() {
                                       Migration{12, "called programs of verdicts", kSchemaV12},
                                       Migration{13, "restarts", kSchemaV13},
                                       Migration{14, "waivers of points", kSchemaV14},
-                                      Migration{15, "attachments", kSchemaV15}};
+                                      Migration{15, "attachments", kSchemaV15},
+                                      Migration{16, "deleted programs", kSchemaV16}};
   return kMigrations;
 }
 
