@@ -64,6 +64,7 @@ class Application {
     WebhookSettings webhooks{};
     Maintenance* maintenance = nullptr;  // of the store
     std::string event_source{};          // who we are for other systems, a URI
+    LibraryLimits limits{};              // of what is stored
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -109,6 +110,7 @@ class Application {
   Catalog& catalog() { return catalog_; }
   Programs& programs() { return programs_; }
   Attachments& attachments() { return attachments_; }
+  [[nodiscard]] const LibraryLimits& limits() const { return quota_.limits(); }
   LineReading& line_reading() { return line_reading_; }
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
@@ -135,6 +137,7 @@ class Application {
   Lines lines_;
   Books books_;
   Catalog catalog_;
+  Quota quota_;
   Programs programs_;
   Attachments attachments_;
   LineReading line_reading_;

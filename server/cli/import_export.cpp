@@ -231,7 +231,7 @@ class ExportImport {
     std::string_view rest = *bytes;
     const auto kept = attachments_.keep(
         {.to = *to, .name = attachment.name, .media_type = app::media_type_of(attachment.media_type), .sha256 = {}},
-        [&rest](std::span<char> into) -> std::expected<std::size_t, std::string> {
+        bytes->size(), [&rest](std::span<char> into) -> std::expected<std::size_t, std::string> {
           const std::size_t count = rest.copy(into.data(), into.size());
           rest.remove_prefix(count);
           return count;

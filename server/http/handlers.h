@@ -103,6 +103,7 @@ Response get_dialect_words(const Call& call);
 Response label_program(const Call& call);
 Response archive_program(const Call& call);
 Response fetch_back_program(const Call& call);
+Response delete_program(const Call& call);
 Response search_programs(const Call& call);
 Response get_program_uses(const Call& call);
 

@@ -67,7 +67,7 @@ Response add_attachment(const Call& call) {
                                       .name = query_text(call.request, "name"),
                                       .media_type = app::media_type_of(call.request.content_type),
                                       .sha256 = {}},
-                                     pieces_of(call.request));
+                                     body_bytes(call.request), pieces_of(call.request));
   if (!kept) return problem_response(kept.error());
   return call.commit([&] {
     const auto added = attachments.add(*kept, call.user);

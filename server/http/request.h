@@ -57,6 +57,7 @@ std::expected<void, std::string> fetch_body(Request& request);
 // says how much, 0 at the end. Holds as long as the request. Errors: as SpooledBody::read().
 using BodyPieces = std::function<std::expected<std::size_t, std::string>(std::span<char>)>;
 BodyPieces pieces_of(const Request& request);
+std::uint64_t body_bytes(const Request& request);
 
 // Gives the next piece of a long body: how many bytes it wrote, 0 at the end, or what failed (then the connection is
 // cut, so that a half text never looks whole).

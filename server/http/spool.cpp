@@ -87,6 +87,10 @@ std::expected<std::string, std::string> SpooledBody::read() const {
   return text;
 }
 
+std::uint64_t body_bytes(const Request& request) {
+  return request.spooled ? request.spooled->bytes() : request.body.size();
+}
+
 BodyPieces pieces_of(const Request& request) {
   return
       [&request, offset = std::uint64_t{0}](std::span<char> into) mutable -> std::expected<std::size_t, std::string> {

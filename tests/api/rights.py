@@ -83,6 +83,7 @@ def rows(made):
         ("POST", "/api/v1/attachments/{id}/remove", "programmer", {"id": "attachment"}, {"reason": "of another part"}, {}),
         ("POST", "/api/v1/programs/{id}/archive", "programmer", {"id": "program"}, {"reason": "sold"}, {}),
         ("POST", "/api/v1/programs/{id}/fetch-back", "programmer", {"id": "program"}, {"reason": "ordered again"}, {}),
+        ("POST", "/api/v1/programs/{id}/delete", "approver", {"id": "old_program"}, {"reason": "sold"}, {"ready": "put_aside"}),
         ("GET", "/api/v1/programs/{id}/uses", "viewer", {"id": "program"}, None, {}),
         ("GET", "/api/v1/search", "viewer", {}, None, {"query": "?q=O0042"}),
         ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
@@ -193,6 +194,10 @@ class Stage:
 
     def shown(self):
         self.made["shown"] = self.client.post(f"/releases/{self.made['release']}/restart-preview", {"line": 8})["sha256"]
+
+    def put_aside(self):
+        self.made["old_program"] = self.client.add_program(5, "O0005")["id"]
+        self.client.post(f"/programs/{self.made['old_program']}/archive", {"reason": "sold"})
 
     def received(self):
         self.idle()
@@ -323,7 +328,7 @@ def every_route(folder):
     for name in ("index", "safety"):
         (web / "docs" / f"{name}.html").write_text("<!doctype html><title>docs</title>")
     control = HandControl()
-    client = Client(folder, "--web", str(web)).start()
+    client = Client(folder, "--web", str(web), "--delete-after-days", "0").start()
     client.post("/machines", hand_profile(control))
     mill = shop.preset("fanuc-0i-mill", url=f"pty:{folder}/nobody")
     make_groups(client, folder)

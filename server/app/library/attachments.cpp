@@ -93,8 +93,11 @@ Result<void> Attachments::look_at(const store::NewAttachment& of) {
   return owner_is_there(store_, to);
 }
 
-Result<store::NewAttachment> Attachments::keep(const store::NewAttachment& of, const Pieces& pieces) {
+Result<store::NewAttachment> Attachments::keep(const store::NewAttachment& of, std::uint64_t bytes,
+                                               const Pieces& pieces) {
   if (auto good = look_at(of); !good) return std::unexpected(good.error());
+  if (quota_ != nullptr)
+    if (auto room = quota_->may_keep_attachment(bytes); !room) return std::unexpected(room.error());
   if (auto room = refuse_on_full_disk(disk_reserve_); !room) return std::unexpected(room.error());
   const auto content = keep_in_slices(store_.contents(), pieces);
   if (!content) return std::unexpected(content.error());

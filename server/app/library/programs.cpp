@@ -26,8 +26,13 @@ std::uint64_t count_blocks(std::string_view text) {
 }
 
 Programs::Programs(store::Store& store, const Clock& clock, const Documents& documents, const DiskReserve* disk_reserve,
-                   Workers* workers)
-    : store_(store), clock_(clock), documents_(documents), disk_reserve_(disk_reserve), workers_(workers) {}
+                   Workers* workers, Quota* quota)
+    : store_(store),
+      clock_(clock),
+      documents_(documents),
+      disk_reserve_(disk_reserve),
+      workers_(workers),
+      quota_(quota) {}
 
 store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -43,6 +48,8 @@ Result<store::NewProgramText> Programs::keep_text(std::string_view text) {
   if (text.empty())
     return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
   if (auto room = refuse_on_full_disk(disk_reserve_); !room) return std::unexpected(room.error());
+  if (quota_ != nullptr)
+    if (auto room = quota_->may_keep_program(text.size()); !room) return std::unexpected(room.error());
   const auto content = keep_in_slices(store_.contents(), text);
   if (!content) return std::unexpected(content.error());
   return store::NewProgramText{

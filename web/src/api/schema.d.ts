@@ -1100,6 +1100,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/{id}/delete": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * delete an archived program for good, with a reason; what releases, jobs and the ledger name of it stays
+         * @description Needs the role `approver`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_programs_id_delete"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/programs/{id}/uses": {
         parameters: {
             query?: never;
@@ -2498,6 +2518,26 @@ export interface webhooks {
         patch?: never;
         trace?: never;
     };
+    "program.deleted": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * an archived program was deleted for good
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_program_deleted"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "order.added": {
         parameters: {
             query?: never;
@@ -3286,7 +3326,7 @@ export interface components {
              * @description what it is, for programs; a code keeps its name, status and meaning
              * @enum {string}
              */
-            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "no_room";
+            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "over_quota" | "no_room";
             /** @description one sentence for a person */
             detail: string;
             said?: components["schemas"]["Said"] | null;
@@ -5021,6 +5061,15 @@ export interface components {
             folder: string | null;
             /** @description who put it aside; null: it is in use */
             archived: {
+                /** @description who did */
+                by: string;
+                /** @description why */
+                reason: string;
+                /** @description when; milliseconds since 1970, UTC */
+                at_ms: number;
+            } | null;
+            /** @description who deleted it; null: it is not; the revision is 0 where nothing names its text */
+            deleted: {
                 /** @description who did */
                 by: string;
                 /** @description why */
@@ -7789,7 +7838,7 @@ export interface components {
              * @description what happened
              * @enum {string}
              */
-            type: "program.added" | "program.revised" | "program.archived" | "program.fetched_back";
+            type: "program.added" | "program.revised" | "program.archived" | "program.fetched_back" | "program.deleted";
             /** @description what it happened to, as "job/12" */
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
@@ -8310,7 +8359,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `too_large`: the body is too long for this route */
+        /** @description `too_large`: the body is too long for this route, or for the limits of this shop */
         Problem413: {
             headers: {
                 [name: string]: unknown;
@@ -8377,7 +8426,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `no_room`: the body could not be kept on the disk */
+        /** @description `over_quota`: the store has as much as its options let in: a person makes room; `no_room`: the body could not be kept on the disk */
         Problem507: {
             headers: {
                 [name: string]: unknown;
@@ -11458,6 +11507,56 @@ export interface operations {
             };
         };
     };
+    post_programs_id_delete: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description delete an archived program for good, with a reason; what releases, jobs and the ledger name of it stays */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_programs_id_uses: {
         parameters: {
             query?: never;
@@ -11565,7 +11664,7 @@ export interface operations {
             path?: never;
             cookie?: never;
         };
-        /** @description the file, as it is */
+        /** @description the bytes of the file */
         requestBody: {
             content: {
                 "*/*": string;
@@ -14897,6 +14996,35 @@ export interface operations {
         };
     };
     webhook_program_fetched_back: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_program_deleted: {
         parameters: {
             query?: never;
             header?: never;
