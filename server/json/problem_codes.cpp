@@ -71,8 +71,8 @@ constexpr std::array kCodes = {
                 "too_many_large too_many_waiting too_many_sign_ins"},
     ProblemCode{"disk_full", 503, "disk full", "the disk is full: running work is finished, nothing new begins",
                 kDiskFull_s, "store_disk_full disk_full_ends"},
-    ProblemCode{"over_quota", 507, "over quota", "the store has as much as its options let in: a person makes room"},
     ProblemCode{"no_room", 507, "no room on the disk", "the body could not be kept on the disk"},
+    ProblemCode{"over_quota", 507, "over quota", "the store has as much as its options let in: a person makes room"},
 };
 
 struct ErrorRow {

@@ -55,8 +55,8 @@ store::CallKind kind_of(ir::CallKind kind) {
 }
 
 store::LibraryEntry entry_of(const store::Program& program, ProgramDigest digest, std::string machines) {
-  // One that was deleted is found by nothing.
-  if (program.is_deleted()) return {.program = program.id, .change = program.change, .is_archived = true};
+  // One that was deleted is taken out, also where history names its text.
+  if (program.is_deleted()) return {.program = program.id, .change = program.change};
   store::LibraryEntry entry{.program = program.id,
                             .revision = program.newest.revision,
                             .change = program.change,

@@ -3326,7 +3326,7 @@ export interface components {
              * @description what it is, for programs; a code keeps its name, status and meaning
              * @enum {string}
              */
-            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "over_quota" | "no_room";
+            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "no_room" | "over_quota";
             /** @description one sentence for a person */
             detail: string;
             said?: components["schemas"]["Said"] | null;
@@ -5037,6 +5037,7 @@ export interface components {
          *       ],
          *       "folder": null,
          *       "archived": null,
+         *       "deleted": null,
          *       "revision": 1,
          *       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
          *       "bytes": 24,
@@ -8426,7 +8427,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `over_quota`: the store has as much as its options let in: a person makes room; `no_room`: the body could not be kept on the disk */
+        /** @description `no_room`: the body could not be kept on the disk; `over_quota`: the store has as much as its options let in: a person makes room */
         Problem507: {
             headers: {
                 [name: string]: unknown;
