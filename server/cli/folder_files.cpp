@@ -32,7 +32,7 @@ app::Result<void> look_into(const fs::path& folder, const std::string& before, s
   std::ranges::sort(entries, {}, [](const fs::directory_entry& entry) { return entry.path().filename().string(); });
   for (const fs::directory_entry& entry : entries) {
     const std::string name = entry.path().filename().string();
-    const std::string path = before.empty() ? name : before + "/" + name;
+    const std::string path = before.empty() ? name : fmt::format("{}/{}", before, name);
     const bool enters = !entry.is_symlink(fault) && entry.is_directory(fault) && !name.starts_with('.');
     if (!enters) {
       into.push_back({.path = path, .why_not = why_not(entry)});
