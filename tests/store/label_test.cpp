@@ -147,7 +147,7 @@ TEST_F(Labels, WhatHistoryNamesStaysWithItsText) {
   must(store_->check());
 }
 
-TEST_F(Labels, AReleaseOrACallKeepsAProgramFromBeingErased) {
+TEST_F(Labels, ADraftKeepsAProgramFromBeingErased) {
   const Program drafted = put("O1", {}, "");
   must(store_->machines().add("mill-1", "{}", by("paula")));
   const Release draft = must(store_->releases().add({drafted.id, 1, "mill-1", Delivery::drip}, by("paula")));
@@ -157,6 +157,25 @@ TEST_F(Labels, AReleaseOrACallKeepsAProgramFromBeingErased) {
   EXPECT_NE(refused.error().detail.find("release 1"), std::string::npos) << refused.error().detail;
   must(store_->releases().move(draft.id, {.to = ReleaseState::obsolete}, by("paula")));
   must(store_->programs().erase(drafted.id, 100, "sold", by("anna")));
+}
+
+TEST_F(Labels, AJobThatCallsItKeepsAProgramFromBeingErased) {
+  const Job job = add_job(*store_, "mill-1");
+  const Program called = put("O9", {}, "");
+  must(store_->verdicts().add({.program = job.program,
+                               .revision = 1,
+                               .machine = "mill-1",
+                               .machine_revision = 1,
+                               .outcome = Outcome::pass,
+                               .calls = {{.name = "O9", .program = called.id, .revision = 1}}},
+                              by("paula")));
+  must(store_->programs().archive(called.id, "sold", by("paula", 100)));
+  const auto refused = store_->programs().erase(called.id, 100, "sold", by("anna"));
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().detail.find("job 1 calls it"), std::string::npos) << refused.error().detail;
+  must(store_->jobs().move(job.id, {.to = JobState::cancelled}, by("paula")));
+  EXPECT_EQ(must(store_->programs().erase(called.id, 100, "sold", by("anna"))).newest.revision, 1U)
+      << "a verdict names it";
 }
 
 }  // namespace
