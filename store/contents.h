@@ -1,6 +1,6 @@
-// Contents: bytes of any length under their SHA-256 (program texts, place indexes). They are cut into chunks, so that a
-// large one streams in and out; equal contents are kept once. One that nothing refers to is dropped when the store is
-// opened the next time.
+// Contents: bytes of any length under their SHA-256 (program texts, place indexes, attachments). They are cut into
+// chunks, so that a large one streams in and out; equal contents are kept once. One that nothing refers to is dropped
+// when the store is opened the next time.
 #pragma once
 
 #include <cstddef>
@@ -48,6 +48,8 @@ class Contents : public Repository {
   virtual Result<std::unique_ptr<ContentWriter>> begin() = 0;
   // The whole in one call.
   virtual Result<Content> put(std::string_view bytes) = 0;
+  // Of all contents.
+  virtual Result<std::uint64_t> total_bytes() = 0;
   // Errors: not_found.
   virtual Result<Content> find(std::string_view sha256) = 0;
   // Bytes from `offset` on into `into`, as many as fit; 0 at the end. A call per chunk or more is cheap. Errors:

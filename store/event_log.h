@@ -19,7 +19,8 @@ inline constexpr std::array<std::string_view, 8> kNames<EventTopic>{"job",     "
 // What happens to alarms and programs, as words; jobs, releases, receipts and lines have their states.
 inline constexpr std::array<std::string_view, 5> kAlarmEvents{"raised", "cleared", "acknowledged", "shelved",
                                                               "unshelved"};
-inline constexpr std::array<std::string_view, 4> kProgramEvents{"added", "revised", "archived", "fetched_back"};
+inline constexpr std::array<std::string_view, 5> kProgramEvents{"added", "revised", "archived", "fetched_back",
+                                                                "deleted"};
 // Of an order, besides its states.
 inline constexpr std::array<std::string_view, 3> kOrderEvents{"added", "changed", "parts"};
 inline constexpr std::string_view kPing = "ping";  // of a webhook, to be tried

@@ -77,7 +77,7 @@ struct KnownCalls {
 class Library : public Repository {
  public:
   virtual Result<LibraryState> state() = 0;
-  // Those that are in it already are replaced. `reached`: all changes up to this one are in it then.
+  // Those that are in it are replaced, by nothing for revision 0. `reached`: all changes up to this one are in it.
   virtual Result<void> put(const std::vector<LibraryEntry>& entries, std::uint64_t reached) = 0;
   virtual Result<void> clear() = 0;
   // Best first. All words must be found, each anywhere: a word stands for all that begin with it, a word of a program

@@ -56,20 +56,30 @@ struct Archived {
   std::string reason{};
 };
 
+// The same of a program that was deleted. What releases, jobs and the ledger say of it stays, with the texts that they
+// name; all else of it is gone.
+struct Deleted {
+  std::int64_t at_ms = 0;  // 0: it is not
+  std::string by{};
+  std::string reason{};
+};
+
 struct Program {
   Id id = 0;
   std::string name;  // need not be unique: O0100 exists for many machines
   std::string dialect;
-  ProgramRevision newest;
+  ProgramRevision newest;           // revision 0: it was deleted, and nothing names its newest text
   std::vector<std::string> tags{};  // sorted
   std::string folder{};             // "customer/pumps"; empty: in none
   Archived archived{};
+  Deleted deleted{};         // then it is archived, too
   std::uint64_t change = 0;  // of all programs' changes (text, tags, folder, archive, releases) the last that was its
 
   [[nodiscard]] bool is_archived() const { return archived.at_ms != 0; }
+  [[nodiscard]] bool is_deleted() const { return deleted.at_ms != 0; }
 };
 
-// Which of the programs, by whether they are archived.
+// Which of the programs, by whether they are archived. Deleted ones are on none.
 enum class Shelf : std::uint8_t { in_use, archived, all };
 template <>
 inline constexpr std::array<std::string_view, 3> kNames<Shelf>{"in_use", "archived", "all"};
@@ -100,9 +110,15 @@ class Programs : public Repository {
   // Errors: not_found, invalid_value (no reason), refused_transition (it is archived; a job of it has not ended; a
   // release of it is proving or approved).
   virtual Result<Program> archive(Id program, std::string_view reason, const Stamp& by) = 0;
-  // Errors: not_found, invalid_value (no reason), refused_transition (it is in use).
+  // Errors: not_found, invalid_value (no reason), refused_transition (it is in use, or deleted).
   virtual Result<Program> fetch_back(Id program, std::string_view reason, const Stamp& by) = 0;
-  // Those that were changed after this change, in the order of their changes.
+  // For good. Its revisions that no verdict, release, job or receipt names are erased, with their texts at the next
+  // start, and its attachments removed. Its id is never used again. Errors: not_found, invalid_value (no reason),
+  // refused_transition (it is not archived, was so after `archived_until_ms`, is deleted; a job that has not ended is
+  // of it or calls it; a release of it is not obsolete).
+  virtual Result<Program> erase(Id program, std::int64_t archived_until_ms, std::string_view reason,
+                                const Stamp& by) = 0;
+  // Those that were changed after this change, in the order of their changes; deleted ones, too.
   virtual Result<std::vector<Program>> changed_after(std::uint64_t change, std::uint32_t most) = 0;
   virtual Result<std::uint64_t> count_changed_after(std::uint64_t change) = 0;
   // Errors: not_found.

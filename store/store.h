@@ -7,6 +7,7 @@
 
 #include "store/alarms.h"
 #include "store/answers.h"
+#include "store/attachments.h"
 #include "store/audit.h"
 #include "store/browser_sessions.h"
 #include "store/contents.h"
@@ -45,6 +46,7 @@ class Store : public Repository {
   virtual Jobs& jobs() = 0;
   virtual Orders& orders() = 0;
   virtual Receipts& receipts() = 0;
+  virtual Attachments& attachments() = 0;
   virtual Ledger& ledger() = 0;
   virtual Answers& answers() = 0;
   virtual Alarms& alarms() = 0;

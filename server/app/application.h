@@ -11,6 +11,7 @@
 #include "server/app/checks/checking.h"
 #include "server/app/jobs/books.h"
 #include "server/app/jobs/jobs.h"
+#include "server/app/library/attachments.h"
 #include "server/app/library/library_indexer.h"
 #include "server/app/library/program_lines.h"
 #include "server/app/library/programs.h"
@@ -65,6 +66,7 @@ class Application {
     Maintenance* maintenance = nullptr;  // of the store
     std::string event_source{};          // who we are for other systems, a URI
     std::string version{};               // of this program, for other nodes
+    LibraryLimits limits{};              // of what is stored
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -109,6 +111,8 @@ class Application {
   Alarms& alarms() { return alarms_; }
   Catalog& catalog() { return catalog_; }
   Programs& programs() { return programs_; }
+  Attachments& attachments() { return attachments_; }
+  [[nodiscard]] const LibraryLimits& limits() const { return quota_.limits(); }
   LineReading& line_reading() { return line_reading_; }
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
@@ -137,7 +141,9 @@ class Application {
   Lines lines_;
   Books books_;
   Catalog catalog_;
+  Quota quota_;
   Programs programs_;
+  Attachments attachments_;
   LineReading line_reading_;
   Checking checking_;
   Jobs jobs_;

@@ -124,6 +124,13 @@ io::WorkerDeskSettings desk_settings(const ServerOptions& options) {
           .memory_exit_code = kOverMemory};
 }
 
+app::LibraryLimits limits_of(const ServerOptions& options) {
+  return {.program_bytes = std::uint64_t{options.program_mb} << 20U,
+          .attachment_bytes = std::uint64_t{options.attachment_mb} << 20U,
+          .store_bytes = std::uint64_t{options.store_mb} << 20U,
+          .delete_after_days = options.delete_after_days};
+}
+
 std::string host_name() {
   std::array<char, 256> name{};
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "localhost";
@@ -227,7 +234,8 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .webhooks = {.write = write_event, .retries_s = webhook_retries(options)},
                                 .maintenance = &maintenance,
                                 .event_source = event_source(options),
-                                .version = std::string(kVersion)});
+                                .version = std::string(kVersion),
+                                .limits = limits_of(options)});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {

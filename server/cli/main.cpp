@@ -22,7 +22,7 @@ constexpr AddCommand kCommands[] = {
     dripfeed::cli::add_openapi,     dripfeed::cli::add_completion, dripfeed::cli::add_man,
     dripfeed::cli::add_user,        dripfeed::cli::add_audit,      dripfeed::cli::add_explain,
     dripfeed::cli::add_words,       dripfeed::cli::add_restart,    dripfeed::cli::add_renumber,
-    dripfeed::cli::add_lsp,
+    dripfeed::cli::add_lsp,         dripfeed::cli::add_import,     dripfeed::cli::add_export,
 };
 
 }  // namespace

@@ -79,6 +79,15 @@ constexpr NumberRow kNumbers[] = {
     {{"--check-memory", &ServerOptions::check_memory, "budget of memory of one check, in MB", true},
      json::kLeastCheckMemory_mb,
      json::kMostCheckMemory_mb},
+    {{"--program-mb", &ServerOptions::program_mb, "limit of one program's text, in MB"}, 1, json::kMostUpload_mb},
+    {{"--attachment-mb", &ServerOptions::attachment_mb, "limit of one attached file, in MB"}, 1, json::kMostUpload_mb},
+    {{"--store-mb", &ServerOptions::store_mb, "limit of all texts and files, in MB; 0: none but the disk"},
+     0,
+     json::kMostStore_mb},
+    {{"--delete-after-days", &ServerOptions::delete_after_days,
+      "how many days a program is archived before it may be deleted"},
+     0,
+     json::kMostDeleteAfter_days},
 };
 constexpr Row<bool> kFlags[] = {{"--insecure", &ServerOptions::insecure, "listen beyond loopback without TLS"}};
 

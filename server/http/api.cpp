@@ -37,6 +37,13 @@ bool is_json(const Request& request) {
   return std::ranges::find(kTaken, type) != kTaken.end() && request.content_encoding.empty();
 }
 
+// What is wrong with the form of a body; "" where nothing is. A file comes unchanged.
+std::string_view why_not_taken(const Route& route, const Request& request) {
+  if (route.carries == Carries::file)
+    return request.content_encoding.empty() ? "" : "a file comes without a content encoding";
+  return request.body.empty() || is_json(request) ? "" : "a body is JSON, without a content encoding";
+}
+
 }  // namespace
 
 Response json_response(unsigned status, std::string body) {
@@ -185,8 +192,9 @@ Plan Api::plan(const Request& head) {
   const Match match = find_route(routes(), head);
   if (match.route == nullptr) return {.lane = wants_page(head) ? Lane::bulk : Lane::here};
   return {.lane = lane_of(*match.route),
-          .body_limit_bytes = match.route->carries == Carries::text ? kLargeBody_bytes : kSmallBody_bytes,
-          .route = static_cast<std::size_t>(match.route - routes().data())};
+          .body_limit_bytes = match.route->carries == Carries::document ? kSmallBody_bytes : kLargeBody_bytes,
+          .route = static_cast<std::size_t>(match.route - routes().data()),
+          .fetches_body = match.route->carries != Carries::file};
 }
 
 // The fence of what libraries throw (a document too deep, no memory): one request fails, the lines go on.
@@ -287,8 +295,8 @@ Response Api::answer_stored(const Call& call, const Route& route) {
 
 Response Api::answer_route(const Request& request, const Match& match) {
   const Route& route = *match.route;
-  if (!request.body.empty() && !is_json(request))
-    return problem_response(415, "a body is JSON, without a content encoding");
+  if (const std::string_view why = why_not_taken(route, request); !why.empty())
+    return problem_response(415, std::string(why));
   Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
   if (route.right == Right::anybody) return route.handler(call);
   call.version = version_of(application_.store());

@@ -9,6 +9,7 @@
 
 #include "server/http/api.h"
 #include "store/hash/hash.h"
+#include "store/hash/sha256.h"
 
 namespace dripfeed::http {
 
@@ -20,6 +21,21 @@ constexpr std::int64_t kForgetEvery_ms = 3600LL * 1000;
 
 constexpr std::string_view kJson = "application/json";
 constexpr std::string_view kContentType = "Content-Type";
+
+constexpr std::size_t kHashedAtOnce_bytes = std::size_t{256} << 10U;
+
+std::expected<std::string, std::string> hash_of_body(const Request& request) {
+  if (!request.spooled) return hash::sha256_hex(request.body);
+  hash::Sha256 hash;
+  std::string piece(kHashedAtOnce_bytes, '\0');
+  const BodyPieces pieces = pieces_of(request);
+  while (true) {
+    const auto count = pieces(piece);
+    if (!count) return std::unexpected(count.error());
+    if (*count == 0) return hash.hex();
+    hash.add(std::string_view(piece).substr(0, *count));
+  }
+}
 
 // Headers of a kept answer: one a line, its type among them where it is no JSON.
 std::string write_headers(const Response& response) {
@@ -133,10 +149,12 @@ Response Api::answer_staged(const Call& call, const Route& route, const store::R
 // last step of a staged or bulk one: its text is stored before, under its hash, which changes nothing. For the others a
 // crash between the two lets a repetition try again, and the state of things (a job that is armed already) refuses it.
 Response Api::answer_first(const Request& request, const Route& route, const Call& call) {
+  auto body_sha256 = hash_of_body(request);
+  if (!body_sha256) return problem_response(507, body_sha256.error());
   const store::ReplyKey key{.actor = std::string(call.user),
                             .route = fmt::format("{} {}", name_of(request.method), request.target),
                             .key = request.idempotency_key,
-                            .request_sha256 = hash::sha256_hex(request.body)};
+                            .request_sha256 = std::move(*body_sha256)};
   if (route.weight == Weight::staged) return answer_staged(call, route, &key);
   if (auto before = answered_before(key)) return std::move(*before);
   const Commit once = [&](const std::function<Response()>& step) {

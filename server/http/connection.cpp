@@ -196,14 +196,15 @@ void Connection::on_read(Error error) {
 
 void Connection::answer_in(Lane lane) {
   request_.peer = wire_.lowest().socket().native_handle();
-  const bool taken = shared_.lanes->submit(lane, [self = shared_from_this(), request = std::move(request_)]() mutable {
-    const auto fetched = fetch_body(request);
-    Response response = fetched ? self->shared_.answerer.answer(request) : plain_problem(507, fetched.error());
-    asio::post(self->wire_.get_executor(),
-               self->fenced([connection = self.get(), answer = std::move(response)]() mutable {
-                 connection->respond(std::move(answer));
-               }));
-  });
+  const bool taken = shared_.lanes->submit(
+      lane, [self = shared_from_this(), request = std::move(request_), fetches = plan_.fetches_body]() mutable {
+        const auto fetched = fetches ? fetch_body(request) : std::expected<void, std::string>();
+        Response response = fetched ? self->shared_.answerer.answer(request) : plain_problem(507, fetched.error());
+        asio::post(self->wire_.get_executor(),
+                   self->fenced([connection = self.get(), answer = std::move(response)]() mutable {
+                     connection->respond(std::move(answer));
+                   }));
+      });
   if (!taken) respond_unread(plain_problem(503, "too many requests of this kind are waiting: send this one again"));
 }
 

@@ -25,6 +25,7 @@ std::string describe_api(std::string_view version) {
                          .query = own_query(route),
                          .body = route.body.schema,
                          .needs_body = route.body.needed,
+                         .takes_file = route.carries == Carries::file,
                          .status = route.answer.status,
                          .answer = route.answer.schema,
                          .lists = route.answer.page,

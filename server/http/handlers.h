@@ -106,8 +106,16 @@ Response get_dialect_words(const Call& call);
 Response label_program(const Call& call);
 Response archive_program(const Call& call);
 Response fetch_back_program(const Call& call);
+Response delete_program(const Call& call);
 Response search_programs(const Call& call);
 Response get_program_uses(const Call& call);
+
+// handlers_attachments.cpp
+Response list_attachments(const Call& call);
+Response add_attachment(const Call& call);
+Response get_attachment(const Call& call);
+Response get_attachment_content(const Call& call);
+Response remove_attachment(const Call& call);
 
 // handlers_measures.cpp
 Response measure_accuracy(const Call& call);

@@ -48,6 +48,18 @@ Response label_program(const Call& call) {
 Response archive_program(const Call& call) { return move_program(call, &store::Programs::archive); }
 Response fetch_back_program(const Call& call) { return move_program(call, &store::Programs::fetch_back); }
 
+Response delete_program(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto body = json::read_reason_body(call.request.body, true);
+  if (!body) return problem_response(body.error());
+  constexpr std::int64_t kDay_ms = std::int64_t{24} * 3600 * 1000;
+  app::Application& app = call.api.application();
+  const store::Stamp by = stamp_of(call);
+  const std::int64_t until_ms = by.at_ms - kDay_ms * app.limits().delete_after_days;
+  return program_response(app.store().programs().erase(*id, until_ms, body->reason, by));
+}
+
 Response search_programs(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
@@ -66,7 +78,7 @@ Response search_programs(const Call& call) {
   std::vector<json::SearchHit> hits;
   for (const store::LibraryHit& hit : found->items) {
     auto program = app.store().programs().get(hit.program);
-    if (program) hits.push_back({.hit = hit, .program = std::move(*program)});
+    if (program && !program->is_deleted()) hits.push_back({.hit = hit, .program = std::move(*program)});
   }
   return json_response(200, json::search_result(hits, found->next, *state, *waiting));
 }

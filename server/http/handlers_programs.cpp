@@ -39,6 +39,8 @@ store::Result<store::ProgramRevision> find_revision(store::Store& store, store::
   if (revision != 0) return store.programs().get_revision(program, revision);
   auto newest = store.programs().get(program);
   if (!newest) return std::unexpected(newest.error());
+  if (newest->newest.revision == 0)
+    return std::unexpected(store::Error{store::ErrorCode::not_found, fmt::format("program/{} is deleted", program)});
   return std::move(newest->newest);
 }
 

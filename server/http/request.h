@@ -45,12 +45,19 @@ struct Request {
   std::string content_type;
   std::string content_encoding;
   std::string body;
-  std::shared_ptr<SpooledBody> spooled;  // a long body before it is fetched into `body`; see fetch_body()
+  std::shared_ptr<SpooledBody> spooled;  // a long body before it is fetched into `body`; see fetch_body(). One that
+                                         // is a file is not fetched
   int peer = -1;  // the socket, for work that is given up when the client leaves; it is open until the answer
 };
 
 // Fetches a long body, for whoever may wait for the disk. Errors: as SpooledBody::read().
 std::expected<void, std::string> fetch_body(Request& request);
+
+// The body in pieces, wherever it lies, for whoever may wait for the disk: fills what it is given from the front and
+// says how much, 0 at the end. Holds as long as the request. Errors: as SpooledBody::read().
+using BodyPieces = std::function<std::expected<std::size_t, std::string>(std::span<char>)>;
+BodyPieces pieces_of(const Request& request);
+std::uint64_t body_bytes(const Request& request);
 
 // Gives the next piece of a long body: how many bytes it wrote, 0 at the end, or what failed (then the connection is
 // cut, so that a half text never looks whole).

@@ -51,6 +51,7 @@ constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/families", "library"},
     ScopeRow{"/api/v1/parts", "library"},
     ScopeRow{"/api/v1/receipts", "library"},
+    ScopeRow{"/api/v1/attachments", "library"},
 };
 
 enum class Acts : std::uint8_t {

@@ -34,8 +34,8 @@ std::string_view name_of(Right right);
 //   secret
 enum class Weight : std::uint8_t { stored, light, staged, command, bulk, setup, heavy, secret };
 
-// What a body may carry: a document, or a text in one.
-enum class Carries : std::uint8_t { document, text };
+// What a body may carry: a document, a text in one, or the bytes of a file, which the handler reads in pieces.
+enum class Carries : std::uint8_t { document, text, file };
 
 // What a route takes besides its path and body: a page of a list, or the revision that is changed.
 enum class Takes : std::uint8_t { no_more, page, if_match };
@@ -47,6 +47,7 @@ struct Body {
   bool needed;              // an empty one is none
 };
 inline constexpr Body kNoBody{"", false};
+inline constexpr Body kFile{"", true};  // of a route that carries one
 constexpr Body body(std::string_view schema) { return {schema, true}; }
 constexpr Body optional_body(std::string_view schema) { return {schema, false}; }
 

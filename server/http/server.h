@@ -41,6 +41,7 @@ struct Plan {
   Lane lane = Lane::here;
   std::size_t body_limit_bytes = kShortBody_bytes;
   std::size_t route = SIZE_MAX;  // its place in the table, for the counts; SIZE_MAX: none
+  bool fetches_body = true;      // false: a long body stays in its file
 };
 
 // `answer` gives the response, on a thread of the lane that `plan` names; `refuse_long` is asked with the head of a

@@ -1,6 +1,7 @@
 // O_TMPFILE where the file system has it; elsewhere a name that is gone before the first byte is written.
 #include "server/http/spool.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -66,17 +67,42 @@ std::expected<void, std::string> SpooledBody::append(const std::filesystem::path
   return {};
 }
 
-std::expected<std::string, std::string> SpooledBody::read() const {
-  std::string text(bytes_, '\0');
+std::expected<std::size_t, std::string> SpooledBody::read(std::uint64_t offset, std::span<char> into) const {
+  const std::size_t most = static_cast<std::size_t>(std::min<std::uint64_t>(into.size(), bytes_ - offset));
   std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t count = ::pread(file_, text.data() + done, text.size() - done, static_cast<off_t>(done));
+  while (done < most) {
+    const ssize_t count = ::pread(file_, into.data() + done, most - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return system_refusal(errno);
     if (count == 0) return refusal("it lost a part of it");
     done += static_cast<std::size_t>(count);
   }
+  return done;
+}
+
+std::expected<std::string, std::string> SpooledBody::read() const {
+  std::string text(bytes_, '\0');
+  const auto read_all = read(0, text);
+  if (!read_all) return std::unexpected(read_all.error());
   return text;
+}
+
+std::uint64_t body_bytes(const Request& request) {
+  return request.spooled ? request.spooled->bytes() : request.body.size();
+}
+
+BodyPieces pieces_of(const Request& request) {
+  return
+      [&request, offset = std::uint64_t{0}](std::span<char> into) mutable -> std::expected<std::size_t, std::string> {
+        if (request.spooled) {
+          const auto count = request.spooled->read(offset, into);
+          if (count) offset += *count;
+          return count;
+        }
+        const std::size_t count = request.body.copy(into.data(), into.size(), static_cast<std::size_t>(offset));
+        offset += count;
+        return count;
+      };
 }
 
 std::expected<void, std::string> fetch_body(Request& request) {

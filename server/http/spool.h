@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "server/http/lanes.h"
@@ -29,6 +30,9 @@ class SpooledBody {
 
   // The first call makes the file. Errors: why the disk does not take it, as one sentence.
   std::expected<void, std::string> append(const std::filesystem::path& folder, std::string_view piece);
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  // From `offset` on, as much as fits; 0 at the end. Errors: as append().
+  std::expected<std::size_t, std::string> read(std::uint64_t offset, std::span<char> into) const;
   // All that was appended. Errors: as append().
   std::expected<std::string, std::string> read() const;
 

@@ -20,7 +20,7 @@ constexpr std::array kExamples = {
     ApiExample{"RenderOrder", R"({"part": "HUB-12", "machine": "lathe-1", "delivery": "drip"})"},
     ApiExample{"NewProgram", R"({"name": "O0042", "dialect": "fanuc", "text": "%\nO0042\nG0X80.Z2.\nM30\n%\n"})"},
     ApiExample{"Program", R"({"id": 77, "name": "O0042", "dialect": "fanuc", "tags": ["hub"], "folder": null,
-      "archived": null, "revision": 1, "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+      "archived": null, "deleted": null, "revision": 1, "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
       "bytes": 24, "blocks": 3, "origin": {"kind": "uploaded"}, "created_by": "the MES",
       "created_at_ms": 1795500100000})"},
     ApiExample{"CheckOrder", R"({"program": 77, "machine": "lathe-1", "delivery": "drip"})"},

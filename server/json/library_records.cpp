@@ -159,6 +159,27 @@ std::string program_uses(const app::ProgramUses& uses) {
                {"unread", uses.unread}});
 }
 
+std::string attachment(const store::Attachment& attachment) {
+  const store::AttachedTo& to = attachment.of.to;
+  const auto id_or_null = [](store::Id id) { return id == 0 ? Document(nullptr) : Document(id); };
+  Document removed = nullptr;
+  if (attachment.is_removed())
+    removed = {
+        {"by", attachment.removed_by}, {"reason", attachment.removed_reason}, {"at_ms", attachment.removed_at_ms}};
+  return dump({{"id", attachment.id},
+               {"program", id_or_null(to.program)},
+               {"family", text_or_null(to.family)},
+               {"part", text_or_null(to.part)},
+               {"order", id_or_null(to.order)},
+               {"name", attachment.of.name},
+               {"media_type", attachment.of.media_type},
+               {"bytes", attachment.bytes},
+               {"sha256", attachment.of.sha256},
+               {"added_by", attachment.added_by},
+               {"added_at_ms", attachment.added_at_ms},
+               {"removed", std::move(removed)}});
+}
+
 std::string store_room(const app::StoreRoom& room) {
   const auto known = [](std::uint64_t bytes) { return bytes == 0 ? Document(nullptr) : Document(bytes); };
   const auto given = [](const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); };

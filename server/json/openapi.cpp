@@ -221,6 +221,13 @@ std::string about(const OpenApiRoute& route) {
   return text;
 }
 
+// Its type is that of the file; what is none, or not known, is application/octet-stream.
+Document file_body() {
+  return {{"required", true},
+          {"description", "the bytes of the file"},
+          {"content", content("*/*", {{"type", "string"}, {"contentMediaType", "application/octet-stream"}})}};
+}
+
 Document operation_of(const OpenApiRoute& route) {
   Document operation = {{"operationId", operation_id(route)},
                         {"summary", route.summary},
@@ -229,6 +236,7 @@ Document operation_of(const OpenApiRoute& route) {
                         {"parameters", parameters_of(route)}};
   if (!route.body.empty())
     operation["requestBody"] = {{"required", route.needs_body}, {"content", content(kJson, to_reference(route.body))}};
+  if (route.takes_file) operation["requestBody"] = file_body();
   operation["x-role"] = route.right;
   if (route.open) operation["security"] = Document::array();
   Document responses = {{std::to_string(route.status), answer_of(route)}};

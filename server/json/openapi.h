@@ -23,6 +23,7 @@ struct OpenApiRoute {
   std::vector<std::string_view> query = {};  // names of other query parameters
   std::string_view body = {};                // schema of the request's body; empty: it takes none
   bool needs_body = false;                   // an empty one is none
+  bool takes_file = false;                   // the body is the bytes of a file
   unsigned status = 200;                     // where it is done
   std::string_view answer = {};              // schema of the answer; empty: none as JSON
   bool lists = false;                        // the answer is a page of these

@@ -39,7 +39,7 @@ bool has_type(const OpenApiRoute& route, std::string_view type) {
 std::set<unsigned> statuses_of(const OpenApiRoute& route) {
   std::set<unsigned> all = {400, 500, 503};
   const bool is_read = route.method == "GET";
-  const bool has_body = !route.body.empty();
+  const bool has_body = !route.body.empty() || route.takes_file;
   const auto add = [&](bool if_so, std::initializer_list<unsigned> some) {
     if (if_so) all.insert(some);
   };

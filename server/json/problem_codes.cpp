@@ -57,7 +57,7 @@ constexpr std::array kCodes = {
                 "no_line no_line_because line_elsewhere store_not_leased link_down link_down_plain nothing_leaves"},
     ProblemCode{"append_only", 409, "append only", "what is written there never changes", 0, "store_append_only"},
     ProblemCode{"stale_revision", 412, "stale revision", "another change came first: read it again"},
-    ProblemCode{"too_large", 413, "too large", "the body is too long for this route"},
+    ProblemCode{"too_large", 413, "too large", "the body is too long for this route, or for the limits of this shop"},
     ProblemCode{"no_json", 415, "no JSON", "the body is no JSON, or is encoded"},
     ProblemCode{"invalid", 422, "invalid", "a value is missing or wrong: see `errors`"},
     ProblemCode{"key_reused", 422, "key reused", "the idempotency key was used for another request", 0,
@@ -72,6 +72,7 @@ constexpr std::array kCodes = {
     ProblemCode{"disk_full", 503, "disk full", "the disk is full: running work is finished, nothing new begins",
                 kDiskFull_s, "store_disk_full disk_full_ends"},
     ProblemCode{"no_room", 507, "no room on the disk", "the body could not be kept on the disk"},
+    ProblemCode{"over_quota", 507, "over quota", "the store has as much as its options let in: a person makes room"},
 };
 
 struct ErrorRow {
@@ -83,6 +84,7 @@ constexpr std::array kErrors = {
     ErrorRow{app::ErrorCode::malformed, "malformed"},     ErrorRow{app::ErrorCode::invalid, "invalid"},
     ErrorRow{app::ErrorCode::stale, "stale_revision"},    ErrorRow{app::ErrorCode::refused, "refused"},
     ErrorRow{app::ErrorCode::unavailable, "unavailable"}, ErrorRow{app::ErrorCode::internal, "internal"},
+    ErrorRow{app::ErrorCode::too_large, "too_large"},     ErrorRow{app::ErrorCode::over_quota, "over_quota"},
 };
 
 bool has_word(std::string_view words, std::string_view word) {

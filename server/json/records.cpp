@@ -247,12 +247,16 @@ std::string program(const store::Program& program) {
   Document archived = nullptr;
   if (program.is_archived())
     archived = {{"by", program.archived.by}, {"reason", program.archived.reason}, {"at_ms", program.archived.at_ms}};
+  Document deleted = nullptr;
+  if (program.is_deleted())
+    deleted = {{"by", program.deleted.by}, {"reason", program.deleted.reason}, {"at_ms", program.deleted.at_ms}};
   Document document = {{"id", program.id},
                        {"name", program.name},
                        {"dialect", program.dialect},
                        {"tags", program.tags},
                        {"folder", text_or_null(program.folder)},
-                       {"archived", std::move(archived)}};
+                       {"archived", std::move(archived)},
+                       {"deleted", std::move(deleted)}};
   document.update(revision_document(program.newest));
   return dump(document);
 }

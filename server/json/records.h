@@ -62,6 +62,7 @@ struct SearchHit {
 std::string search_result(std::span<const SearchHit> hits, std::string_view next, const store::LibraryState& state,
                           std::uint64_t waiting);
 std::string program_uses(const app::ProgramUses& uses);
+std::string attachment(const store::Attachment& attachment);
 std::string work(const app::Work& work);
 // A server of the store with the machines whose lines it has; `is_this`: the one that answers.
 std::string node(const store::Node& node, std::span<const store::Lease> leases, bool is_this);

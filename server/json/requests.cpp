@@ -74,17 +74,10 @@ void read_tags(ObjectReader& o, std::optional<std::vector<std::string>>& into) {
 
 // Names with slashes between; "" is no folder.
 void read_folder(ObjectReader& o, std::optional<std::string>& into) {
-  constexpr std::size_t kLongest = 200;
   if (!o.has("folder") && o.member("folder", text("")) == nullptr) return;
   std::string folder;
   o.text("folder", folder);
-  if (folder.size() > kLongest) return o.fault("folder", "must not have more than 200 bytes");
-  for (std::size_t begin = 0; !folder.empty() && begin <= folder.size();) {
-    const std::size_t end = std::min(folder.find('/', begin), folder.size());
-    if (const std::string why = app::why_no_name(std::string_view(folder).substr(begin, end - begin)); !why.empty())
-      return o.fault("folder", "has a name that " + why);
-    begin = end + 1;
-  }
+  if (std::string why = app::why_no_folder(folder); !why.empty()) return o.fault("folder", std::move(why));
   into = std::move(folder);
 }
 

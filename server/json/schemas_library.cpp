@@ -1,4 +1,4 @@
-// Searches, and where a program is used.
+// Searches, where a program is used, and files that are attached.
 #include "server/json/records.h"
 #include "server/json/schemas.h"
 
@@ -66,8 +66,28 @@ Schema uses() {
        {"unread", integer("programs that could not be read as a whole: what they call is not known")}});
 }
 
+Schema attachment() {
+  return object(
+      "a file of a program, family, part or order",
+      {{"id", integer("of the attachment")},
+       {"program", or_null(integer("whose file it is, by its id; null: not of a program"))},
+       {"family", or_null(text("whose file it is, by its name; null: not of a family"))},
+       {"part", or_null(text("whose file it is, by its number; null: not of a part"))},
+       {"order", or_null(integer("whose file it is, by its id; null: not of an order"))},
+       {"name", text("of the file")},
+       {"media_type", text("as whoever attached it stated it")},
+       {"bytes", integer("of the file")},
+       {"sha256", text("of the file, in hexadecimal")},
+       {"added_by", text("who attached it")},
+       {"added_at_ms", time_ms("when")},
+       {"removed", or_null(object("who removed it; null: it is there",
+                                  {{"by", text("who did")}, {"reason", text("why")}, {"at_ms", time_ms("when")}}))}});
+}
+
 }  // namespace
 
-Schemas library_schemas() { return {{"SearchResult", search_result()}, {"ProgramUses", uses()}}; }
+Schemas library_schemas() {
+  return {{"SearchResult", search_result()}, {"ProgramUses", uses()}, {"Attachment", attachment()}};
+}
 
 }  // namespace dripfeed::json

@@ -92,6 +92,9 @@ Schemas program_schemas() {
                    {"folder", or_null(text("in which people put it, as \"customer/pumps\"; null: in none"))},
                    {"archived",
                     or_null(object("who put it aside; null: it is in use",
+                                   {{"by", text("who did")}, {"reason", text("why")}, {"at_ms", time_ms("when")}}))},
+                   {"deleted",
+                    or_null(object("who deleted it; null: it is not; the revision is 0 where nothing names its text",
                                    {{"by", text("who did")}, {"reason", text("why")}, {"at_ms", time_ms("when")}}))}} +
                revision())},
       {"ProgramRevision", object("one revision of a program", Members{{"id", integer("of the program")}} + revision())},

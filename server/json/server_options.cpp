@@ -91,6 +91,10 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("mqtt_ca", into.mqtt_ca);
   o.integer("check_seconds", into.check_seconds, 1, kMostCheckSeconds);
   o.integer("check_memory", into.check_memory, kLeastCheckMemory_mb, kMostCheckMemory_mb);
+  o.integer("program_mb", into.program_mb, 1, kMostUpload_mb);
+  o.integer("attachment_mb", into.attachment_mb, 1, kMostUpload_mb);
+  o.integer("store_mb", into.store_mb, 0, kMostStore_mb);
+  o.integer("delete_after_days", into.delete_after_days, 0, kMostDeleteAfter_days);
 }
 
 }  // namespace

@@ -35,12 +35,19 @@ struct ServerOptions {
   std::string mqtt_prefix = "dripfeed";
   std::string mqtt_ca{};  // PEM; "": whom the system believes
   std::uint32_t check_seconds = 60;
-  std::uint32_t check_memory = 2048;  // MB
+  std::uint32_t check_memory = 2048;     // MB
+  std::uint32_t program_mb = 64;         // of one text
+  std::uint32_t attachment_mb = 64;      // of one attached file
+  std::uint32_t store_mb = 0;            // of all texts and files; 0: no limit but the disk
+  std::uint32_t delete_after_days = 30;  // after a program was archived
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };
 inline constexpr double kMostRetry_s = 604'800.0;  // a week
 inline constexpr std::size_t kMostRetries = 20;
 inline constexpr std::uint32_t kMostCheckSeconds = 86'400;
+inline constexpr std::uint32_t kMostUpload_mb = 64;
+inline constexpr std::uint32_t kMostStore_mb = 1'073'741'824;
+inline constexpr std::uint32_t kMostDeleteAfter_days = 36'500;
 inline constexpr std::uint32_t kLeastCheckMemory_mb = 64;
 inline constexpr std::uint32_t kMostCheckMemory_mb = 1'048'576;
 

@@ -6,6 +6,8 @@
 #include "store/postgresql/schema_v1.h"
 #include "store/postgresql/schema_v2.h"
 #include "store/postgresql/schema_v3.h"
+#include "store/postgresql/schema_v4.h"
+#include "store/postgresql/schema_v5.h"
 #include "store/sql/session.h"
 
 namespace dripfeed::postgresql {
@@ -46,7 +48,9 @@ constexpr sql::Mark kStore{.stands = is_marked, .sql = kMark};
 
 std::span<const sql::Migration> migrations() {
   static const std::array kMigrations{sql::Migration{1, "tables", kSchemaV1}, sql::Migration{2, "rules", kSchemaV2},
-                                      sql::Migration{3, "nodes", kSchemaV3}};
+                                      sql::Migration{3, "nodes", kSchemaV3},
+                                      sql::Migration{4, "attachments", kSchemaV4},
+                                      sql::Migration{5, "deleted programs", kSchemaV5}};
   return kMigrations;
 }
 

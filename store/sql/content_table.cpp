@@ -22,7 +22,8 @@ constexpr std::string_view kUnused =
     "SELECT id FROM content c WHERE sha256 IS NULL OR (NOT EXISTS (SELECT 1 FROM program_revision WHERE sha256 = "
     "c.sha256) "
     "AND NOT EXISTS (SELECT 1 FROM program_revision WHERE places_sha256 = c.sha256) "
-    "AND NOT EXISTS (SELECT 1 FROM receipt WHERE sha256 = c.sha256))";
+    "AND NOT EXISTS (SELECT 1 FROM receipt WHERE sha256 = c.sha256) "
+    "AND NOT EXISTS (SELECT 1 FROM attachment WHERE content = c.sha256))";
 constexpr std::string_view kDropSome =
     "DELETE FROM content_chunk WHERE content = ? AND n IN "
     "(SELECT n FROM content_chunk WHERE content = ? ORDER BY n LIMIT 64)";
@@ -48,6 +49,13 @@ Result<Content> ContentTable::put(std::string_view bytes) {
   ChunkWriter writer(database_);
   if (auto taken = writer.append(bytes); !taken) return std::unexpected(taken.error());
   return writer.finish();
+}
+
+Result<std::uint64_t> ContentTable::total_bytes() {
+  return database_.read("contents", [&](Session& session) -> Result<std::uint64_t> {
+    Query query(session, "SELECT CAST(coalesce(sum(bytes), 0) AS BIGINT) FROM content");
+    return query.next() ? query.number() : 0;
+  });
 }
 
 Result<Content> ContentTable::find(std::string_view sha256) {

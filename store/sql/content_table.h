@@ -11,6 +11,7 @@ class ContentTable final : public store::Contents {
   explicit ContentTable(Database& database) : database_(database) {}
   store::Result<std::unique_ptr<store::ContentWriter>> begin() override;
   store::Result<store::Content> put(std::string_view bytes) override;
+  store::Result<std::uint64_t> total_bytes() override;
   store::Result<store::Content> find(std::string_view sha256) override;
   store::Result<std::size_t> read(std::string_view sha256, std::uint64_t offset, std::span<char> into) override;
   store::Result<void> verify(std::string_view sha256) override;

@@ -24,7 +24,8 @@ using store::Revision;
 using store::Stamp;
 
 constexpr std::string_view kRevisionColumns =
-    "r.program, r.revision, r.sha256, c.bytes, r.places_sha256, r.blocks, r.facts, r.origin, r.family, "
+    "r.program, r.revision, r.sha256, c.bytes, r.places_sha256, r.blocks, r.facts, coalesce(r.origin, 'uploaded'), "
+    "r.family, "
     "r.family_revision, r.part, r.part_revision, r.part_values, r.machine, r.machine_revision, r.mode, r.actor, "
     "r.at_ms";
 
@@ -71,20 +72,25 @@ Program read_program(Query& query) {
   program.archived.at_ms = query.signed_number();
   program.archived.by = query.text();
   program.archived.reason = query.text();
+  program.deleted.at_ms = query.signed_number();
+  program.deleted.by = query.text();
+  program.deleted.reason = query.text();
+  program.id = query.number();
   program.change = query.number();
   program.tags = read_tags(query.text());
   program.newest = read_revision(query);
-  program.id = program.newest.program;
+  program.newest.program = program.id;
   return program;
 }
 
 std::string newest_where(std::string_view rest) {
   return fmt::format(
-      "SELECT p.name, p.dialect, p.folder, p.archived_at_ms, p.archived_by, p.archive_reason, p.change_number, "
-      "(SELECT group_concat(t.tag, '\n') FROM program_tag t WHERE t.program = p.id), {} FROM program p JOIN "
+      "SELECT p.name, p.dialect, p.folder, p.archived_at_ms, p.archived_by, p.archive_reason, "
+      "p.deleted_at_ms, p.deleted_by, p.delete_reason, p.id, p.change_number, "
+      "(SELECT group_concat(t.tag, '\n') FROM program_tag t WHERE t.program = p.id), {} FROM program p LEFT JOIN "
       "program_revision r ON r.program = p.id AND r.revision = "
       "p.revision "
-      "JOIN content c ON c.sha256 = r.sha256 WHERE {}",
+      "LEFT JOIN content c ON c.sha256 = r.sha256 WHERE {}",
       kRevisionColumns, rest);
 }
 
@@ -195,7 +201,9 @@ std::string in_work(Session& session, Id program) {
 
 Result<Program> ProgramTable::label(Id program, const store::ProgramLabels& labels, const Stamp& by) {
   return database_.write(subject_of(program), [&](Session& session) -> Result<Program> {
-    if (auto known = get(program); !known) return known;
+    const auto known = get(program);
+    if (!known) return known;
+    if (known->is_deleted()) return session.refuse(ErrorCode::refused_transition, "it is deleted");
     std::string detail;
     if (labels.tags) {
       if (std::ranges::find(*labels.tags, "") != labels.tags->end())
@@ -239,12 +247,82 @@ Result<Program> ProgramTable::fetch_back(Id program, std::string_view reason, co
     if (!old) return old;
     if (reason.empty()) return session.refuse(ErrorCode::invalid_value, "a program is fetched back with a reason");
     if (!old->is_archived()) return session.refuse(ErrorCode::refused_transition, "it is in use");
+    if (old->is_deleted()) return session.refuse(ErrorCode::refused_transition, "it is deleted");
     session.run("UPDATE program SET archived_at_ms = 0, archived_by = '', archive_reason = '' WHERE id = ?", program);
     note_program_change(session, program);
     add_audit_row(session,
                   {.action = "program.fetch_back", .subject = subject_of(program), .detail = std::string(reason)}, by);
     if (!session.ok()) return std::unexpected(session.error());
     return with_event(session, get(program), "fetched_back", by);
+  });
+}
+
+namespace {
+
+// What keeps an archived program from being deleted; "" where nothing does.
+std::string still_named(Session& session, Id program) {
+  if (std::string why = in_work(session, program); !why.empty()) return why;
+  {
+    Query release(session, "SELECT id, state FROM text_release WHERE program = ? AND state <> 'obsolete'", program);
+    if (release.next()) {
+      const Id id = release.number();
+      return fmt::format("release {} of it is {}", id, release.text());
+    }
+  }
+  Query calls(session,
+              "SELECT j.id FROM job j JOIN verdict v ON v.sha256 = j.sha256 AND v.machine = j.machine "
+              "JOIN verdict_call c ON c.verdict = v.id WHERE c.program = ? "
+              "AND j.state IN ('queued', 'armed', 'feeding', 'held', 'draining')",
+              program);
+  return calls.next() ? fmt::format("job {} calls it and has not ended", calls.number()) : std::string();
+}
+
+// Revisions that nothing else speaks of.
+constexpr std::string_view kEraseRevisions =
+    "DELETE FROM program_revision WHERE program = ? "
+    "AND NOT EXISTS (SELECT 1 FROM verdict v WHERE v.program = program_revision.program "
+    "AND v.revision = program_revision.revision) "
+    "AND NOT EXISTS (SELECT 1 FROM text_release t WHERE t.program = program_revision.program "
+    "AND t.revision = program_revision.revision) "
+    "AND NOT EXISTS (SELECT 1 FROM job j WHERE j.program = program_revision.program "
+    "AND j.revision = program_revision.revision) "
+    "AND NOT EXISTS (SELECT 1 FROM receipt r WHERE r.program = program_revision.program "
+    "AND r.revision = program_revision.revision) "
+    "AND NOT EXISTS (SELECT 1 FROM verdict_call c WHERE c.program = program_revision.program "
+    "AND c.revision = program_revision.revision)";
+
+}  // namespace
+
+Result<Program> ProgramTable::erase(Id program, std::int64_t archived_until_ms, std::string_view reason,
+                                    const Stamp& by) {
+  return database_.write(subject_of(program), [&](Session& session) -> Result<Program> {
+    const auto old = get(program);
+    if (!old) return old;
+    if (reason.empty()) return session.refuse(ErrorCode::invalid_value, "a program is deleted with a reason");
+    if (old->is_deleted()) return session.refuse(ErrorCode::refused_transition, "it is deleted already");
+    if (!old->is_archived()) return session.refuse(ErrorCode::refused_transition, "it is in use: archive it first");
+    if (old->archived.at_ms > archived_until_ms)
+      return session.refuse(ErrorCode::refused_transition, "it was archived too short a time ago");
+    if (std::string why = still_named(session, program); !why.empty())
+      return session.refuse(ErrorCode::refused_transition, std::move(why));
+    session.run("UPDATE program SET deleted_at_ms = ?, deleted_by = ?, delete_reason = ? WHERE id = ?", by.at_ms,
+                by.actor, reason, program);
+    session.run(
+        "UPDATE attachment SET content = NULL, removed_by = ?, removed_reason = ?, removed_at_ms = ? "
+        "WHERE program = ? AND removed_at_ms = 0",
+        by.actor, reason, by.at_ms, program);
+    session.run(kEraseRevisions, program);
+    const std::uint64_t erased = session.changed_rows();
+    session.run("DELETE FROM program_tag WHERE program = ?", program);
+    note_program_change(session, program);
+    add_audit_row(
+        session,
+        {.action = "program.delete",
+         .subject = subject_of(program),
+         .detail = fmt::format("{} of folder \"{}\", {} revisions erased: {}", old->name, old->folder, erased, reason)},
+        by);
+    if (!session.ok()) return std::unexpected(session.error());
+    return with_event(session, get(program), "deleted", by);
   });
 }
 
@@ -288,7 +366,8 @@ Result<store::Page<Program>> ProgramTable::list(const store::PageRequest& page, 
     const auto from = newest_first(page);
     if (!from) return std::unexpected(from.error());
     // A filter that is off compares a parameter with itself, so that the parameters stay the same.
-    constexpr std::array kShelves = {"p.archived_at_ms = 0", "p.archived_at_ms <> 0", "TRUE"};
+    constexpr std::array kShelves = {"p.archived_at_ms = 0", "p.archived_at_ms <> 0 AND p.deleted_at_ms = 0",
+                                     "p.deleted_at_ms = 0"};
     const std::string sql = newest_where(
         fmt::format("{} AND {} AND {} AND {} AND {} AND p.id < ? ORDER BY p.id DESC LIMIT ?",
                     filter.name.empty() ? "? = ''" : "p.name = ?",

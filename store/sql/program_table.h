@@ -17,6 +17,8 @@ class ProgramTable final : public store::Programs {
                                       const store::Stamp& by) override;
   store::Result<store::Program> archive(store::Id program, std::string_view reason, const store::Stamp& by) override;
   store::Result<store::Program> fetch_back(store::Id program, std::string_view reason, const store::Stamp& by) override;
+  store::Result<store::Program> erase(store::Id program, std::int64_t archived_until_ms, std::string_view reason,
+                                      const store::Stamp& by) override;
   store::Result<std::vector<store::Program>> changed_after(std::uint64_t change, std::uint32_t most) override;
   store::Result<std::uint64_t> count_changed_after(std::uint64_t change) override;
   store::Result<store::Program> get(store::Id program) override;

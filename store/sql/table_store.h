@@ -3,6 +3,7 @@
 
 #include "store/sql/alarm_table.h"
 #include "store/sql/answer_table.h"
+#include "store/sql/attachment_table.h"
 #include "store/sql/audit_table.h"
 #include "store/sql/browser_session_table.h"
 #include "store/sql/content_table.h"
@@ -39,6 +40,7 @@ class TableStore : public store::Store {
   store::Jobs& jobs() override { return jobs_; }
   store::Orders& orders() override { return orders_; }
   store::Receipts& receipts() override { return receipts_; }
+  store::Attachments& attachments() override { return attachments_; }
   store::Ledger& ledger() override { return ledger_; }
   store::Answers& answers() override { return answers_; }
   store::Alarms& alarms() override { return alarms_; }
@@ -74,6 +76,7 @@ class TableStore : public store::Store {
   OrderTable orders_{*database_};
   LedgerTable ledger_{*database_};
   ReceiptTable receipts_{*database_};
+  AttachmentTable attachments_{*database_};
   AlarmTable alarms_{*database_};
   EventTable event_log_{*database_};
   WebhookTable webhooks_{*database_};

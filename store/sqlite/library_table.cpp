@@ -101,7 +101,7 @@ Result<void> LibraryTable::put(const std::vector<LibraryEntry>& entries, std::ui
   return database_->write("library", [&](Session& session) -> Result<void> {
     for (const LibraryEntry& one : entries) {
       remove(session, one.program);
-      add(session, one);
+      if (one.revision != 0) add(session, one);
     }
     session.run("UPDATE reached SET change_number = ?", reached);
     return {};

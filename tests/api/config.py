@@ -49,7 +49,8 @@ def the_schema(folder):
     validator = Draft202012Validator(schema)
     whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "node": "hall-1", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
-             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "check_seconds": 1, "check_memory": 64}
+             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "check_seconds": 1, "check_memory": 64,
+             "program_mb": 1, "attachment_mb": 64, "store_mb": 0, "delete_after_days": 0}
     expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")
     options = subprocess.run([str(binary()), "serve", "--help"], capture_output=True, text=True, timeout=30).stdout
     for name in schema["properties"]:

@@ -152,7 +152,8 @@ def stores_of_old(folder):
         data.mkdir(parents=True)
         store = sqlite3.connect(data / "dripfeed.db")
         store.executescript((SCHEMAS / f"v{version}.sql").read_text())
-        programs = [row[0] for row in store.execute("SELECT id FROM program ORDER BY id")]
+        may_be_deleted = any(column[1] == "deleted_at_ms" for column in store.execute("PRAGMA table_info(program)"))
+        programs = [row[0] for row in store.execute(f"SELECT id FROM program {'WHERE deleted_at_ms = 0' if may_be_deleted else ''} ORDER BY id")]
         store.close()
         client = Client(folder / f"v{version}")
         client.server.start()

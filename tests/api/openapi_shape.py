@@ -64,8 +64,10 @@ def operation_faults(path, method, operation, schemes, default_security):
             found.append(f"the parameter {parameter.get('name')} has no meaning")
         if parameter.get("in") == "path" and parameter.get("required") is not True:
             found.append(f"the parameter {parameter.get('name')} of the path is not required")
-    if "requestBody" in operation and "$ref" not in operation["requestBody"].get("content", {}).get("application/json", {}).get("schema", {}):
-        found.append("no body is described")
+    if "requestBody" in operation:
+        content = operation["requestBody"].get("content", {})
+        if "$ref" not in content.get("application/json", {}).get("schema", {}) and "contentMediaType" not in content.get("*/*", {}).get("schema", {}):
+            found.append("no body is described")
     if operation.get("responses") and not any(status.startswith("2") for status in operation["responses"]):
         found.append("no success is described")
     for response in operation.get("responses", {}).values():

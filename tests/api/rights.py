@@ -76,8 +76,14 @@ def rows(made):
         ("POST", "/api/v1/programs/{id}/revisions", "programmer", {"id": "program"}, {"text": plain_program(2001)}, {"headers": MATCH_1}),
         ("GET", "/api/v1/programs/{id}/revisions", "viewer", {"id": "program"}, None, {}),
         ("PATCH", "/api/v1/programs/{id}", "programmer", {"id": "program"}, {"tags": ["pump"], "folder": "acme"}, {}),
+        ("POST", "/api/v1/attachments", "programmer", {}, b"%PDF-1.4", {"query": lambda: f"?name=sheet.pdf&program={made['program']}", "keep": "attachment"}),
+        ("GET", "/api/v1/attachments", "viewer", {}, None, {}),
+        ("GET", "/api/v1/attachments/{id}", "viewer", {"id": "attachment"}, None, {}),
+        ("GET", "/api/v1/attachments/{id}/content", "viewer", {"id": "attachment"}, None, {}),
+        ("POST", "/api/v1/attachments/{id}/remove", "programmer", {"id": "attachment"}, {"reason": "of another part"}, {}),
         ("POST", "/api/v1/programs/{id}/archive", "programmer", {"id": "program"}, {"reason": "sold"}, {}),
         ("POST", "/api/v1/programs/{id}/fetch-back", "programmer", {"id": "program"}, {"reason": "ordered again"}, {}),
+        ("POST", "/api/v1/programs/{id}/delete", "approver", {"id": "old_program"}, {"reason": "sold"}, {"ready": "put_aside"}),
         ("GET", "/api/v1/programs/{id}/uses", "viewer", {"id": "program"}, None, {}),
         ("GET", "/api/v1/search", "viewer", {}, None, {"query": "?q=O0042"}),
         ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
@@ -193,6 +199,10 @@ class Stage:
     def shown(self):
         self.made["shown"] = self.client.post(f"/releases/{self.made['release']}/restart-preview", {"line": 8})["sha256"]
 
+    def put_aside(self):
+        self.made["old_program"] = self.client.add_program(5, "O0005")["id"]
+        self.client.post(f"/programs/{self.made['old_program']}/archive", {"reason": "sold"})
+
     def received(self):
         self.idle()
         for wire in (b"%\nO0700\nM30\n%\n", b"\x12%\nO0701\nG0 X\x14"):
@@ -263,7 +273,8 @@ def try_row(client, stage, made, row):
     method, pattern, role, names, body, more = row
     if "ready" in more:
         getattr(stage, more["ready"])()
-    path, body = path_of(pattern, names, made) + more.get("query", ""), body() if callable(body) else body
+    query = more.get("query", "")
+    path, body = path_of(pattern, names, made) + (query() if callable(query) else query), body() if callable(body) else body
     headers, what = more.get("headers", {}), f"{method} {pattern}"
     if role:
         for wrong in ({}, {"Authorization": "Bearer nonsense"}, {"Authorization": f"Basic {client.tokens['admin']}"}, {"Cookie": "dripfeed_session=nonsense"}):
@@ -281,7 +292,7 @@ def try_row(client, stage, made, row):
         made[more["note"]] = answer.document["id"]
     if "keep" in more:
         made[more["keep"]] = answer.document["id"]
-        expect(answer.status == 201 and answer.headers["Location"] == f"{path}/{answer.document['id']}", f"{what}: {answer.headers['Location']}")
+        expect(answer.status == 201 and answer.headers["Location"] == f"{path.split('?')[0]}/{answer.document['id']}", f"{what}: {answer.headers['Location']}")
     if method == "GET" and role:
         for above in ROLES[ROLES.index(role):]:
             expect(client.call(method, path, None, above, headers).status == answer.status, f"{what} as {above}")
@@ -324,7 +335,7 @@ def every_route(folder):
     for name in ("index", "safety"):
         (web / "docs" / f"{name}.html").write_text("<!doctype html><title>docs</title>")
     control = HandControl()
-    client = Client(folder, "--web", str(web)).start()
+    client = Client(folder, "--web", str(web), "--delete-after-days", "0").start()
     client.post("/machines", hand_profile(control))
     mill = shop.preset("fanuc-0i-mill", url=f"pty:{folder}/nobody")
     make_groups(client, folder)

@@ -79,6 +79,7 @@ TEST_F(ContentTest, PiecesMakeNoDifference) {
     EXPECT_EQ(must(writer->finish()).sha256, hash::sha256_hex(text));
   }
   EXPECT_EQ(has_rows("content", 1), "") << "kept once";
+  EXPECT_EQ(must(store_->contents().total_bytes()), text.size());
   EXPECT_TRUE(must(read_whole(store_->contents(), hash::sha256_hex(text), text.size())) == text);
 }
 

@@ -21,6 +21,9 @@ class Guard : public StoreTest {
     must(store_->ledger().append(rows, 1));
     must(store_->tokens().revoke(
         must(store_->tokens().add({.name = "mes", .role = Role::viewer, .hash = "hash"}, by("anna"))).id, by("anna")));
+    must(store_->attachments().add(
+        {.to = {.program = job_.program}, .name = "a", .media_type = "image/png", .sha256 = job_.text_sha256},
+        by("anna")));
   }
   Job job_;
 };
@@ -29,7 +32,7 @@ TEST_F(Guard, WhatIsAppendOnlyStays) {
   const std::array tables{"machine_revision", "family_revision", "part_revision", "program_revision",
                           "waiver",           "release_step",    "ledger",        "audit",
                           "verdict",          "text_release",    "job",           "token",
-                          "content_chunk"};
+                          "content_chunk",    "attachment"};
   for (const std::string table : tables) {
     EXPECT_NE(
         sql(fmt::format("CREATE TEMP TABLE t (x INTEGER CHECK (x = 0)); INSERT INTO t SELECT count(*) FROM {}", table)),

@@ -100,6 +100,14 @@ void write_newest(Store& store, const std::string& path) {
       must(store.webhooks().add({.url = "https://mes.shop/in", .types = {"job.*"}}, "whsec_x", 8, by("tester", 9)));
   must(store.webhooks().ping(hook.id, by("tester", 10)));
   must(store.event_log().note_seen("mqtt", 1));
+  must(store.attachments().add({.to = {.program = job.program},
+                                .name = "sheet.pdf",
+                                .media_type = "application/pdf",
+                                .sha256 = must(store.contents().put("a setup sheet")).sha256},
+                               by("tester", 11)));
+  const Program gone = add_program(store, "%\nO8\nM30\n%\n", "O8");
+  must(store.programs().archive(gone.id, "sold", by("tester", 12)));
+  must(store.programs().erase(gone.id, 12, "nothing is left of it", by("tester", 13)));
   std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
 }
 
@@ -153,6 +161,10 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     const auto waits = must(store_->webhooks().due(1, 10));
     EXPECT_EQ(waits ? waits->event.of.word : "", has_webhooks ? "ping" : "");
     EXPECT_EQ(must(store_->releases().list({})).items.at(0).of.restart.line, migration.version >= 13 ? 2U : 0U);
+    EXPECT_EQ(store_->programs().get(3).has_value(), migration.version >= 16) << "its row stays";
+    const auto attached = must(store_->attachments().list({}, {.program = job.program})).items;
+    ASSERT_EQ(attached.size(), migration.version >= 15 ? 1U : 0U);
+    for (const Attachment& one : attached) must(store_->contents().verify(one.of.sha256));
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip, 0));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");

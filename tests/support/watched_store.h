@@ -81,6 +81,7 @@ class WatchedStore final : public store::Store {
   store::Releases& releases() override { return store_.releases(); }
   store::Jobs& jobs() override { return store_.jobs(); }
   store::Receipts& receipts() override { return store_.receipts(); }
+  store::Attachments& attachments() override { return store_.attachments(); }
   store::Ledger& ledger() override { return ledger_; }
   store::Answers& answers() override { return store_.answers(); }
   store::Alarms& alarms() override { return store_.alarms(); }

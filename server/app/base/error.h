@@ -19,6 +19,8 @@ enum class ErrorCode : std::uint8_t {
   invalid,      // the request makes no sense: see `places`
   stale,        // another revision is the newest
   refused,      // the state of things does not allow it now
+  too_large,    // more than the shop's limits let in at once
+  over_quota,   // all together are more than the limits
   unavailable,  // disk full, store busy, line not there
   internal,
 };

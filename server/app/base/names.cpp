@@ -66,4 +66,16 @@ std::string why_no_name(std::string_view name) {
   return {};
 }
 
+std::string why_no_folder(std::string_view folder) {
+  if (folder.size() > kLongestFolder_bytes)
+    return fmt::format("must not have more than {} bytes", kLongestFolder_bytes);
+  for (std::size_t begin = 0; !folder.empty() && begin <= folder.size();) {
+    const std::size_t end = std::min(folder.find('/', begin), folder.size());
+    if (const std::string why = why_no_name(folder.substr(begin, end - begin)); !why.empty())
+      return "has a name that " + why;
+    begin = end + 1;
+  }
+  return {};
+}
+
 }  // namespace dripfeed::app

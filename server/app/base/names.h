@@ -14,4 +14,9 @@ inline constexpr std::size_t kLongestName_bytes = 200;
 // What is wrong with a name, as the end of a sentence ("must not be empty"); "" where nothing is.
 std::string why_no_name(std::string_view name);
 
+inline constexpr std::size_t kLongestFolder_bytes = 200;
+
+// The same of a folder of the library: names with slashes between. "" is no folder, and nothing is wrong with it.
+std::string why_no_folder(std::string_view folder);
+
 }  // namespace dripfeed::app

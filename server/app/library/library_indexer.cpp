@@ -26,6 +26,7 @@ constexpr std::uint32_t kMachinesNamed = 200;
 
 // The beginning of a text, up to a block's end where it is longer.
 Result<std::string> beginning_of(store::Contents& contents, const store::ProgramRevision& revision) {
+  if (revision.revision == 0) return std::string();  // of a program that was deleted
   std::string text(std::min<std::uint64_t>(revision.bytes, kMostOfText), '\0');
   const auto count = lift(contents.read(revision.sha256, 0, text));
   if (!count) return std::unexpected(count.error());
@@ -54,6 +55,8 @@ store::CallKind kind_of(ir::CallKind kind) {
 }
 
 store::LibraryEntry entry_of(const store::Program& program, ProgramDigest digest, std::string machines) {
+  // One that was deleted is taken out, also where history names its text.
+  if (program.is_deleted()) return {.program = program.id, .change = program.change};
   store::LibraryEntry entry{.program = program.id,
                             .revision = program.newest.revision,
                             .change = program.change,

@@ -2,41 +2,16 @@
 #include "server/app/library/programs.h"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/text/number.h"
+#include "server/app/base/kept_content.h"
 #include "server/app/shop/catalog.h"
 
 namespace dripfeed::app {
-
-namespace {
-
-constexpr std::size_t kSlice_bytes = std::size_t{256} * 1024;
-constexpr std::chrono::milliseconds kShortestPause{2};
-constexpr std::chrono::milliseconds kLongestPause{20};
-
-// Others write between two slices: whoever takes the store again at once leaves them no gap, however short a slice is.
-Result<store::Content> put_in_slices(store::Contents& contents, std::string_view bytes) {
-  if (bytes.size() <= kSlice_bytes) return lift(contents.put(bytes));
-  auto writer = lift(contents.begin());
-  if (!writer) return std::unexpected(writer.error());
-  while (!bytes.empty()) {
-    const auto begin = std::chrono::steady_clock::now();
-    const std::string_view slice = bytes.substr(0, kSlice_bytes);
-    if (auto written = lift((*writer)->append(slice)); !written) return std::unexpected(written.error());
-    bytes.remove_prefix(slice.size());
-    const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin);
-    std::this_thread::sleep_for(std::clamp(took, kShortestPause, kLongestPause));
-  }
-  return lift((*writer)->finish());
-}
-
-}  // namespace
 
 std::uint64_t count_blocks(std::string_view text) {
   std::uint64_t count = 0;
@@ -51,8 +26,13 @@ std::uint64_t count_blocks(std::string_view text) {
 }
 
 Programs::Programs(store::Store& store, const Clock& clock, const Documents& documents, const DiskReserve* disk_reserve,
-                   Workers* workers)
-    : store_(store), clock_(clock), documents_(documents), disk_reserve_(disk_reserve), workers_(workers) {}
+                   Workers* workers, Quota* quota)
+    : store_(store),
+      clock_(clock),
+      documents_(documents),
+      disk_reserve_(disk_reserve),
+      workers_(workers),
+      quota_(quota) {}
 
 store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -68,7 +48,9 @@ Result<store::NewProgramText> Programs::keep_text(std::string_view text) {
   if (text.empty())
     return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
   if (auto room = refuse_on_full_disk(disk_reserve_); !room) return std::unexpected(room.error());
-  const auto content = put_in_slices(store_.contents(), text);
+  if (quota_ != nullptr)
+    if (auto room = quota_->may_keep_program(text.size()); !room) return std::unexpected(room.error());
+  const auto content = keep_in_slices(store_.contents(), text);
   if (!content) return std::unexpected(content.error());
   return store::NewProgramText{
       .sha256 = content->sha256, .places_sha256 = {}, .blocks = count_blocks(text), .facts = {}, .origin = {}};
@@ -194,7 +176,7 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
   Rendered rendered{.program = {}, .result = std::move(done->result)};
 
   if (auto room = refuse_on_full_disk(disk_reserve_); !room) return std::unexpected(room.error());
-  const auto content = put_in_slices(store_.contents(), rendered.result.text);
+  const auto content = keep_in_slices(store_.contents(), rendered.result.text);
   if (!content) return std::unexpected(content.error());
   store::NewProgramText text{.sha256 = content->sha256,
                              .places_sha256 = {},
@@ -202,7 +184,7 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
                              .facts = {},
                              .origin = std::move(loaded->origin)};
   if (!done->places.empty()) {
-    const auto places = put_in_slices(store_.contents(), done->places);
+    const auto places = keep_in_slices(store_.contents(), done->places);
     if (!places) return std::unexpected(places.error());
     text.places_sha256 = places->sha256;
   }

@@ -11,6 +11,7 @@
 #include "server/app/base/documents.h"
 #include "server/app/base/error.h"
 #include "server/app/checks/workers.h"
+#include "server/app/library/quota.h"
 #include "server/app/ports/clock.h"
 #include "store/store.h"
 
@@ -44,13 +45,13 @@ struct Preview {
 class Programs {
  public:
   Programs(store::Store& store, const Clock& clock, const Documents& documents,
-           const DiskReserve* disk_reserve = nullptr, Workers* workers = nullptr);
+           const DiskReserve* disk_reserve = nullptr, Workers* workers = nullptr, Quota* quota = nullptr);
 
   // Texts are large, so none is taken while the room for the ledger is given up: all have the error unavailable, too.
   //
   // A text is stored first, in short transactions under its hash; then its rows, which add() and add_revision() write
   // in a moment, and may so share a transaction with others. What no row names is dropped when the server starts again.
-  // Errors: invalid (no such dialect, empty).
+  // Errors: invalid (no such dialect, empty), too_large and over_quota (see Quota).
   Result<store::NewProgramText> keep_text(std::string_view dialect, std::string_view text);
   Result<store::NewProgramText> keep_text(std::string_view text);
   Result<store::Program> add(std::string_view name, std::string_view dialect, const store::NewProgramText& text,
@@ -79,6 +80,7 @@ class Programs {
   const Documents& documents_;
   const DiskReserve* disk_reserve_;
   Workers* workers_;
+  Quota* quota_;  // nullptr: there is no limit
 };
 
 // Non-empty lines but '%'.

@@ -16,6 +16,7 @@ constexpr EventType kTypes[] = {
     {"program.revised", "a program has a new revision of its text", "ProgramEvent"},
     {"program.archived", "a program is out of use", "ProgramEvent"},
     {"program.fetched_back", "an archived program is in use again", "ProgramEvent"},
+    {"program.deleted", "an archived program was deleted for good", "ProgramEvent"},
     {"order.added", "an order is new", "OrderEvent"},
     {"order.changed", "the plan of an order changed", "OrderEvent"},
     {"order.parts", "parts were reported to an order", "OrderEvent"},

@@ -1160,6 +1160,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/{id}/delete": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * delete an archived program for good, with a reason; what releases, jobs and the ledger name of it stays
+         * @description Needs the role `approver`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_programs_id_delete"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/programs/{id}/uses": {
         parameters: {
             query?: never;
@@ -1174,6 +1194,90 @@ export interface paths {
         get: operations["get_programs_id_uses"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/attachments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * files that are attached: setup sheets, drawings, pictures; newest first, without those that were removed
+         * @description Needs the role `viewer`. The next page is `after` the `next` of this one.
+         */
+        get: operations["get_attachments"];
+        put?: never;
+        /**
+         * attach a file to one program, family, part or order; the body is the file, Content-Type its type
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_attachments"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/attachments/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * one attached file, also one that was removed
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_attachments_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/attachments/{id}/content": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * the file itself, to be saved; its type, where that is one of a list of harmless ones
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_attachments_id_content"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/attachments/{id}/remove": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * remove a file, with a reason; what it was stays known
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_attachments_id_remove"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2474,6 +2578,26 @@ export interface webhooks {
         patch?: never;
         trace?: never;
     };
+    "program.deleted": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * an archived program was deleted for good
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_program_deleted"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "order.added": {
         parameters: {
             query?: never;
@@ -3262,7 +3386,7 @@ export interface components {
              * @description what it is, for programs; a code keeps its name, status and meaning
              * @enum {string}
              */
-            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "no_room";
+            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "no_room" | "over_quota";
             /** @description one sentence for a person */
             detail: string;
             said?: components["schemas"]["Said"] | null;
@@ -5016,6 +5140,7 @@ export interface components {
          *       ],
          *       "folder": null,
          *       "archived": null,
+         *       "deleted": null,
          *       "revision": 1,
          *       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
          *       "bytes": 24,
@@ -5040,6 +5165,15 @@ export interface components {
             folder: string | null;
             /** @description who put it aside; null: it is in use */
             archived: {
+                /** @description who did */
+                by: string;
+                /** @description why */
+                reason: string;
+                /** @description when; milliseconds since 1970, UTC */
+                at_ms: number;
+            } | null;
+            /** @description who deleted it; null: it is not; the revision is 0 where nothing names its text */
+            deleted: {
                 /** @description who did */
                 by: string;
                 /** @description why */
@@ -5948,6 +6082,40 @@ export interface components {
             waiting: number;
             /** @description programs that could not be read as a whole: what they call is not known */
             unread: number;
+        };
+        /** @description a file of a program, family, part or order */
+        Attachment: {
+            /** @description of the attachment */
+            id: number;
+            /** @description whose file it is, by its id; null: not of a program */
+            program: number | null;
+            /** @description whose file it is, by its name; null: not of a family */
+            family: string | null;
+            /** @description whose file it is, by its number; null: not of a part */
+            part: string | null;
+            /** @description whose file it is, by its id; null: not of an order */
+            order: number | null;
+            /** @description of the file */
+            name: string;
+            /** @description as whoever attached it stated it */
+            media_type: string;
+            /** @description of the file */
+            bytes: number;
+            /** @description of the file, in hexadecimal */
+            sha256: string;
+            /** @description who attached it */
+            added_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            added_at_ms: number;
+            /** @description who removed it; null: it is there */
+            removed: {
+                /** @description who did */
+                by: string;
+                /** @description why */
+                reason: string;
+                /** @description when; milliseconds since 1970, UTC */
+                at_ms: number;
+            } | null;
         };
         /** @description what reading and validating a text finds; it is not run */
         Diagnosed: {
@@ -7774,7 +7942,7 @@ export interface components {
              * @description what happened
              * @enum {string}
              */
-            type: "program.added" | "program.revised" | "program.archived" | "program.fetched_back";
+            type: "program.added" | "program.revised" | "program.archived" | "program.fetched_back" | "program.deleted";
             /** @description what it happened to, as "job/12" */
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
@@ -8163,6 +8331,13 @@ export interface components {
             next: string | null;
         };
         /** @description a page of a list */
+        AttachmentPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Attachment"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
         VerdictSummaryPage: {
             /** @description in the list's order */
             items: components["schemas"]["VerdictSummary"][];
@@ -8295,7 +8470,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `too_large`: the body is too long for this route */
+        /** @description `too_large`: the body is too long for this route, or for the limits of this shop */
         Problem413: {
             headers: {
                 [name: string]: unknown;
@@ -8362,7 +8537,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `no_room`: the body could not be kept on the disk */
+        /** @description `no_room`: the body could not be kept on the disk; `over_quota`: the store has as much as its options let in: a person makes room */
         Problem507: {
             headers: {
                 [name: string]: unknown;
@@ -11577,6 +11752,56 @@ export interface operations {
             };
         };
     };
+    post_programs_id_delete: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description delete an archived program for good, with a reason; what releases, jobs and the ledger name of it stays */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_programs_id_uses: {
         parameters: {
             query?: never;
@@ -11604,6 +11829,241 @@ export interface operations {
             404: components["responses"]["Problem404"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_attachments: {
+        parameters: {
+            query?: {
+                /** @description how many a page has at most; 50 without */
+                limit?: number;
+                /** @description `next` of the page before */
+                after?: string;
+                /** @description whose files, by its id */
+                program?: number;
+                /** @description whose files, by its name */
+                family?: string;
+                /** @description whose files, by its number */
+                part?: string;
+                /** @description whose files, by its id */
+                order?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description files that are attached: setup sheets, drawings, pictures; newest first, without those that were removed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AttachmentPage"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_attachments: {
+        parameters: {
+            query?: {
+                /** @description of the file */
+                name?: string;
+                /** @description whose files, by its id */
+                program?: number;
+                /** @description whose files, by its name */
+                family?: string;
+                /** @description whose files, by its number */
+                part?: string;
+                /** @description whose files, by its id */
+                order?: number;
+            };
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description the bytes of the file */
+        requestBody: {
+            content: {
+                "*/*": string;
+            };
+        };
+        responses: {
+            /** @description attach a file to one program, family, part or order; the body is the file, Content-Type its type */
+            201: {
+                headers: {
+                    /** @description the path of what was made */
+                    Location: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Attachment"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_attachments_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one attached file, also one that was removed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Attachment"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_attachments_id_content: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the file itself, to be saved; its type, where that is one of a list of harmless ones */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "*/*": string;
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_attachments_id_remove: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description remove a file, with a reason; what it was stays known */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Attachment"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
             /** @description another problem */
             default: {
                 headers: {
@@ -14781,6 +15241,35 @@ export interface operations {
         };
     };
     webhook_program_fetched_back: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_program_deleted: {
         parameters: {
             query?: never;
             header?: never;

@@ -1,0 +1,8 @@
+// Version 15: attachments.
+#pragma once
+
+namespace dripfeed::sqlite {
+
+extern const char* const kSchemaV15;
+
+}  // namespace dripfeed::sqlite
