@@ -5,6 +5,7 @@
 
 #include "store/postgresql/schema_v1.h"
 #include "store/postgresql/schema_v2.h"
+#include "store/postgresql/schema_v3.h"
 #include "store/sql/session.h"
 
 namespace dripfeed::postgresql {
@@ -44,7 +45,8 @@ constexpr sql::Mark kStore{.stands = is_marked, .sql = kMark};
 }  // namespace
 
 std::span<const sql::Migration> migrations() {
-  static const std::array kMigrations{sql::Migration{1, "tables", kSchemaV1}, sql::Migration{2, "rules", kSchemaV2}};
+  static const std::array kMigrations{sql::Migration{1, "tables", kSchemaV1}, sql::Migration{2, "rules", kSchemaV2},
+                                      sql::Migration{3, "plans and ends of jobs", kSchemaV3}};
   return kMigrations;
 }
 

@@ -10,6 +10,7 @@
 #include "store/sqlite/schema_v12.h"
 #include "store/sqlite/schema_v13.h"
 #include "store/sqlite/schema_v14.h"
+#include "store/sqlite/schema_v15.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -69,7 +70,8 @@ std::span<const Migration> migrations() {
                                       Migration{11, "webhooks and orders", kSchemaV11},
                                       Migration{12, "called programs of verdicts", kSchemaV12},
                                       Migration{13, "restarts", kSchemaV13},
-                                      Migration{14, "waivers of points", kSchemaV14}};
+                                      Migration{14, "waivers of points", kSchemaV14},
+                                      Migration{15, "plans and ends of jobs", kSchemaV15}};
   return kMigrations;
 }
 

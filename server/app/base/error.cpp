@@ -27,6 +27,8 @@ constexpr std::array kRows = {
     Row{store::ErrorCode::four_eyes, ErrorCode::refused},
     Row{store::ErrorCode::machine_busy, ErrorCode::refused},
     Row{store::ErrorCode::machine_torn, ErrorCode::refused},
+    Row{store::ErrorCode::too_early, ErrorCode::refused},
+    Row{store::ErrorCode::end_not_confirmed, ErrorCode::refused},
     Row{store::ErrorCode::key_reused, ErrorCode::invalid},
     Row{store::ErrorCode::append_only, ErrorCode::refused},
     Row{store::ErrorCode::busy, ErrorCode::unavailable},
