@@ -68,6 +68,7 @@ Application::Application(const Environment& environment)
       receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}),
       maintenance_(environment.maintenance),
       event_source_(environment.event_source),
+      shifts_(environment.shifts),
       links_(environment.links) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
   if (environment.sender != nullptr)

@@ -11,6 +11,7 @@
 #include "server/app/checks/checking.h"
 #include "server/app/jobs/books.h"
 #include "server/app/jobs/jobs.h"
+#include "server/app/jobs/shifts.h"
 #include "server/app/library/library_indexer.h"
 #include "server/app/library/program_lines.h"
 #include "server/app/library/programs.h"
@@ -63,6 +64,7 @@ class Application {
     WebhookSettings webhooks{};
     Maintenance* maintenance = nullptr;  // of the store
     std::string event_source{};          // who we are for other systems, a URI
+    Shifts shifts{};
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -114,6 +116,7 @@ class Application {
   // They are begun by the first who asks.
   Observations& observations();
   [[nodiscard]] const std::string& event_source() const { return event_source_; }
+  [[nodiscard]] const Shifts& shifts() const { return shifts_; }
   // nullptr: there are none.
   Webhooks* webhooks() { return webhooks_ ? &*webhooks_ : nullptr; }
   // nullptr: there is none.
@@ -142,6 +145,7 @@ class Application {
   std::optional<Webhooks> webhooks_;
   Maintenance* maintenance_;
   std::string event_source_;
+  Shifts shifts_;
   LinkThread& links_;
   std::once_flag observed_;
   std::optional<Observations> observations_;

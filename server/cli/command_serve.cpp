@@ -226,7 +226,8 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .sender = sender->get(),
                                 .webhooks = {.write = write_event, .retries_s = webhook_retries(options)},
                                 .maintenance = &maintenance,
-                                .event_source = event_source(options)});
+                                .event_source = event_source(options),
+                                .shifts = plan.shifts});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {

@@ -57,6 +57,8 @@ constexpr Row<std::vector<std::string>> kLists[] = {
     {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
     {"--modbus-allow", &ServerOptions::modbus_allow,
      "IP address that may read; must be given where --modbus-listen is not loopback", true},
+    {"--shift", &ServerOptions::shift,
+     "HH:MM: a shift begins then, by this computer's clock; 06:00, 14:00 and 22:00 by default"},
     {"--proxy", &ServerOptions::proxy,
      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed", true},
 };
@@ -224,7 +226,9 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
     return std::unexpected(readers.error());
   auto units = units_of(options.modbus_unit);
   if (!units) return std::unexpected(units.error());
-  ServePlan plan{.address = *address, .modbus_units = std::move(*units)};
+  auto shifts = app::Shifts::of(options.shift);
+  if (!shifts) return app::fail(app::ErrorCode::invalid, "--shift " + shifts.error());
+  ServePlan plan{.address = *address, .modbus_units = std::move(*units), .shifts = std::move(*shifts)};
   if (options.modbus_listen.empty()) return plan;
   const auto modbus = http::parse_listen_address(options.modbus_listen);
   if (!modbus) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + modbus.error());

@@ -59,6 +59,7 @@ Response add_machine(const Call& call);
 Response get_machine(const Call& call);
 Response change_machine(const Call& call);
 Response get_utilisation(const Call& call);
+Response get_history_sums(const Call& call);
 Response get_wire(const Call& call);
 Response test_line(const Call& call);
 Response confirm_reset(const Call& call);

@@ -86,7 +86,14 @@ Schema job() {
               {"confirmed_by", or_null(text("who confirmed that the control was reset"))},
               {"confirm_reason", or_null(text("what they wrote"))},
               {"read_back", or_null(text("what came of reading the program back from the control"))},
-              {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))}});
+              {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))},
+              {"held_s", or_null(number("that its control held, in seconds; null: not counted, or not over"))},
+              {"holds", or_null(integer("how often its control held; null: not counted, or not over"))},
+              {"line_s",
+               or_null(number("that its characters took on the line, in seconds; null: not counted, or not over"))},
+              {"forecast_s",
+               or_null(number("of a drip feed, how long its check expected it to take, when it was armed; "
+                              "null: not known"))}});
 }
 
 Schema job_forecast() {

@@ -88,6 +88,7 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("mqtt_client_id", into.mqtt_client_id);
   o.text("mqtt_prefix", into.mqtt_prefix);
   o.text("mqtt_ca", into.mqtt_ca);
+  read_texts(o, "shift", "begin of a shift as HH:MM, by the server's clock", into.shift);
   o.integer("check_seconds", into.check_seconds, 1, kMostCheckSeconds);
   o.integer("check_memory", into.check_memory, kLeastCheckMemory_mb, kMostCheckMemory_mb);
 }

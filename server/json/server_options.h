@@ -32,7 +32,8 @@ struct ServerOptions {
   std::string mqtt_password_file{};
   std::string mqtt_client_id{};  // "": by the computer's name
   std::string mqtt_prefix = "dripfeed";
-  std::string mqtt_ca{};  // PEM; "": whom the system believes
+  std::string mqtt_ca{};             // PEM; "": whom the system believes
+  std::vector<std::string> shift{};  // "06:00"; empty: 06:00, 14:00 and 22:00
   std::uint32_t check_seconds = 60;
   std::uint32_t check_memory = 2048;  // MB
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;

@@ -39,6 +39,8 @@ def what_it_says(folder):
     check(folder, {"listen": "0.0.0.0:80", "insecure": True})
     expect("named twice" in check(folder, {"modbus_unit": {"a": 1, "b": 1}}, code=2), "a unit twice")
     expect("not 0..65535" in check(folder, {"modbus_listen": ":x"}, code=2), "no address")
+    expect("\"6:00\" is no time of day" in check(folder, {"shift": ["6:00"]}, code=2), "no time of day")
+    expect("same time" in check(folder, {"shift": ["06:00", "06:00"]}, code=2), "a shift twice")
     serve("--config", folder / "none.json", "--check", code=2)
 
 
@@ -48,7 +50,8 @@ def the_schema(folder):
     validator = Draft202012Validator(schema)
     whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
-             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "check_seconds": 1, "check_memory": 64}
+             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "shift": ["05:30", "17:30"],
+             "check_seconds": 1, "check_memory": 64}
     expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")
     options = subprocess.run([str(binary()), "serve", "--help"], capture_output=True, text=True, timeout=30).stdout
     for name in schema["properties"]:

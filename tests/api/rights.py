@@ -149,6 +149,7 @@ def rows(made):
         ("GET", "/api/v1/jobs/{id}", "viewer", {"id": "job"}, None, {}),
         ("GET", "/api/v1/jobs/{id}/forecast", "viewer", {"id": "job"}, None, {}),
         ("POST", "/api/v1/jobs/{id}/move", "operator", {"id": "job"}, {"before": None}, {}),
+        ("GET", "/api/v1/history/sums", "viewer", {}, None, {}),
         ("POST", "/api/v1/jobs/{id}/arm", "operator", {"id": "job"}, {}, {"ready": "idle"}),
         ("POST", "/api/v1/jobs/{id}/stop", "operator", {"id": "job"}, {}, {"ready": "feeding"}),
         ("POST", "/api/v1/jobs/{id}/resume", "operator", {"id": "job"}, {"reason": "looked at it"}, {"ready": "stopped"}),

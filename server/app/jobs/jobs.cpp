@@ -191,7 +191,17 @@ struct Jobs::Arming {
   feed::ProgramFacts facts;
   std::string file_name;
   std::shared_ptr<ContentSource> source;
+  std::optional<std::int64_t> forecast_ms{};
 };
+
+// Of a drip feed, which lasts as long as its program. Between rounds the control waits for its operator.
+std::optional<std::int64_t> Jobs::forecast_ms(const store::Job& job, std::uint32_t rounds) {
+  if (job.delivery != store::Delivery::drip || rounds != 1) return std::nullopt;
+  const auto verdict = store_.verdicts().newest(job.text_sha256, job.machine, job.delivery);
+  if (!verdict || !*verdict) return std::nullopt;
+  const auto cycle_s = documents_.cycle_s((*verdict)->of.report);
+  return cycle_s ? std::optional(std::llround(*cycle_s * 1e3)) : std::nullopt;
+}
 
 Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   if (auto room = refuse_on_full_disk(books_.disk_reserve()); !room) return std::unexpected(room.error());
@@ -212,8 +222,12 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   const auto part = part_for(store_.contents(), job->text_sha256, *profile);
   if (!part) return std::unexpected(part.error());
   auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds, *part);
-  return Arming{
-      .job = *job, .profile = *profile, .facts = *facts, .file_name = std::move(*name), .source = std::move(source)};
+  return Arming{.job = *job,
+                .profile = *profile,
+                .facts = *facts,
+                .file_name = std::move(*name),
+                .source = std::move(source),
+                .forecast_ms = forecast_ms(*job, rounds)};
 }
 
 Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds) {
@@ -241,7 +255,8 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
                                         .reason = "armed",
                                         .torn = false,
                                         .expires_at_ms = expires_at_ms,
-                                        .reason_id = "armed"},
+                                        .reason_id = "armed",
+                                        .forecast_ms = arming->forecast_ms},
                                        stamp(actor)));
   if (!armed) return armed;
   // Nothing is reserved before the control's start: of a job that was only armed the ledger proves that nothing left.

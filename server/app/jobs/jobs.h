@@ -75,6 +75,7 @@ class Jobs {
   Result<store::Job> cancel_queued(const store::Job& job, std::string_view actor);
   struct Arming;
   Result<Arming> prepare_arming(store::Id job, std::uint32_t rounds);
+  std::optional<std::int64_t> forecast_ms(const store::Job& job, std::uint32_t rounds);
   Result<void> put_on_line(const Arming& arming, double minutes, std::uint32_t rounds);
   Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
   store::Stamp stamp(std::string_view actor) const;

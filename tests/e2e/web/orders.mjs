@@ -132,9 +132,11 @@ async function history(page) {
   await sums.getByRole('combobox', { name: 'Sums by' }).selectOption({ label: 'Machine' });
   await sums.getByRole('row').filter({ hasText: 'past' }).filter({ hasText: '2' }).waitFor();
   await sums.getByRole('combobox', { name: 'Sums by' }).selectOption({ label: 'Shift' });
-  await sums.getByText(/Shifts of eight hours/).waitFor();
+  await sums.getByText(/belongs to the shift in which it ended/).waitFor();
   const ofShifts = await saved(page, () => sums.getByRole('button', { name: 'Export as CSV' }).click());
-  expect(ofShifts.lines.length >= 2 && ofShifts.lines[0].startsWith('shift,jobs,done'), `sums by shift, and their file (${ofShifts.lines[0]})`);
+  expect(ofShifts.lines.length >= 2 && ofShifts.lines[0].startsWith('shift,from,to,jobs,done'), `sums by shift, and their file (${ofShifts.lines[0]})`);
+  await sums.getByRole('combobox', { name: 'Time' }).selectOption({ label: 'the last 7 days' });
+  await until(async () => /Jobs\s+2/.test(await sums.innerText()), 'of the last days');
   await accessible(page, 'the history');
   await shot(page, 'history');
   await page.getByRole('search').getByLabel('State').selectOption('done');

@@ -1900,6 +1900,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/history/sums": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV for who accepts that
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_history_sums"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/alarms": {
         parameters: {
             query?: never;
@@ -6944,6 +6964,10 @@ export interface components {
          *       "expires_at_ms": 1795501100000,
          *       "started_at_ms": 1795500512000,
          *       "ended_at_ms": null,
+         *       "held_s": null,
+         *       "holds": null,
+         *       "line_s": null,
+         *       "forecast_s": 38.4,
          *       "torn": false,
          *       "needs_confirmation": false,
          *       "confirmed_by": null,
@@ -7024,6 +7048,28 @@ export interface components {
              * @enum {string|null}
              */
             read_back_state: "waiting" | "equal" | "differs" | "expired" | "superseded" | null;
+            /** @description that its control held, in seconds; null: not counted, or not over */
+            held_s: number | null;
+            /** @description how often its control held; null: not counted, or not over */
+            holds: number | null;
+            /** @description that its characters took on the line, in seconds; null: not counted, or not over */
+            line_s: number | null;
+            /** @description of a drip feed, how long its check expected it to take, when it was armed; null: not known */
+            forecast_s: number | null;
+            /** @description before which it is armed only with a reason; null: at any time; milliseconds since 1970, UTC */
+            not_before_ms: number | null;
+            /** @description of which one job is armed; null: it stands alone */
+            choice: number | null;
+            /** @description what a person confirms after its end, before the next job of its machine is armed */
+            end_check: string | null;
+            /** @description it has ended, and no person has confirmed `end_check` yet */
+            needs_end_confirmation: boolean;
+            /** @description who confirmed it */
+            end_confirmed_by: string | null;
+            /** @description when; milliseconds since 1970, UTC */
+            end_confirmed_at_ms: number | null;
+            /** @description what they wrote */
+            end_note: string | null;
         };
         /** @description how long a job's program takes by its check; nothing here was seen at the machine */
         JobForecast: {
@@ -7077,6 +7123,102 @@ export interface components {
             };
         };
         EventJob: components["schemas"]["Job"];
+        /** @description sums of the transfers that ended in a time */
+        HistorySums: {
+            /**
+             * @description what they are grouped by
+             * @enum {string}
+             */
+            by: "machine" | "part" | "day" | "shift";
+            /** @description of all groups */
+            all: {
+                /** @description transfers that ended */
+                jobs: number;
+                /** @description of these */
+                done: number;
+                /** @description of these */
+                failed: number;
+                /** @description of these */
+                cancelled: number;
+                /** @description of these */
+                interrupted: number;
+                /** @description on the wire, of those that are done */
+                bytes: number;
+                /** @description transfers of which something was sent */
+                fed: number;
+                /** @description transfers whose holds were timed: `held_s` is of these */
+                held_jobs: number;
+                /** @description transfers whose holds were counted: `holds` is of these */
+                holds_jobs: number;
+                /** @description by the controls */
+                holds: number;
+                /** @description transfers whose characters were timed: `line_s` is of these */
+                line_jobs: number;
+                /** @description transfers that are done and had a forecast: `forecast_s` and `forecast_took_s` are of these */
+                forecast_jobs: number;
+                /** @description from the first byte to the end, in seconds */
+                feeding_s: number;
+                /** @description held by the controls, in seconds */
+                held_s: number;
+                /** @description that characters took on the lines, in seconds */
+                line_s: number;
+                /** @description from the first byte to the end without the holds, of the same transfers, in seconds */
+                line_free_s: number;
+                /** @description that the checks expected, in seconds */
+                forecast_s: number;
+                /** @description from the first byte to the end, of the same transfers, in seconds */
+                forecast_took_s: number;
+                /** @description `line_s` of `line_free_s`; null: nothing was timed */
+                line_use: number | null;
+            };
+            /** @description machines and parts by name; days and shifts newest first */
+            groups: {
+                /** @description of the machine; number of the part, empty: not known; the day, or day and begin of the shift, by the server's clock */
+                name: string;
+                /** @description begin of the day or shift; milliseconds since 1970, UTC */
+                from_ms: number | null;
+                /** @description its end; milliseconds since 1970, UTC */
+                to_ms: number | null;
+                /** @description transfers that ended */
+                jobs: number;
+                /** @description of these */
+                done: number;
+                /** @description of these */
+                failed: number;
+                /** @description of these */
+                cancelled: number;
+                /** @description of these */
+                interrupted: number;
+                /** @description on the wire, of those that are done */
+                bytes: number;
+                /** @description transfers of which something was sent */
+                fed: number;
+                /** @description transfers whose holds were timed: `held_s` is of these */
+                held_jobs: number;
+                /** @description transfers whose holds were counted: `holds` is of these */
+                holds_jobs: number;
+                /** @description by the controls */
+                holds: number;
+                /** @description transfers whose characters were timed: `line_s` is of these */
+                line_jobs: number;
+                /** @description transfers that are done and had a forecast: `forecast_s` and `forecast_took_s` are of these */
+                forecast_jobs: number;
+                /** @description from the first byte to the end, in seconds */
+                feeding_s: number;
+                /** @description held by the controls, in seconds */
+                held_s: number;
+                /** @description that characters took on the lines, in seconds */
+                line_s: number;
+                /** @description from the first byte to the end without the holds, of the same transfers, in seconds */
+                line_free_s: number;
+                /** @description that the checks expected, in seconds */
+                forecast_s: number;
+                /** @description from the first byte to the end, of the same transfers, in seconds */
+                forecast_took_s: number;
+                /** @description `line_s` of `line_free_s`; null: nothing was timed */
+                line_use: number | null;
+            }[];
+        };
         /** @description a program that a control punched */
         Receipt: {
             /** @description of the receipt */
@@ -13367,6 +13509,53 @@ export interface operations {
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
             507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_history_sums: {
+        parameters: {
+            query?: {
+                /** @description what the sums are grouped by; the machine without */
+                by?: "machine" | "part" | "day" | "shift";
+                /** @description only those of this machine */
+                machine?: string;
+                /** @description only those in this state */
+                state?: "done" | "failed" | "cancelled" | "interrupted";
+                /** @description from this time on, in ms since 1970, UTC */
+                from_ms?: number;
+                /** @description before this time, in ms since 1970, UTC */
+                to_ms?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV for who accepts that */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HistorySums"];
+                    "text/csv": string;
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
             /** @description another problem */
             default: {
                 headers: {
