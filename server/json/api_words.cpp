@@ -34,6 +34,7 @@ struct PathRow {
 };
 constexpr std::array kPaths = {
     PathRow{"/api/v1/machines", "Machines"},
+    PathRow{"/api/v1/groups/{name}/jobs", "Jobs"},
     PathRow{"/api/v1/groups", "Machines"},
     PathRow{"/api/v1/families", "Families and parts"},
     PathRow{"/api/v1/parts", "Families and parts"},
@@ -121,6 +122,7 @@ constexpr std::array kParameters = {
     ParameterRow{"", "part", "only those of this part, by its number"},
     ParameterRow{"", "family", "only those of this family, by its name"},
     ParameterRow{"", "order", "only those of this order, by its id"},
+    ParameterRow{"", "choice", "only those of this choice, by its id"},
     ParameterRow{"", "state", "only those in this state"},
     ParameterRow{"", "tag", "only programs with this tag"},
     ParameterRow{"", "folder", "only programs in this folder"},

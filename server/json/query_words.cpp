@@ -48,8 +48,8 @@ constexpr std::array kRows = {
     WordsRow{"/api/v1/sweep", "plot", kRegion},
 };
 
-constexpr std::array<std::string_view, 9> kNumbers = {"program", "order", "revision", "with", "with_revision",
-                                                      "days",    "count", "from_ms",  "to_ms"};
+constexpr std::array<std::string_view, 10> kNumbers = {"program",       "order", "choice", "revision", "with",
+                                                       "with_revision", "days",  "count",  "from_ms",  "to_ms"};
 
 }  // namespace
 

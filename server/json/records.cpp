@@ -153,7 +153,14 @@ Document job_document(const store::Job& job) {
           {"held_s", seconds_or_null(job.held_ms)},
           {"holds", job.holds ? Document(*job.holds) : Document(nullptr)},
           {"line_s", seconds_or_null(job.line_ms)},
-          {"forecast_s", seconds_or_null(job.forecast_ms)}};
+          {"forecast_s", seconds_or_null(job.forecast_ms)},
+          {"not_before_ms", time_or_null(job.not_before_ms)},
+          {"choice", id_or_null(job.choice)},
+          {"end_check", text_or_null(job.end_check)},
+          {"needs_end_confirmation", job.needs_end_confirmation()},
+          {"end_confirmed_by", text_or_null(job.end_confirmed_by)},
+          {"end_confirmed_at_ms", time_or_null(job.end_confirmed_at_ms)},
+          {"end_note", text_or_null(job.end_note)}};
 }
 
 Document likeness_document(const std::optional<app::StoredLikeness>& likeness) {

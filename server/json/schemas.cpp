@@ -18,6 +18,7 @@ namespace {
 Schemas read_schemas() {
   Schemas all = request_schemas();
   for (NamedSchema& one : people_request_schemas()) all.push_back(std::move(one));
+  for (NamedSchema& one : job_request_schemas()) all.push_back(std::move(one));
   for (NamedSchema& one : order_request_schemas()) all.push_back(std::move(one));
   all.push_back({"Profile", profile_schema()});
   for (NamedSchema& one : all) explain(one);

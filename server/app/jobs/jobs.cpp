@@ -129,7 +129,7 @@ Result<CheckedTexts::Fit> Jobs::read_fit(const CheckedTexts::Key& text, std::str
   if (auto whole = refuse_drip_into_folder(*profile, text.delivery); !whole) return std::unexpected(whole.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());
-  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes};
+  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes, .end_check = profile->end_check};
 }
 
 struct Jobs::Wanted {
@@ -159,7 +159,15 @@ Result<void> Jobs::read_text(store::Id release) {
   return {};
 }
 
-Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor, store::Id order) {
+Result<void> Jobs::make_ready(store::Id release) {
+  const auto wanted = find_wanted(release);
+  if (!wanted) return std::unexpected(wanted.error());
+  if (!checked_texts_.find(wanted->text()))
+    if (auto read = read_text(release); !read) return read;
+  return refuse_outdated(wanted->release.text_sha256, wanted->machine, wanted->release.of.delivery);
+}
+
+Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor, const JobPlan& plan) {
   const auto wanted = find_wanted(release);
   if (!wanted) return std::unexpected(wanted.error());
   auto fit = checked_texts_.find(wanted->text());
@@ -167,9 +175,15 @@ Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string
   const store::Release& row = wanted->release;
   if (auto same = refuse_outdated(row.text_sha256, wanted->machine, row.of.delivery); !same)
     return std::unexpected(same.error());
-  return lift(store_.jobs().add(
-      {.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total, .order = order},
-      stamp(actor)));
+  return lift(store_.jobs().add({.release = release,
+                                 .link = std::move(fit->link),
+                                 .bytes_total = fit->bytes_total,
+                                 .order = plan.order,
+                                 .not_before_ms = plan.not_before_ms,
+                                 .end_check = plan.end_check.empty() ? std::move(fit->end_check) : plan.end_check,
+                                 .choice = plan.choice,
+                                 .begins_choice = plan.begins_choice},
+                                stamp(actor)));
 }
 
 Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
@@ -230,7 +244,8 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
                 .forecast_ms = forecast_ms(*job, rounds)};
 }
 
-Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds) {
+Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds,
+                             std::string_view early_reason) {
   if (rounds == 0 || rounds > feed::kMaxRounds) {
     return fail(ErrorCode::invalid, std::string(feed::message(feed::Refusal::rounds)),
                 {{.pointer = "/rounds", .text = "1 <= rounds <= 1000000"}});
@@ -248,6 +263,7 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   if (!arming) return std::unexpected(arming.error());
   if (!lines_.find(named->machine))
     return fail(ErrorCode::refused, fmt::format("machine {} has no line", named->machine));
+  if (const auto idle = refuse_idle_no_more(*named); !idle) return std::unexpected(idle.error());
   const double minutes = given.value_or(arming->profile.line.arming_minutes);
   const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
   auto armed = lift(store_.jobs().move(id,
@@ -256,9 +272,11 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
                                         .torn = false,
                                         .expires_at_ms = expires_at_ms,
                                         .reason_id = "armed",
-                                        .forecast_ms = arming->forecast_ms},
+                                        .forecast_ms = arming->forecast_ms,
+                                        .early_reason = std::string(early_reason)},
                                        stamp(actor)));
   if (!armed) return armed;
+  publish_withdrawn(*armed);
   // Nothing is reserved before the control's start: of a job that was only armed the ledger proves that nothing left.
   const std::string armed_text =
       (rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds)) + store::words_of(named->restart);

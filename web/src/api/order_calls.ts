@@ -22,5 +22,8 @@ export const orderCalls = {
     if (filter.from_ms !== null) query.set('from_ms', String(filter.from_ms));
     return request<HistorySums>('GET', `/history/sums?${query.toString()}`);
   },
+  schedule: (job: number, not_before_ms: number | null, key: string) => request<Job>('POST', `/jobs/${job}/schedule`, { body: { not_before_ms }, key }),
+  armEarly: (job: number, minutes: number, early_reason: string, key: string) => request<Job>('POST', `/jobs/${job}/arm`, { body: { minutes, early_reason }, key }),
+  confirmEnd: (job: number, note: string, key: string) => request<Job>('POST', `/jobs/${job}/confirm-end`, { body: note === '' ? {} : { note }, key }),
   releases: () => everything<Release>('/releases'),
 };

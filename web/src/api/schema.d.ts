@@ -520,6 +520,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/groups/{name}/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * queue a program for the machines of a group: a choice of jobs of which a person arms one
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_groups_name_jobs"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/users": {
         parameters: {
             query?: never;
@@ -1834,6 +1854,46 @@ export interface paths {
          * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_jobs_id_move"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/schedule": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * when a queued job may be armed; nothing is armed by it
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_schedule"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/confirm-end": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a person confirms what the end of a job asks for, before the next one of the machine is armed
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_confirm_end"];
         delete?: never;
         options?: never;
         head?: never;
@@ -4081,6 +4141,8 @@ export interface components {
             name: string;
             /** @description for people */
             title?: string | null;
+            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; not given: nothing, or what the machine's profile asks for */
+            end_check?: string | null;
             /** @description of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80 */
             dialect: string;
             /** @description where the values are from, and what is assumed */
@@ -6969,6 +7031,13 @@ export interface components {
          *       "line_s": null,
          *       "forecast_s": 38.4,
          *       "torn": false,
+         *       "not_before_ms": null,
+         *       "choice": null,
+         *       "end_check": "part taken out",
+         *       "needs_end_confirmation": false,
+         *       "end_confirmed_by": null,
+         *       "end_confirmed_at_ms": null,
+         *       "end_note": null,
          *       "needs_confirmation": false,
          *       "confirmed_by": null,
          *       "confirm_reason": null,
@@ -7087,6 +7156,20 @@ export interface components {
             buffer_bytes: number | null;
             /** @description that the control holds; null: not known, or not limited so */
             buffer_blocks: number | null;
+        };
+        /** @description a program that is queued for several machines: one of the jobs is armed, the others leave the queue then */
+        JobChoice: {
+            /** @description id of the first of its jobs, by which they belong together */
+            choice: number;
+            /** @description one a machine */
+            jobs: components["schemas"]["Job"][];
+            /** @description by machine */
+            left_out: {
+                /** @description its name */
+                machine: string;
+                /** @description one sentence */
+                why: string;
+            }[];
         };
         /** @description what is known of a transfer */
         Ledger: {
@@ -9627,6 +9710,58 @@ export interface operations {
             422: components["responses"]["Problem422"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_groups_name_jobs: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the group */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewChoice"];
+            };
+        };
+        responses: {
+            /** @description queue a program for the machines of a group: a choice of jobs of which a person arms one */
+            201: {
+                headers: {
+                    /** @description the path of what was made */
+                    Location: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobChoice"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
             /** @description another problem */
             default: {
                 headers: {
@@ -13122,6 +13257,8 @@ export interface operations {
                 state?: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
                 /** @description only those of this order, by its id */
                 order?: number;
+                /** @description only those of this choice, by its id */
+                choice?: number;
             };
             header?: never;
             path?: never;
@@ -13350,6 +13487,106 @@ export interface operations {
         };
         responses: {
             /** @description move a queued job before another one, or to the end */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_schedule: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["JobSchedule"];
+            };
+        };
+        responses: {
+            /** @description when a queued job may be armed; nothing is armed by it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_confirm_end: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["JobEnd"];
+            };
+        };
+        responses: {
+            /** @description a person confirms what the end of a job asks for, before the next one of the machine is armed */
             200: {
                 headers: {
                     [name: string]: unknown;
