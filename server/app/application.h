@@ -65,6 +65,7 @@ class Application {
     Maintenance* maintenance = nullptr;  // of the store
     std::string event_source{};          // who we are for other systems, a URI
     Shifts shifts{};
+    HookSettings hook{};  // asked before each arming
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.

@@ -251,7 +251,7 @@ constexpr Route kRoutes[] = {
     {get, "/api/v1/jobs/{id}/forecast", viewer, bulk, get_job_forecast,
      "how long its program takes by its verdict, line by line, and what the control's buffer holds", kNoBody,
      gives("JobForecast")},
-    {post, "/api/v1/jobs/{id}/arm", operator_, command, arm_job, "a person arms the job for its machine's line",
+    {post, "/api/v1/jobs/{id}/arm", operator_, arming, arm_job, "a person arms the job for its machine's line",
      optional_body("ArmOrder"), gives("Job")},
     {post, "/api/v1/jobs/{id}/move", operator_, light, move_job, "move a queued job before another one, or to the end",
      body("Move"), gives("Job")},

@@ -122,6 +122,8 @@ constexpr std::array kRows = {
     Row{"withdrawn", "withdrawn: job {job} of the same choice was armed on {machine}"},
     Row{"early_by_approver", "a job is armed before its time by an approver"},
     Row{"none_of_group", "no machine of group {group} can take this program"},
+    Row{"hook_refuses", "the system that is asked before an arming refuses: {why}"},
+    Row{"hook_silent", "the system that is asked before an arming gives no answer: {why}"},
     Row{"admin_loads", "O8000 to O9999 are loaded by an admin"},
     Row{"disk_full_ends", "the disk is full: running work is finished, nothing new begins"},
     Row{"alarm_critical",

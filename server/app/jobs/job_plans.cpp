@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "server/app/jobs/jobs.h"
+#include "store/hash/hash.h"
 
 namespace dripfeed::app {
 
@@ -16,6 +17,30 @@ Result<store::Job> Jobs::confirm_end(store::Id id, std::string_view note, std::s
   auto job = lift(store_.jobs().confirm_end(id, note, stamp(actor)));
   if (job) publish(*job, fmt::format("end confirmed by {}", actor));
   return job;
+}
+
+// What would be refused anyway is not asked for.
+Result<void> Jobs::ask_hook(const store::Job& job, std::string_view actor) {
+  if (!hook_.is_set() || job.state != store::JobState::queued) return {};
+  const auto program = lift(store_.programs().get(job.program));
+  if (!program) return std::unexpected(program.error());
+  ArmingQuestion question{.id = fmt::format("arm_{}", hash::random_token().substr(0, 22)),
+                          .at_ms = clock_.wall_ms(),
+                          .job = job,
+                          .program = program->name,
+                          .order = std::nullopt,
+                          .actor = std::string(actor)};
+  if (job.order != 0) {
+    auto order = lift(store_.orders().get(job.order));
+    if (!order) return std::unexpected(order.error());
+    question.order = std::move(*order);
+  }
+  const auto asked = hook_.ask(question);
+  if (!asked) return std::unexpected(asked.error());
+  if (!*asked) return {};
+  const auto noted = lift(store_.audit().append(
+      {"job.arm-unanswered", fmt::format("job/{}", job.id), fmt::format("no answer came: {}", **asked)}, stamp(actor)));
+  return noted ? Result<void>{} : std::unexpected(noted.error());
 }
 
 // A line that would refuse the order is asked before the others of a choice are withdrawn for it.

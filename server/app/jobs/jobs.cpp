@@ -61,14 +61,15 @@ std::uint64_t random_session() {
 }  // namespace
 
 Jobs::Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock,
-           const Documents& documents, CalledPrograms called)
+           const Documents& documents, CalledPrograms called, HookSettings hook)
     : store_(store),
       lines_(lines),
       books_(books),
       events_(events),
       clock_(clock),
       documents_(documents),
-      called_(std::move(called)) {}
+      called_(std::move(called)),
+      hook_(std::move(hook)) {}
 
 store::Stamp Jobs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -257,6 +258,8 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   const auto named = lift(store_.jobs().get(id));
   if (!named) return std::unexpected(named.error());
   if (named->restart.is_one() && rounds > 1) return fail(ErrorCode::refused, "a restart is sent once");
+  // First of all: no lock is held while another system is asked.
+  if (const auto asked = ask_hook(*named, actor); !asked) return std::unexpected(asked.error());
   // Until the line has the order no one gives the machine another line or profile.
   const auto hold = lines_.hold(named->machine);
   const auto arming = prepare_arming(id, rounds);

@@ -11,6 +11,7 @@
 #include "server/app/checks/checked_texts.h"
 #include "server/app/jobs/books.h"
 #include "server/app/lines/lines.h"
+#include "server/app/out/arming_hook.h"
 #include "server/app/out/events.h"
 #include "server/app/shop/called_programs.h"
 #include "store/store.h"
@@ -32,7 +33,7 @@ class Jobs {
   static constexpr std::string_view kMachineChanges = "the machine is being changed: try again";
 
   Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock, const Documents& documents,
-       CalledPrograms called);
+       CalledPrograms called, HookSettings hook = {});
 
   // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
   // fed: with the place), unavailable (the disk is full).
@@ -92,6 +93,7 @@ class Jobs {
   Result<Arming> prepare_arming(store::Id job, std::uint32_t rounds);
   std::optional<std::int64_t> forecast_ms(const store::Job& job, std::uint32_t rounds);
   Result<void> put_on_line(const Arming& arming, double minutes, std::uint32_t rounds);
+  Result<void> ask_hook(const store::Job& job, std::string_view actor);
   Result<void> refuse_idle_no_more(const store::Job& job);
   void publish_withdrawn(const store::Job& armed);
   Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
@@ -106,6 +108,7 @@ class Jobs {
   const Documents& documents_;
   CalledPrograms called_;
   CheckedTexts checked_texts_;
+  ArmingHook hook_;
 };
 
 }  // namespace dripfeed::app
