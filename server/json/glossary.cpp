@@ -35,8 +35,8 @@ constexpr GlossaryRow kRows[] = {
     {"PartsReport/note", "for people"},
     {"not_before_ms", "before this time it is armed only with a reason, in ms since 1970; not given: at any time"},
     {"end_check",
-     "what a person confirms after the end of a job, before the next one of the machine is armed; not given: nothing, "
-     "or what the machine's profile asks for"},
+     "what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after "
+     "each drip feed; not given: nothing, or what the machine's profile asks for"},
     {"NewChoice/program", "its id"},
     {"NewChoice/revision", "of its text; not given: the newest"},
     {"NewChoice/delivery", "how the text is sent to the control; not given: drip"},

@@ -8,6 +8,7 @@ import threading
 import time
 
 from client import DC1, Client, HandControl, expect, hand_profile, in_folder
+from receipts import PROGRAM, Bench
 from receiver import verify
 
 SECRET = "whsec_" + "c2VjcmV0IG9mIHRoZSBhcm1pbmcgaG9vaw=="
@@ -172,7 +173,23 @@ def no_feed_and_no_stop_waits_for_it(folder):
     planner.close()
 
 
+def a_request_of_the_control_is_asked_for_too(folder):
+    planner = Planner()
+    (folder / "secret").write_text(SECRET)
+    bench = Bench(folder, ("--arming-hook", planner.url, "--arming-hook-secret-file", str(folder / "secret"), "--arming-hook-local"))
+    bench.release("O0042", PROGRAM)
+    planner.say = lambda question: (200, {"allow": False, "reason": "NOT BEFORE MONDAY"})
+    noted, text = bench.answer("LOAD 42")
+    expect(noted["outcome"] == "refused" and "NOT BEFORE MONDAY" in noted["detail"] and "G01" not in text, f"{noted} {text!r}")
+    expect(planner.asked[0]["operator"] == "operator at lathe" and planner.asked[0]["delivery"] == "memory", f"{planner.asked}")
+    planner.say = lambda question: (200, {"allow": True})
+    noted, text = bench.answer("LOAD 42")
+    expect(noted["outcome"] == "armed" and text == PROGRAM, f"{noted} {text!r}")
+    bench.end()
+    planner.close()
+
+
 if __name__ == "__main__":
-    for test in (it_is_asked_and_its_words_are_shown, no_answer_refuses, no_answer_warns_where_that_is_set, no_feed_and_no_stop_waits_for_it):
+    for test in (it_is_asked_and_its_words_are_shown, no_answer_refuses, no_answer_warns_where_that_is_set, no_feed_and_no_stop_waits_for_it, a_request_of_the_control_is_asked_for_too):
         in_folder(test)
     sys.exit(0)

@@ -160,6 +160,13 @@ def an_end_is_confirmed_before_the_next_job(folder):
     own, usual, next_job = shop.add(end_check="part taken out")["id"], shop.add()["id"], shop.add()["id"]
     expect(client.job(own)["end_check"] == "part taken out" and client.job(usual)["end_check"] == "chuck closed, door shut", "what is asked for")
     client.refuse(422, "POST", "/jobs", {"release": shop.releases["lathe"], "end_check": "x" * 201})
+    client.post("/checks", {"program": shop.program, "machine": "lathe", "delivery": "memory"})
+    client.post(f"/checks/{client.get('/checks')['items'][0]['id']}/waivers", {"reason": "a text of a test"})
+    load = client.post("/releases", {"program": shop.program, "machine": "lathe", "delivery": "memory"})["id"]
+    for step in ({"to": "in_review"}, {"to": "proving", "transfers": 9}):
+        client.post(f"/releases/{load}/transitions", step)
+    loads = [client.must("POST", "/jobs", {"release": load} | more) for more in ({}, {"end_check": "number noted"})]
+    expect([job["end_check"] for job in loads] == [None, "number noted"], "a load makes no part")
     client.refuse(409, "POST", f"/jobs/{own}/confirm-end", {}, words=["no confirmation"])
     shop.arm(own)
     client.post(f"/jobs/{own}/cancel")

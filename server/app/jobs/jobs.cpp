@@ -130,7 +130,9 @@ Result<CheckedTexts::Fit> Jobs::read_fit(const CheckedTexts::Key& text, std::str
   if (auto whole = refuse_drip_into_folder(*profile, text.delivery); !whole) return std::unexpected(whole.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());
-  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes, .end_check = profile->end_check};
+  // A memory load makes no part: what is asked for after one is its job's own to say.
+  std::string end_check = text.delivery == store::Delivery::drip ? profile->end_check : std::string();
+  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes, .end_check = std::move(end_check)};
 }
 
 struct Jobs::Wanted {

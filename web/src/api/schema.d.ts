@@ -4037,7 +4037,7 @@ export interface components {
             order?: number | null;
             /** @description before this time it is armed only with a reason, in ms since 1970; not given: at any time */
             not_before_ms?: number | null;
-            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; not given: nothing, or what the machine's profile asks for */
+            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
             end_check?: string | null;
         };
         /** @description which program is queued for a group of machines */
@@ -4055,7 +4055,7 @@ export interface components {
             order?: number | null;
             /** @description before this time it is armed only with a reason, in ms since 1970; not given: at any time */
             not_before_ms?: number | null;
-            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; not given: nothing, or what the machine's profile asks for */
+            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
             end_check?: string | null;
         };
         /**
@@ -4177,7 +4177,7 @@ export interface components {
             name: string;
             /** @description for people */
             title?: string | null;
-            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; not given: nothing, or what the machine's profile asks for */
+            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
             end_check?: string | null;
             /** @description of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80 */
             dialect: string;
