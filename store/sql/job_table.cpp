@@ -207,7 +207,7 @@ Result<Job> JobTable::move(Id job, const JobMove& move, const Stamp& by) {
       if (auto line = check_line(*old); !line) return std::unexpected(line.error());
       if (auto time = check_time(session, *old, move, by); !time) return std::unexpected(time.error());
     }
-    const Job next = moved(*old, move, by);
+    Job next = moved(*old, move, by);
     if (move.to == JobState::armed) withdraw_others(session, next, by);
     if (old->started_at_ms == 0 && move.to == JobState::feeding) ReleaseTable::count_transfer(session, old->release);
     write_move(session, old->state, next, by);
