@@ -26,6 +26,8 @@ enum class ErrorCode : std::uint8_t {
   machine_busy,        // another job of the machine is armed or runs
   not_leased,          // the machine's line is another node's
   machine_torn,        // a block was torn; a person must confirm the reset of the control first
+  too_early,           // a job may not be armed before its time
+  end_not_confirmed,   // the end of another job of the machine waits for a person
   key_reused,          // an idempotency key came back with another request
   append_only,         // the row may never change
   busy,                // another process holds the write lock for too long

@@ -2,6 +2,7 @@
 // job that broke off inside a block leaves its machine torn until a person confirms that the control was reset.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -71,8 +72,25 @@ struct Job {
   Id order = 0;                         // that it belongs to; 0: none
   RestartOf restart;                    // of its release
 
+  // What its line did, once it ended; nothing where no one counted.
+  std::optional<std::uint64_t> holds;       // how often its control held
+  std::optional<std::int64_t> line_ms;      // that its characters took on the line
+  std::optional<std::int64_t> forecast_ms;  // of its program by its check, as it was when the job was armed
+
+  std::int64_t not_before_ms = 0;  // it may not be armed before; 0: at any time
+  Id choice = 0;                   // first job of the choice that it belongs to, of which one is armed; 0: none
+
+  std::string end_check;  // what a person confirms after its end, before the next job of its machine; "": nothing
+  std::string end_confirmed_by;
+  std::string end_note;
+  std::int64_t end_confirmed_at_ms = 0;  // 0: never
+
   // Nothing may be armed on the machine until a person confirms.
   [[nodiscard]] bool needs_confirmation() const { return torn && confirmed_at_ms == 0; }
+  // The same of its end, where a part of it may have been made.
+  [[nodiscard]] bool needs_end_confirmation() const {
+    return !end_check.empty() && started_at_ms != 0 && ended_at_ms != 0 && end_confirmed_at_ms == 0;
+  }
 };
 
 struct NewJob {
@@ -80,6 +98,10 @@ struct NewJob {
   std::string link{};
   std::uint64_t bytes_total = 0;
   Id order = 0;  // that it belongs to; 0: none
+  std::int64_t not_before_ms = 0;
+  std::string end_check{};
+  Id choice = 0;               // that it joins; 0: none
+  bool begins_choice = false;  // it is the first of one
 };
 
 struct JobMove {
@@ -88,7 +110,11 @@ struct JobMove {
   bool torn = false;               // only with failed, cancelled and interrupted
   std::int64_t expires_at_ms = 0;  // only with armed
   std::string reason_id{};
-  std::optional<std::int64_t> held_ms{};  // only with what ends it
+  std::optional<std::int64_t> held_ms{};      // only with what ends it
+  std::optional<std::uint64_t> holds{};       // the same
+  std::optional<std::int64_t> line_ms{};      // the same
+  std::optional<std::int64_t> forecast_ms{};  // only with armed
+  std::string early_reason{};                 // only with armed: why it is armed before its time; "": it is not
 };
 
 // What a job did within a time, for a summary.
@@ -103,6 +129,29 @@ struct JobFilter {
   std::optional<JobState> state{};
   Id program = 0;  // 0: all
   Id order = 0;    // 0: all
+  Id choice = 0;   // 0: all
+};
+
+// Jobs that ended in this time: from_ms <= end < to_ms.
+struct EndedFilter {
+  std::int64_t from_ms = 0;
+  std::int64_t to_ms = 0;
+  std::string machine{};            // empty: all
+  std::optional<JobState> state{};  // one that ends a job; nothing: all
+};
+
+// What a sum of the past needs of a job.
+struct EndedJob {
+  std::string machine;
+  std::string part;  // of its order, or that its program was rendered from; "": not known
+  JobState state = JobState::done;
+  std::uint64_t bytes_total = 0;
+  std::int64_t started_at_ms = 0;  // 0: it never fed
+  std::int64_t ended_at_ms = 0;
+  std::optional<std::int64_t> held_ms;
+  std::optional<std::uint64_t> holds;
+  std::optional<std::int64_t> line_ms;
+  std::optional<std::int64_t> forecast_ms;
 };
 
 class Jobs : public Repository {
@@ -110,8 +159,10 @@ class Jobs : public Repository {
   // Queued. Errors: broken_reference (no such release or order), refused_transition (the order is not open, or is for
   // another machine), and those of Releases::released_for.
   virtual Result<Job> add(const NewJob& job, const Stamp& by) = 0;
-  // Errors: not_found, refused_transition; to armed also machine_busy, machine_torn, its order is not open, and those
-  // of Releases::released_for. The first feeding of a job counts as a transfer of a release in proving.
+  // Errors: not_found, refused_transition; to armed also machine_busy, machine_torn, too_early (without a reason),
+  // end_not_confirmed (of another job of the machine), its order is not open, and those of Releases::released_for. The
+  // first feeding of a job counts as a transfer of a release in proving. With a job that is armed, the others of its
+  // choice that are queued are cancelled.
   virtual Result<Job> move(Id job, const JobMove& move, const Stamp& by) = 0;
   // A person says that the control of this machine was reset. Errors: not_found (nothing waits), invalid_value (no
   // reason).
@@ -119,6 +170,15 @@ class Jobs : public Repository {
   // Moves a queued job before another one of its machine, or to the end for 0. Those whose rank changed, in their
   // order. Errors: not_found; refused_transition (it is not queued); invalid_value (`before` is not queued there).
   virtual Result<std::vector<Job>> move_before(Id job, Id before, const Stamp& by) = 0;
+  // When a queued job may be armed; 0: at any time. Nothing is armed by it. Errors: not_found, refused_transition (it
+  // is not queued).
+  virtual Result<Job> schedule(Id job, std::int64_t not_before_ms, const Stamp& by) = 0;
+  // A person confirms what the job's end asks for. Errors: not_found, refused_transition (nothing of it is asked for).
+  virtual Result<Job> confirm_end(Id job, std::string_view note, const Stamp& by) = 0;
+  // The job of the machine whose end waits for a confirmation; the oldest one.
+  virtual Result<std::optional<Job>> end_waits_on(std::string_view machine) = 0;
+  // Each job that ended in a time, in the order of their ends. `visit` must not use the store.
+  virtual Result<void> each_ended(const EndedFilter& filter, const std::function<void(const EndedJob&)>& visit) = 0;
   // The jobs of a machine that were on its line, or ended, in this time; oldest first.
   virtual Result<std::vector<JobUse>> used(std::string_view machine, std::int64_t from_ms, std::int64_t to_ms) = 0;
   // What came of punching a memory load back. Errors: not_found.

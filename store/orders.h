@@ -46,7 +46,7 @@ struct Order {
   std::uint64_t good = 0;  // parts, as people, controls or the MES reported
   std::uint64_t scrap = 0;
   std::uint64_t transfers = 0;  // jobs of it that are done
-  std::uint64_t waiting = 0;    // jobs of it that are queued
+  std::uint64_t waiting = 0;    // jobs of it that are queued; a choice of jobs counts once
   Revision revision = 0;        // of the plan
   std::string created_by;
   std::int64_t created_at_ms = 0;

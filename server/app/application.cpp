@@ -66,10 +66,12 @@ Application::Application(const Environment& environment)
       attachments_(store_, clock_, environment.disk_reserve, &quota_),
       line_reading_(store_),
       checking_(store_, events_, clock_, documents_, environment.workers),
-      jobs_(store_, lines_, books_, events_, clock_, documents_, CalledPrograms(store_, environment.library)),
+      jobs_(store_, lines_, books_, events_, clock_, documents_, CalledPrograms(store_, environment.library),
+            environment.hook),
       receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}),
       maintenance_(environment.maintenance),
       event_source_(environment.event_source),
+      shifts_(environment.shifts),
       links_(environment.links) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
   if (store::Nodes* const nodes = store_.nodes())

@@ -11,6 +11,7 @@
 #include "server/app/checks/checking.h"
 #include "server/app/jobs/books.h"
 #include "server/app/jobs/jobs.h"
+#include "server/app/jobs/shifts.h"
 #include "server/app/library/attachments.h"
 #include "server/app/library/library_indexer.h"
 #include "server/app/library/program_lines.h"
@@ -67,6 +68,8 @@ class Application {
     std::string event_source{};          // who we are for other systems, a URI
     std::string version{};               // of this program, for other nodes
     LibraryLimits limits{};              // of what is stored
+    Shifts shifts{};
+    HookSettings hook{};  // asked before each arming
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -122,6 +125,7 @@ class Application {
   [[nodiscard]] const std::string& event_source() const { return event_source_; }
   // nullptr: this is the one server of its store.
   NodeLines* nodes() { return nodes_ ? &*nodes_ : nullptr; }
+  [[nodiscard]] const Shifts& shifts() const { return shifts_; }
   // nullptr: there are none.
   Webhooks* webhooks() { return webhooks_ ? &*webhooks_ : nullptr; }
   // nullptr: there is none.
@@ -153,6 +157,7 @@ class Application {
   std::optional<Webhooks> webhooks_;
   Maintenance* maintenance_;
   std::string event_source_;
+  Shifts shifts_;
   LinkThread& links_;
   std::once_flag observed_;
   std::optional<Observations> observations_;

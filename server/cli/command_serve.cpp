@@ -141,6 +141,10 @@ std::string event_source(const ServerOptions& options) {
   return options.event_source.empty() ? fmt::format("dripfeed://{}", host_name()) : options.event_source;
 }
 
+io::HttpSenderSettings sender_settings(const ServerOptions& options) {
+  return {.ca_file = options.webhook_ca, .user_agent = fmt::format("dripfeed/{}", std::string_view(kVersion))};
+}
+
 // The first line of a file that only the server reads.
 app::Result<std::string> password_in(const std::string& path) {
   if (path.empty()) return std::string();
@@ -169,6 +173,31 @@ std::string backups_folder(const ServerOptions& options) {
 
 std::vector<double> webhook_retries(const ServerOptions& options) {
   return options.webhook_retry_s.empty() ? app::kWebhookRetries_s : options.webhook_retry_s;
+}
+
+// Errors: invalid (the URL, the secret).
+app::Result<app::HookSettings> arming_hook(const ServerOptions& options, const app::HttpSender& sender) {
+  app::HookSettings hook;
+  if (options.arming_hook.empty()) return hook;
+  if (const std::string why = sender.why_no_target(options.arming_hook, options.arming_hook_local); !why.empty())
+    return app::fail(app::ErrorCode::invalid, fmt::format("--arming-hook: the URL {}", why));
+  auto secret = password_in(options.arming_hook_secret_file);
+  if (!secret) return app::fail(app::ErrorCode::invalid, "--arming-hook-secret-file: " + secret.error().text);
+  if (!hash::webhook_signature(*secret, {}))
+    return app::fail(app::ErrorCode::invalid,
+                     "--arming-hook-secret-file: its first line is no secret: whsec_ and base64");
+  hook.url = options.arming_hook;
+  hook.secret = std::move(*secret);
+  hook.local = options.arming_hook_local;
+  hook.at_most = std::chrono::seconds(options.arming_hook_seconds);
+  hook.arms_unanswered = options.arming_hook_unanswered == "warn";
+  hook.make_sender = [settings = sender_settings(options)] {
+    auto made = io::make_http_sender(settings);
+    return made ? std::move(*made) : nullptr;
+  };
+  hook.write = json::arming_question;
+  hook.read = json::read_hook_answer;
+  return hook;
 }
 
 struct Books {
@@ -207,10 +236,14 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   app::DiskReserve disk_reserve(fs::path(options.data) / "ballast");
   io::WorkerDesk desk(desk_settings(options));
   json::DocumentWorkers workers(desk, options.check_seconds, app::CalledPrograms(store, books.library));
-  const auto sender = io::make_http_sender(
-      {.ca_file = options.webhook_ca, .user_agent = fmt::format("dripfeed/{}", std::string_view(kVersion))});
+  const auto sender = io::make_http_sender(sender_settings(options));
   if (!sender) {
     print_error(app::Error{app::ErrorCode::invalid, "--webhook-ca: " + sender.error(), {}});
+    return kWrongUse;
+  }
+  auto hook = arming_hook(options, **sender);
+  if (!hook) {
+    print_error(hook.error());
     return kWrongUse;
   }
   io::StoreMaintenance maintenance({.program = "/proc/self/exe",
@@ -235,7 +268,9 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .maintenance = &maintenance,
                                 .event_source = event_source(options),
                                 .version = std::string(kVersion),
-                                .limits = limits_of(options)});
+                                .limits = limits_of(options),
+                                .shifts = plan.shifts,
+                                .hook = std::move(*hook)});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {

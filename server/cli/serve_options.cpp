@@ -46,6 +46,12 @@ constexpr Row<std::string> kTexts[] = {
      "URI by which events say where they are from; dripfeed://HOSTNAME by default"},
     {"--webhook-ca", &ServerOptions::webhook_ca,
      "certificates that webhooks' receivers are believed by, PEM; the system's by default"},
+    {"--arming-hook", &ServerOptions::arming_hook,
+     "URL of a system that is asked before each arming, and may refuse it; signed as webhooks are"},
+    {"--arming-hook-secret-file", &ServerOptions::arming_hook_secret_file,
+     "file whose first line is the secret that questions are signed with (whsec_…)"},
+    {"--arming-hook-unanswered", &ServerOptions::arming_hook_unanswered,
+     "where no answer comes: refuse, or warn: arm all the same, with a row in the audit"},
     {"--mqtt", &ServerOptions::mqtt,
      "mqtt://HOST[:PORT] or mqtts://: a broker that gets states and events; nothing comes from it"},
     {"--mqtt-user", &ServerOptions::mqtt_user, "who the broker knows us as"},
@@ -59,6 +65,8 @@ constexpr Row<std::vector<std::string>> kLists[] = {
     {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
     {"--modbus-allow", &ServerOptions::modbus_allow,
      "IP address that may read; must be given where --modbus-listen is not loopback", true},
+    {"--shift", &ServerOptions::shift,
+     "HH:MM: a shift begins then, by this computer's clock; 06:00, 14:00 and 22:00 by default"},
     {"--proxy", &ServerOptions::proxy,
      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed", true},
 };
@@ -73,6 +81,9 @@ struct NumberRow {
   std::uint32_t most;
 };
 constexpr NumberRow kNumbers[] = {
+    {{"--arming-hook-seconds", &ServerOptions::arming_hook_seconds, "how long its answer may take"},
+     1,
+     json::kMostHookSeconds},
     {{"--check-seconds", &ServerOptions::check_seconds, "budget of time of one check; a sweep has ten times it", true},
      1,
      json::kMostCheckSeconds},
@@ -89,7 +100,9 @@ constexpr NumberRow kNumbers[] = {
      0,
      json::kMostDeleteAfter_days},
 };
-constexpr Row<bool> kFlags[] = {{"--insecure", &ServerOptions::insecure, "listen beyond loopback without TLS"}};
+constexpr Row<bool> kFlags[] = {{"--insecure", &ServerOptions::insecure, "listen beyond loopback without TLS"},
+                                {"--arming-hook-local", &ServerOptions::arming_hook_local,
+                                 "the hook may be this computer or in a private network, by HTTP too"}};
 
 template <class Visit>
 void for_each_option(const Visit& visit) {
@@ -182,6 +195,14 @@ app::Result<void> check_mqtt(const ServerOptions& options) {
   return {};
 }
 
+// Whether the URL is one that is allowed is looked at with the sender.
+app::Result<void> check_hook(const ServerOptions& options) {
+  if (options.arming_hook_unanswered != "refuse" && options.arming_hook_unanswered != "warn")
+    return app::fail(app::ErrorCode::invalid, "--arming-hook-unanswered: use refuse or warn");
+  if (options.arming_hook.empty() == options.arming_hook_secret_file.empty()) return {};
+  return app::fail(app::ErrorCode::invalid, "--arming-hook and --arming-hook-secret-file go together: give both");
+}
+
 }  // namespace
 
 void add_serve_options(CLI::App& command, GivenOptions& given) {
@@ -236,12 +257,15 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
   if (const auto tls = check_tls(options, *address); !tls) return std::unexpected(tls.error());
   if (const auto node = check_node(options); !node) return std::unexpected(node.error());
   if (const auto mqtt = check_mqtt(options); !mqtt) return std::unexpected(mqtt.error());
+  if (const auto hook = check_hook(options); !hook) return std::unexpected(hook.error());
   if (const auto proxies = check_addresses("--proxy", options.proxy); !proxies) return std::unexpected(proxies.error());
   if (const auto readers = check_addresses("--modbus-allow", options.modbus_allow); !readers)
     return std::unexpected(readers.error());
   auto units = units_of(options.modbus_unit);
   if (!units) return std::unexpected(units.error());
-  ServePlan plan{.address = *address, .modbus_units = std::move(*units)};
+  auto shifts = app::Shifts::of(options.shift);
+  if (!shifts) return app::fail(app::ErrorCode::invalid, "--shift " + shifts.error());
+  ServePlan plan{.address = *address, .modbus_units = std::move(*units), .shifts = std::move(*shifts)};
   if (options.modbus_listen.empty()) return plan;
   const auto modbus = http::parse_listen_address(options.modbus_listen);
   if (!modbus) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + modbus.error());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/app/base/error.h"
+#include "server/app/jobs/shifts.h"
 #include "server/http/server.h"
 #include "server/json/server_options.h"
 
@@ -33,7 +34,8 @@ app::Result<json::ServerOptions> options_of(const CLI::App& command, const Given
 // What the options mean.
 struct ServePlan {
   http::ListenAddress address;
-  std::map<std::uint8_t, std::string> modbus_units;     // machines by unit
+  std::map<std::uint8_t, std::string> modbus_units;  // machines by unit
+  app::Shifts shifts{};
   std::optional<http::ListenAddress> modbus_address{};  // nothing: no Modbus server
 };
 // Errors: invalid, as one sentence. Nothing is begun; the certificate and its key are read.

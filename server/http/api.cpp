@@ -168,6 +168,7 @@ Lane lane_of(const Route& route) {
     case Weight::light: return route.method == Method::get ? Lane::here : Lane::write;
     case Weight::staged: return Lane::write;
     case Weight::command: return Lane::command;
+    case Weight::arming: return Lane::arm;
     case Weight::bulk:
     case Weight::setup: return Lane::bulk;
     case Weight::heavy: return Lane::heavy;

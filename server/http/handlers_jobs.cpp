@@ -7,6 +7,7 @@
 #include "server/http/api.h"
 #include "server/http/handlers.h"
 #include "server/http/list_response.h"
+#include "server/json/orders.h"
 #include "server/json/records.h"
 #include "server/json/requests.h"
 #include "server/json/verdict_records.h"
@@ -92,6 +93,9 @@ Response list_jobs(const Call& call) {
   if (!order) return order.error();
   store::JobFilter filter{.machine = query_text(call.request, "machine"), .state = std::nullopt};
   filter.order = *order;
+  const auto choice = id_in(call.request, "choice");
+  if (!choice) return choice.error();
+  filter.choice = *choice;
   if (const std::string state = query_text(call.request, "state"); !state.empty()) {
     filter.state = job_state_named(state);
     if (!filter.state) return problem_response(422, fmt::format("\"{}\" is no state of a job", state));
@@ -107,7 +111,7 @@ Response add_job(const Call& call) {
   std::optional<store::Job> added;
   bool is_text_known = true;
   const auto add = [&] {
-    const auto job = jobs.add_known(body->release, call.user, body->order);
+    const auto job = jobs.add_known(body->release, call.user, body->plan);
     if (!job) return problem_response(job.error());
     is_text_known = job->has_value();
     if (!is_text_known) return problem_response(503, std::string(app::Jobs::kMachineChanges));
@@ -154,7 +158,58 @@ Response arm_job(const Call& call) {
   const bool own_right = job->delivery == store::Delivery::memory && call.right < Right::admin;
   if (own_right && app.jobs().protects_number(job->text_sha256))
     return problem_response(403, "O8000 to O9999 are loaded by an admin");
-  return job_response(app.jobs().arm(*id, arming->minutes, call.user, arming->rounds));
+  const bool is_early = !arming->early_reason.empty() && app.clock().wall_ms() < job->not_before_ms;
+  if (is_early && call.right < Right::approver)
+    return problem_response(403, "a job is armed before its time by an approver");
+  // A reason of whoever was not asked for one is none, even where the time is changed meanwhile.
+  const std::string_view early_reason = is_early ? std::string_view(arming->early_reason) : std::string_view();
+  return job_response(app.jobs().arm(*id, arming->minutes, call.user, arming->rounds, early_reason));
+}
+
+Response schedule_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto body = json::read_schedule_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  return job_response(call.api.application().jobs().schedule(*id, body->not_before_ms, call.user));
+}
+
+Response confirm_job_end(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto body = json::read_end_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  return job_response(call.api.application().jobs().confirm_end(*id, body->note, call.user));
+}
+
+namespace {
+
+bool may_queue_on(const Call& call, const std::string& machine) {
+  if (call.caller == nullptr) return false;
+  const auto found = call.caller->on_machines.find(machine);
+  return (found == call.caller->on_machines.end() ? call.caller->right : found->second) >= Right::operator_;
+}
+
+}  // namespace
+
+Response add_choice(const Call& call) {
+  auto order = json::read_choice_body(call.request.body);
+  if (!order) return problem_response(order.error());
+  order->group = call.parameters[0];
+  app::Application& app = call.api.application();
+  const auto parts = app::prepare_choice(app.store(), app.jobs(), *order, app.clock().wall_ms(),
+                                         [&](const std::string& machine) { return may_queue_on(call, machine); });
+  if (!parts) return problem_response(parts.error());
+  std::vector<store::Job> added;
+  Response response = call.commit([&] {
+    const auto choice = app::add_choice(app.store(), app.jobs(), *parts, order->plan, call.user);
+    if (!choice) return problem_response(choice.error());
+    added = choice->jobs;
+    return created(fmt::format("/api/v1/jobs?choice={}", choice->id), json::choice(*choice));
+  });
+  if (response.status == 201)
+    for (const store::Job& job : added) app.jobs().announce(job);
+  return response;
 }
 
 Response move_job(const Call& call) {

@@ -28,6 +28,7 @@ struct LaneRow {
 // None has a low priority: whoever holds the store's lock must not wait for the processor.
 constexpr std::array kLanes = {
     LaneRow{Lane::command, "http command", 2, 256},
+    LaneRow{Lane::arm, "http arm", 4, 64},
     LaneRow{Lane::write, "http write", 8, 1024},
     LaneRow{Lane::bulk, "http bulk", 2, 64},
     LaneRow{Lane::heavy, "http heavy", 0, 32},  // they wait for worker processes, which have the low priority

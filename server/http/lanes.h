@@ -2,7 +2,8 @@
 // answers what is read in a moment; nothing that is slow in one lane holds up another.
 //
 //   here     the HTTP thread: small reads
-//   command  stop, cancel, resume, arm, confirm: what a person at a machine waits for
+//   command  stop, cancel, resume, confirm: what a person at a machine waits for
+//   arm      arming: the same, and another system may be asked before it
 //   write    small changes of the store
 //   bulk     texts: uploads, long answers, files
 //   heavy    checks, rendering, sweeps: they wait for worker processes
@@ -19,7 +20,7 @@
 
 namespace dripfeed::http {
 
-enum class Lane : std::uint8_t { here, command, write, bulk, heavy, secret, spool };
+enum class Lane : std::uint8_t { here, command, arm, write, bulk, heavy, secret, spool };
 
 class Lanes {
  public:
@@ -41,7 +42,7 @@ class Lanes {
  private:
   class One;
   One& at(Lane lane);
-  std::unique_ptr<One> lanes_[6];
+  std::unique_ptr<One> lanes_[7];
 };
 
 }  // namespace dripfeed::http

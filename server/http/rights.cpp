@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "server/http/api.h"
+#include "server/json/orders.h"
 #include "server/json/requests.h"
 
 namespace dripfeed::http {
@@ -26,7 +27,9 @@ constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/jobs/{id}/stop", "line"},
     ScopeRow{"/api/v1/jobs/{id}/cancel", "line"},
     ScopeRow{"/api/v1/jobs/{id}/resume", "line"},
+    ScopeRow{"/api/v1/jobs/{id}/confirm-end", "line"},
     ScopeRow{"/api/v1/jobs", "queue"},
+    ScopeRow{"/api/v1/groups/{name}/jobs", "queue"},
     ScopeRow{"/api/v1/orders", "queue"},
     ScopeRow{"/api/v1/releases", "releases"},
     ScopeRow{"/api/v1/checks/{id}/waivers", "releases"},
@@ -57,6 +60,7 @@ constexpr std::array kScopeRows = {
 enum class Acts : std::uint8_t {
   anywhere,  // whoever may do it on one machine may do it on all
   machine_in_path,
+  group_in_path,
   job,
   release,
   verdict,
@@ -78,6 +82,9 @@ constexpr std::array kActRows = {
     ActRow{Method::post, "/api/v1/jobs/{id}/stop", Acts::anywhere},
     ActRow{Method::post, "/api/v1/jobs/{id}/arm", Acts::job},
     ActRow{Method::post, "/api/v1/jobs/{id}/move", Acts::job},
+    ActRow{Method::post, "/api/v1/jobs/{id}/schedule", Acts::job},
+    ActRow{Method::post, "/api/v1/jobs/{id}/confirm-end", Acts::job},
+    ActRow{Method::post, "/api/v1/groups/{name}/jobs", Acts::group_in_path},
     ActRow{Method::post, "/api/v1/jobs/{id}/cancel", Acts::job},
     ActRow{Method::post, "/api/v1/jobs/{id}/resume", Acts::job},
     ActRow{Method::post, "/api/v1/jobs", Acts::release_in_body},
@@ -128,6 +135,7 @@ std::optional<std::string> machine_by_id(store::Store& store, Acts on, store::Id
       return machine_in(store.receipts().get(id), [](const store::Receipt& one) { return one.of.machine; });
     case Acts::anywhere:
     case Acts::machine_in_path:
+    case Acts::group_in_path:
     case Acts::machine_in_body:
     case Acts::release_in_body: break;
   }
@@ -170,6 +178,27 @@ std::optional<std::string> machine_of(const ActRow& row, const Call& call) {
 
 }  // namespace
 
+namespace {
+
+Right right_on(const Caller& caller, const std::string& machine) {
+  const auto found = caller.on_machines.find(machine);
+  return found == caller.on_machines.end() ? caller.right : found->second;
+}
+
+// The best of its machines: the handler asks for each one.
+Right right_in_group(const Call& call, const Caller& caller) {
+  const auto groups = call.api.application().store().users().groups();
+  Right best = caller.right;
+  if (!groups) return best;
+  for (const store::MachineGroup& group : *groups) {
+    if (group.name != call.parameters[0]) continue;
+    for (const std::string& machine : group.machines) best = std::max(best, right_on(caller, machine));
+  }
+  return best;
+}
+
+}  // namespace
+
 Right reach(const Route& route, const Caller& caller) {
   Right best = caller.right;
   if (act_of(route) == nullptr) return best;
@@ -180,10 +209,10 @@ Right reach(const Route& route, const Caller& caller) {
 Right right_for(const Route& route, const Call& call, const Caller& caller) {
   const ActRow* row = act_of(route);
   if (row == nullptr || caller.on_machines.empty()) return caller.right;
+  if (row->on == Acts::group_in_path) return right_in_group(call, caller);
   const auto machine = row->on == Acts::anywhere ? std::nullopt : machine_of(*row, call);
   if (!machine) return reach(route, caller);
-  const auto found = caller.on_machines.find(*machine);
-  return found == caller.on_machines.end() ? caller.right : found->second;
+  return right_on(caller, *machine);
 }
 
 }  // namespace dripfeed::http

@@ -26,13 +26,14 @@ std::string_view name_of(Right right);
 //   staged   lane `write`: its rows are committed at the end, together with those of other callers who wait; see
 //            Call::commit
 //   command  lane `command`: acts on lines, which no transaction can undo
+//   arming   lane `arm`: as a command, and it may wait for another system
 //   bulk     lane `bulk`: much text. A change puts its text first and then commits its rows, as a staged one, so that
 //            no transaction lasts as long as a text
 //   setup    lane `bulk`: opens lines, or has transactions of its own
 //   heavy    lane `heavy`: rendering, checks
 //   secret   lane `secret`: passwords, PINs, tokens; no answer is kept under an idempotency key, as it may hold a
 //   secret
-enum class Weight : std::uint8_t { stored, light, staged, command, bulk, setup, heavy, secret };
+enum class Weight : std::uint8_t { stored, light, staged, command, arming, bulk, setup, heavy, secret };
 
 // What a body may carry: a document, a text in one, or the bytes of a file, which the handler reads in pieces.
 enum class Carries : std::uint8_t { document, text, file };

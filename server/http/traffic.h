@@ -13,7 +13,7 @@
 
 namespace dripfeed::http {
 
-inline constexpr std::size_t kLanesAndHere = 6;
+inline constexpr std::size_t kLanesAndHere = 8;
 
 class Traffic {
  public:

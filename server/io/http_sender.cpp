@@ -42,6 +42,8 @@ struct Transfer {
   bool local = false;
   std::string refused;  // the address that it may not go to
   std::size_t answered_bytes = 0;
+  bool keeps_answer = false;
+  std::string answer;
   std::array<char, CURL_ERROR_SIZE> error{};
   HeaderList headers;
   Easy easy;
@@ -75,10 +77,12 @@ curl_socket_t open_socket(void* user, curlsocktype purpose, curl_sockaddr* targe
   return ::socket(target->family, target->socktype | SOCK_CLOEXEC, target->protocol);
 }
 
-// The answer's body says nothing to us; one without an end is cut.
-std::size_t take_answer(char* /*bytes*/, std::size_t size, std::size_t count, void* user) {
+// One without an end is cut.
+std::size_t take_answer(char* bytes, std::size_t size, std::size_t count, void* user) {
   auto& transfer = *static_cast<Transfer*>(user);
   transfer.answered_bytes += size * count;
+  if (transfer.keeps_answer)
+    transfer.answer.append(bytes, std::min(size * count, app::kKeptAnswer_bytes - transfer.answer.size()));
   return transfer.answered_bytes > kMostOfAnswer_bytes ? 0 : size * count;
 }
 
@@ -145,8 +149,9 @@ void CurlSender::set_up(Transfer& transfer, const app::HttpPost& post) const {
   set(CURLOPT_FOLLOWLOCATION, 0L);
   set(CURLOPT_PROXY, "");
   set(CURLOPT_NOSIGNAL, 1L);
-  set(CURLOPT_TIMEOUT_MS, kAtMost_ms);
-  set(CURLOPT_CONNECTTIMEOUT_MS, kConnect_ms);
+  const long at_most_ms = std::clamp<long>(post.at_most.count(), 1, kAtMost_ms);
+  set(CURLOPT_TIMEOUT_MS, at_most_ms);
+  set(CURLOPT_CONNECTTIMEOUT_MS, std::min(kConnect_ms, at_most_ms));
   set(CURLOPT_FORBID_REUSE, 1L);
   set(CURLOPT_FRESH_CONNECT, 1L);
   set(CURLOPT_USERAGENT, settings_.user_agent.c_str());
@@ -165,6 +170,7 @@ void CurlSender::begin(std::uint64_t ticket, const app::HttpPost& post) {
   auto transfer = std::make_unique<Transfer>();
   transfer->ticket = ticket;
   transfer->local = post.local;
+  transfer->keeps_answer = post.keeps_answer;
   transfer->easy.reset(curl_easy_init());
   // Who is allowed less than before is refused here, too.
   if (const std::string why = why_no_target(post.url, post.local); !why.empty()) {
@@ -190,13 +196,14 @@ std::vector<app::HttpOutcome> CurlSender::work(std::chrono::milliseconds at_most
   while (const CURLMsg* const message = curl_multi_info_read(multi_, &left)) {
     if (message->msg != CURLMSG_DONE) continue;
     const auto found = on_.find(message->easy_handle);
-    const Transfer& transfer = *found->second;
+    Transfer& transfer = *found->second;
     long status = 0;
     curl_easy_getinfo(message->easy_handle, CURLINFO_RESPONSE_CODE, &status);
     app::HttpOutcome outcome{.ticket = transfer.ticket};
     // An answer that was cut because it has no end is an answer.
     if (message->data.result == CURLE_OK || message->data.result == CURLE_WRITE_ERROR) {
       outcome.status = static_cast<std::uint32_t>(status);
+      outcome.body = std::move(transfer.answer);
     } else if (!transfer.refused.empty()) {
       outcome.error = fmt::format("nothing is sent to {}: it is not open to this webhook", transfer.refused);
     } else {

@@ -34,6 +34,7 @@ struct PathRow {
 };
 constexpr std::array kPaths = {
     PathRow{"/api/v1/machines", "Machines"},
+    PathRow{"/api/v1/groups/{name}/jobs", "Jobs"},
     PathRow{"/api/v1/groups", "Machines"},
     PathRow{"/api/v1/nodes", "Machines"},
     PathRow{"/api/v1/families", "Families and parts"},
@@ -52,6 +53,7 @@ constexpr std::array kPaths = {
     PathRow{"/api/v1/releases", "Releases"},
     PathRow{"/api/v1/orders", "Orders"},
     PathRow{"/api/v1/jobs", "Jobs"},
+    PathRow{"/api/v1/history", "Jobs"},
     PathRow{"/api/v1/receipts", "Receipts"},
     PathRow{"/api/v1/requests", "Receipts"},
     PathRow{"/api/v1/alarms", "Alarms"},
@@ -127,6 +129,7 @@ constexpr std::array kParameters = {
     ParameterRow{"", "part", "only those of this part, by its number"},
     ParameterRow{"", "family", "only those of this family, by its name"},
     ParameterRow{"", "order", "only those of this order, by its id"},
+    ParameterRow{"", "choice", "only those of this choice, by its id"},
     ParameterRow{"", "state", "only those in this state"},
     ParameterRow{"", "tag", "only programs with this tag"},
     ParameterRow{"", "folder", "only programs in this folder"},
@@ -142,6 +145,7 @@ constexpr std::array kParameters = {
     ParameterRow{"", "with_revision", "of the text that it is compared with; the newest without"},
     ParameterRow{"", "from", "the first line, from 1"},
     ParameterRow{"", "count", "how many lines"},
+    ParameterRow{"", "by", "what the sums are grouped by; the machine without"},
     ParameterRow{"", "days", "how many, back from now"},
     ParameterRow{"", "form", "`read`: what can be read of the bytes, as text"},
     ParameterRow{"", "kind", "of the machine: some words are of one kind alone"},

@@ -22,6 +22,9 @@ app::Result<Body> read_by(void (*read)(ObjectReader&, Body&), std::string_view b
   return into;
 }
 
+// The member `end_check` of a job or a profile: what a person confirms after a job (orders.cpp).
+void read_end_check(ObjectReader& o, std::string& into);
+
 // An empty body is one without members.
 inline std::string_view or_empty(std::string_view body) { return body.empty() ? "{}" : body; }
 

@@ -1,12 +1,15 @@
 // `data` is thin: what happened to what, and ids to ask for more. A table says which members each topic has.
 #include "server/json/cloud_events.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
+#include "server/app/base/names.h"
 #include "server/app/base/wall_time.h"
 #include "server/app/out/alarms.h"
+#include "server/json/orders.h"
 #include "server/json/parse.h"
 
 namespace dripfeed::json {
@@ -147,5 +150,64 @@ std::string webhook_delivery(const store::WebhookDelivery& delivery) {
 }
 
 std::string replayed(std::uint64_t count) { return dump({{"replayed", count}}); }
+
+namespace {
+
+// The words of another system are shown to people: one line, not endless, printable.
+constexpr std::size_t kMostWords_bytes = 200;
+constexpr std::array<std::uint32_t, 3> kRefusals = {403, 409, 422};
+
+// "" where it is no text that can be shown. A character that the cut halves goes as a whole.
+std::string words_of(const Document& answer, const char* member) {
+  if (!answer.is_object()) return {};
+  const auto found = answer.find(member);
+  if (found == answer.end() || !found->is_string()) return {};
+  const auto& given = found->get_ref<const std::string&>();
+  const bool is_cut = given.size() > kMostWords_bytes;
+  std::string words = given.substr(0, kMostWords_bytes);
+  constexpr int kMostOfCharacter_bytes = 4;
+  for (int i = 0; i < kMostOfCharacter_bytes; ++i) {
+    while (words.ends_with(' ')) words.pop_back();
+    if (app::why_no_name(words).empty()) return words;
+    if (!is_cut || words.empty()) break;
+    words.pop_back();
+  }
+  return {};
+}
+
+std::string reason_in(const Document& answer) {
+  for (const char* const member : {"reason", "detail"})
+    if (std::string words = words_of(answer, member); !words.empty()) return words;
+  return "it gives no reason";
+}
+
+}  // namespace
+
+std::string arming_question(const app::ArmingQuestion& question) {
+  const store::Job& job = question.job;
+  return dump({{"type", "dripfeed.job.arming"},
+               {"id", question.id},
+               {"at_ms", question.at_ms},
+               {"job", job.id},
+               {"machine", job.machine},
+               {"program", {{"id", job.program}, {"name", question.program}, {"revision", job.revision}}},
+               {"sha256", job.text_sha256},
+               {"delivery", store::name_of(job.delivery)},
+               {"release", job.release},
+               {"order", question.order ? embedded(json::order(*question.order)) : Document(nullptr)},
+               {"operator", question.actor}});
+}
+
+app::HookAnswer read_hook_answer(std::uint32_t status, std::string_view body) {
+  using Kind = app::HookAnswer::Kind;
+  const auto parsed = parse(body);
+  const Document answer = parsed ? *parsed : Document(nullptr);
+  const auto allow = answer.is_object() ? answer.find("allow") : answer.end();
+  const bool says = allow != answer.end() && allow->is_boolean();
+  if (status == 200 && says && allow->get<bool>()) return {.kind = Kind::allowed};
+  if ((status == 200 && says) || std::ranges::find(kRefusals, status) != kRefusals.end())
+    return {.kind = Kind::refused, .why = reason_in(answer)};
+  return {.kind = Kind::none, .why = fmt::format("it answered {} without \"allow\"", status)};
+}
 
 }  // namespace dripfeed::json

@@ -11,6 +11,7 @@ class JsonDocuments final : public app::Documents {
   [[nodiscard]] app::Result<app::Values> read_values(std::string_view document) const override;
   [[nodiscard]] std::string write_values(const app::Values& values) const override;
   [[nodiscard]] std::string write_report(const app::CheckReport& report) const override;
+  [[nodiscard]] std::optional<double> cycle_s(std::string_view report) const override;
   [[nodiscard]] std::string write_drawing(const std::vector<family::DrawnView>& drawing) const override;
 };
 

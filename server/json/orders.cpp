@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "protocol/feed/feed.h"
 #include "server/app/base/names.h"
 #include "server/json/bodies.h"
 #include "server/json/parse.h"
+#include "server/json/records.h"
 
 namespace dripfeed::json {
 
@@ -54,7 +56,77 @@ void read_members(ObjectReader& o, store::PartsReport& into) {
   o.text("note", into.note);
 }
 
+void read_plan(ObjectReader& o, app::JobPlan& into) {
+  o.integer("order", into.order, 1, kMaxId);
+  o.integer("not_before_ms", into.not_before_ms, 1, kMaxId);
+  read_end_check(o, into.end_check);
+}
+
+void read_members(ObjectReader& o, JobBody& into) {
+  o.integer("release", into.release, 1, kMaxId, true);
+  read_plan(o, into.plan);
+}
+
+void read_members(ObjectReader& o, app::ChoiceOrder& into) {
+  o.integer("program", into.program, 1, kMaxId, true);
+  o.integer("revision", into.revision, 1, kMaxId);
+  if (const auto delivery = o.choice("delivery", store::kNames<store::Delivery>))
+    into.delivery = static_cast<store::Delivery>(*delivery);
+  read_plan(o, into.plan);
+}
+
+void read_members(ObjectReader& o, ArmBody& into) {
+  o.number("minutes", into.minutes, 0.01, 60.0);
+  o.integer("rounds", into.rounds, 1, feed::kMaxRounds);
+  o.text("early_reason", into.early_reason);
+}
+
+void read_members(ObjectReader& o, MoveBody& into) { o.integer("before", into.before, 1, kMaxId); }
+
+void read_members(ObjectReader& o, ScheduleBody& into) { o.integer("not_before_ms", into.not_before_ms, 1, kMaxId); }
+
+void read_members(ObjectReader& o, EndBody& into) { o.text("note", into.note); }
+
 }  // namespace
+
+// One line, which fits on a button's dialog.
+void read_end_check(ObjectReader& o, std::string& into) {
+  std::string text;
+  o.text("end_check", text);
+  if (text.empty()) return;
+  if (const std::string why = app::why_no_name(text); !why.empty()) return o.fault("end_check", why);
+  into = std::move(text);
+}
+
+app::Result<JobBody> read_job_body(std::string_view body) { return read_by<JobBody>(read_members, body); }
+app::Result<app::ChoiceOrder> read_choice_body(std::string_view body) {
+  return read_by<app::ChoiceOrder>(read_members, body);
+}
+app::Result<ArmBody> read_arm_body(std::string_view body) { return read_by<ArmBody>(read_members, or_empty(body)); }
+app::Result<MoveBody> read_move_body(std::string_view body) { return read_by<MoveBody>(read_members, body); }
+app::Result<ScheduleBody> read_schedule_body(std::string_view body) {
+  return read_by<ScheduleBody>(read_members, body);
+}
+app::Result<EndBody> read_end_body(std::string_view body) { return read_by<EndBody>(read_members, or_empty(body)); }
+
+Schemas job_request_schemas() {
+  return {
+      described<JobBody>("NewJob", read_members, "which release is transferred, and when it may be"),
+      described<app::ChoiceOrder>("NewChoice", read_members, "which program is queued for a group of machines"),
+      described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
+      described<MoveBody>("Move", read_members, "the new place of a queued job"),
+      described<ScheduleBody>("JobSchedule", read_members, "when a queued job may be armed"),
+      described<EndBody>("JobEnd", read_members, "a person has done what the job's end asks for"),
+  };
+}
+
+std::string choice(const app::Choice& choice) {
+  Document jobs = Document::array();
+  for (const store::Job& one : choice.jobs) jobs.push_back(embedded(job(one)));
+  Document left_out = Document::array();
+  for (const app::LeftOut& one : choice.left_out) left_out.push_back({{"machine", one.machine}, {"why", one.why}});
+  return dump({{"choice", choice.id}, {"jobs", std::move(jobs)}, {"left_out", std::move(left_out)}});
+}
 
 app::Result<store::NewOrder> read_order_body(std::string_view body) {
   return read_by<store::NewOrder>(read_members, body);

@@ -10,6 +10,7 @@
 
 #include "dialects/text/number.h"
 #include "protocol/tape_code/character_set.h"
+#include "server/json/bodies.h"
 #include "server/json/object_reader.h"
 #include "server/json/profile_receive.h"
 #include "server/json/profile_words.h"
@@ -353,6 +354,7 @@ void read_notes(ObjectReader& object, const Document& notes, machine::Profile& p
 void read_whole(ObjectReader& object, machine::Profile& profile) {
   object.proper_name("name", profile.name);
   object.text("title", profile.title);
+  read_end_check(object, profile.end_check);
   object.text("dialect", profile.control.dialect, true);
   if (const Document* notes = object.member("notes", list_of(json::text(""), ""))) read_notes(object, *notes, profile);
   if (const auto kind = object.choice("kind", ir::kMachineKindNames, true))

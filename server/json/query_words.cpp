@@ -5,12 +5,14 @@
 #include <array>
 
 #include "dialects/ir/control.h"
+#include "server/app/jobs/history.h"
 #include "server/json/records.h"
 
 namespace dripfeed::json {
 
 namespace {
 
+constexpr std::array<std::string_view, 4> kEndedStates = {"done", "failed", "cancelled", "interrupted"};
 constexpr std::array<std::string_view, 2> kAlarmStates = {"open", "all"};
 constexpr std::array<std::string_view, 1> kForms = {"read"};
 constexpr std::array<std::string_view, 2> kSearchShelves = {"in_use", "all"};
@@ -27,6 +29,8 @@ struct WordsRow {
 };
 constexpr std::array kRows = {
     WordsRow{"/api/v1/jobs", "state", store::kNames<store::JobState>},
+    WordsRow{"/api/v1/history/sums", "by", app::kSumsByNames},
+    WordsRow{"/api/v1/history/sums", "state", kEndedStates},
     WordsRow{"/api/v1/orders", "state", store::kNames<store::OrderState>},
     WordsRow{"/api/v1/alarms", "state", kAlarmStates},
     WordsRow{"/api/v1/receipts", "state", store::kNames<store::ReceiptState>},
@@ -44,8 +48,8 @@ constexpr std::array kRows = {
     WordsRow{"/api/v1/sweep", "plot", kRegion},
 };
 
-constexpr std::array<std::string_view, 9> kNumbers = {"program", "order", "revision", "with", "with_revision",
-                                                      "days",    "count", "from_ms",  "to_ms"};
+constexpr std::array<std::string_view, 10> kNumbers = {"program",       "order", "choice", "revision", "with",
+                                                       "with_revision", "days",  "count",  "from_ms",  "to_ms"};
 
 }  // namespace
 

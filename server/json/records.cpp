@@ -2,6 +2,7 @@
 #include "server/json/records.h"
 
 #include "server/json/diagnostics.h"
+#include "server/json/history.h"
 #include "server/json/object_reader.h"
 #include "server/json/sentences.h"
 
@@ -115,6 +116,10 @@ Document restart_document(const store::RestartOf& restart) {
   return {{"release", restart.release}, {"line", restart.line}};
 }
 
+Document seconds_or_null(std::optional<std::int64_t> ms) {
+  return ms ? Document(static_cast<double>(*ms) / 1e3) : Document(nullptr);
+}
+
 Document job_document(const store::Job& job) {
   return {{"id", job.id},
           {"state", store::name_of(job.state)},
@@ -144,7 +149,18 @@ Document job_document(const store::Job& job) {
           {"confirmed_by", text_or_null(job.confirmed_by)},
           {"confirm_reason", text_or_null(job.confirm_reason)},
           {"read_back", text_or_null(job.read_back)},
-          {"read_back_state", text_or_null(read_back_state(job.read_back))}};
+          {"read_back_state", text_or_null(read_back_state(job.read_back))},
+          {"held_s", seconds_or_null(job.held_ms)},
+          {"holds", job.holds ? Document(*job.holds) : Document(nullptr)},
+          {"line_s", seconds_or_null(job.line_ms)},
+          {"forecast_s", seconds_or_null(job.forecast_ms)},
+          {"not_before_ms", time_or_null(job.not_before_ms)},
+          {"choice", id_or_null(job.choice)},
+          {"end_check", text_or_null(job.end_check)},
+          {"needs_end_confirmation", job.needs_end_confirmation()},
+          {"end_confirmed_by", text_or_null(job.end_confirmed_by)},
+          {"end_confirmed_at_ms", time_or_null(job.end_confirmed_at_ms)},
+          {"end_note", text_or_null(job.end_note)}};
 }
 
 Document likeness_document(const std::optional<app::StoredLikeness>& likeness) {
@@ -429,6 +445,32 @@ std::string utilisation(std::span<const app::DayOfUse> days) {
                    {"bytes", day.bytes}});
   }
   return dump({{"days", std::move(all)}});
+}
+
+namespace {
+
+Document sums_document(const app::Sums& sums) {
+  Document document = Document::object();
+  for (const SumCount& row : sum_counts()) document[std::string(row.name)] = sums.*row.member;
+  for (const SumTime& row : sum_times()) document[std::string(row.name)] = static_cast<double>(sums.*row.member) / 1e3;
+  const auto use = line_use_of(sums);
+  document["line_use"] = use ? Document(*use) : Document(nullptr);
+  return document;
+}
+
+}  // namespace
+
+std::string history_sums(const app::HistorySums& sums, app::SumsBy by) {
+  Document groups = Document::array();
+  for (const app::SumGroup& group : sums.groups) {
+    Document document = {
+        {"name", group.name}, {"from_ms", time_or_null(group.from_ms)}, {"to_ms", time_or_null(group.to_ms)}};
+    document.update(sums_document(group.sums));
+    groups.push_back(std::move(document));
+  }
+  return dump({{"by", app::kSumsByNames[static_cast<std::size_t>(by)]},
+               {"all", sums_document(sums.all)},
+               {"groups", std::move(groups)}});
 }
 
 std::string_view event_name(app::EventKind kind) {

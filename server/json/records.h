@@ -10,6 +10,7 @@
 
 #include "dialects/compile/render/render.h"
 #include "server/app/application.h"
+#include "server/app/jobs/history.h"
 #include "server/app/jobs/utilisation.h"
 #include "server/app/library/program_uses.h"
 #include "server/app/ports/maintenance.h"
@@ -52,6 +53,7 @@ std::string request(const store::Request& request);
 std::string alarm(const store::Alarm& alarm);
 std::string program_lines(std::uint64_t from, const app::ProgramLines& found);
 std::string utilisation(std::span<const app::DayOfUse> days);
+std::string history_sums(const app::HistorySums& sums, app::SumsBy by);
 std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next, const store::LedgerInterval& interval,
                    bool confirms);
 // `waiting`: changes that are not in the library yet.

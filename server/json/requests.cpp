@@ -274,18 +274,6 @@ void read_members(ObjectReader& o, app::AcceptOrder& into) {
   if (!into.name.empty() && into.program != 0) o.fault("name", "a program has its name");
 }
 
-void read_members(ObjectReader& o, JobBody& into) {
-  read_id(o, "release", into.release);
-  o.integer("order", into.order, 1, kMaxId);
-}
-
-void read_members(ObjectReader& o, ArmBody& into) {
-  o.number("minutes", into.minutes, 0.01, 60.0);
-  o.integer("rounds", into.rounds, 1, feed::kMaxRounds);
-}
-
-void read_members(ObjectReader& o, MoveBody& into) { o.integer("before", into.before, 1, kMaxId); }
-
 void read_members(ObjectReader& o, ShelveBody& into) {
   constexpr std::int64_t kLongest_min = 480;  // a shift
   o.integer("minutes", into.minutes, 1, kLongest_min, true);
@@ -365,9 +353,6 @@ app::Result<store::ReleaseMove> read_transition_body(std::string_view body) {
 app::Result<app::AcceptOrder> read_accept_body(std::string_view body) {
   return read_body<app::AcceptOrder>(or_empty(body));
 }
-app::Result<JobBody> read_job_body(std::string_view body) { return read_body<JobBody>(body); }
-app::Result<ArmBody> read_arm_body(std::string_view body) { return read_body<ArmBody>(or_empty(body)); }
-app::Result<MoveBody> read_move_body(std::string_view body) { return read_body<MoveBody>(body); }
 app::Result<ShelveBody> read_shelve_body(std::string_view body) { return read_body<ShelveBody>(body); }
 
 std::optional<std::string> machine_in_body(std::string_view body) {
@@ -411,9 +396,6 @@ Schemas request_schemas() {
       described<store::ReleaseMove>("ReleaseMove", read_members, "one step of a release"),
       described<RestartBody>("RestartOrder", read_restart, "where a program is to be restarted"),
       described<RestartBody>("NewRestart", read_shown_restart, "a restart that was shown"),
-      described<JobBody>("NewJob", read_members, "which release is transferred"),
-      described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
-      described<MoveBody>("Move", read_members, "the new place of a queued job"),
       described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for no person"),
       described<store::NewWaiver>("NewWaiver", read_members, "a person answers for a verdict, or for a point of it"),
       described<HandOverBody>("HandOver", read_members, "which server gets a machine's line, and why"),

@@ -152,30 +152,11 @@ app::Result<store::ReleaseMove> read_transition_body(std::string_view body);
 // An empty body is one without members.
 app::Result<app::AcceptOrder> read_accept_body(std::string_view body);
 
-struct JobBody {
-  store::Id release = 0;
-  store::Id order = 0;  // 0: none
-};
-app::Result<JobBody> read_job_body(std::string_view body);
-
-// Nothing when the body does not say.
-struct ArmBody {
-  std::optional<double> minutes;
-  std::uint32_t rounds = 1;
-};
-app::Result<ArmBody> read_arm_body(std::string_view body);
-
 struct ShelveBody {
   std::uint32_t minutes = 0;
   std::string reason;
 };
 app::Result<ShelveBody> read_shelve_body(std::string_view body);
-
-// The job before which another one is moved.
-struct MoveBody {
-  std::optional<store::Id> before;  // nothing: to the end
-};
-app::Result<MoveBody> read_move_body(std::string_view body);
 
 // The member "machine" of a body that another reader reads; nothing where it has none.
 std::optional<std::string> machine_in_body(std::string_view body);

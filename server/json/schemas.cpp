@@ -18,6 +18,7 @@ namespace {
 Schemas read_schemas() {
   Schemas all = request_schemas();
   for (NamedSchema& one : people_request_schemas()) all.push_back(std::move(one));
+  for (NamedSchema& one : job_request_schemas()) all.push_back(std::move(one));
   for (NamedSchema& one : order_request_schemas()) all.push_back(std::move(one));
   all.push_back({"Profile", profile_schema()});
   for (NamedSchema& one : all) explain(one);
@@ -31,7 +32,7 @@ Schemas all_schemas() {
   static constexpr Table kTables[] = {
       site_schemas,    read_schemas,    machine_schemas, catalog_schemas, program_schemas, check_schemas,
       compare_schemas, library_schemas, editing_schemas, path_schemas,    measure_schemas, job_schemas,
-      receipt_schemas, people_schemas,  store_schemas,   webhook_schemas, order_schemas};
+      history_schemas, receipt_schemas, people_schemas,  store_schemas,   webhook_schemas, order_schemas};
   Schemas all;
   for (const Table table : kTables) {
     Schemas some = table();

@@ -86,7 +86,32 @@ Schema job() {
               {"confirmed_by", or_null(text("who confirmed that the control was reset"))},
               {"confirm_reason", or_null(text("what they wrote"))},
               {"read_back", or_null(text("what came of reading the program back from the control"))},
-              {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))}});
+              {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))},
+              {"held_s", or_null(number("that its control held, in seconds; null: not counted, or not over"))},
+              {"holds", or_null(integer("how often its control held; null: not counted, or not over"))},
+              {"line_s",
+               or_null(number("that its characters took on the line, in seconds; null: not counted, or not over"))},
+              {"forecast_s",
+               or_null(number("of a drip feed, how long its check expected it to take, when it was armed; "
+                              "null: not known"))},
+              {"not_before_ms", or_null(time_ms("before which it is armed only with a reason; null: at any time"))},
+              {"choice", or_null(integer("of which one job is armed; null: it stands alone"))},
+              {"end_check",
+               or_null(text("what a person confirms after its end, before the next job of its machine is armed"))},
+              {"needs_end_confirmation", flag("it has ended, and no person has confirmed `end_check` yet")},
+              {"end_confirmed_by", or_null(text("who confirmed it"))},
+              {"end_confirmed_at_ms", or_null(time_ms("when"))},
+              {"end_note", or_null(text("what they wrote"))}});
+}
+
+Schema choice() {
+  return object(
+      "a program that is queued for several machines: one of the jobs is armed, the others leave the queue then",
+      {{"choice", integer("id of the first of its jobs, by which they belong together")},
+       {"jobs", list_of(reference("Job"), "one a machine")},
+       {"left_out", list_of(object("a machine of the group that got none",
+                                   {{"machine", text("its name")}, {"why", text("one sentence")}}),
+                            "by machine")}});
 }
 
 Schema job_forecast() {
@@ -125,9 +150,13 @@ Schema ledger() {
 }  // namespace
 
 Schemas job_schemas() {
-  return {{"Release", release()}, {"RestartPreview", restart_preview()},
-          {"Job", job()},         {"JobForecast", job_forecast()},
-          {"Ledger", ledger()},   {"EventJob", reference("Job")}};
+  return {{"Release", release()},
+          {"RestartPreview", restart_preview()},
+          {"Job", job()},
+          {"JobForecast", job_forecast()},
+          {"JobChoice", choice()},
+          {"Ledger", ledger()},
+          {"EventJob", reference("Job")}};
 }
 
 }  // namespace dripfeed::json

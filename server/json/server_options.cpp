@@ -89,6 +89,12 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("mqtt_client_id", into.mqtt_client_id);
   o.text("mqtt_prefix", into.mqtt_prefix);
   o.text("mqtt_ca", into.mqtt_ca);
+  read_texts(o, "shift", "begin of a shift as HH:MM, by the server's clock", into.shift);
+  o.text("arming_hook", into.arming_hook);
+  o.text("arming_hook_secret_file", into.arming_hook_secret_file);
+  o.text("arming_hook_unanswered", into.arming_hook_unanswered);
+  o.flag("arming_hook_local", into.arming_hook_local);
+  o.integer("arming_hook_seconds", into.arming_hook_seconds, 1, kMostHookSeconds);
   o.integer("check_seconds", into.check_seconds, 1, kMostCheckSeconds);
   o.integer("check_memory", into.check_memory, kLeastCheckMemory_mb, kMostCheckMemory_mb);
   o.integer("program_mb", into.program_mb, 1, kMostUpload_mb);

@@ -33,7 +33,13 @@ struct ServerOptions {
   std::string mqtt_password_file{};
   std::string mqtt_client_id{};  // "": by the computer's name
   std::string mqtt_prefix = "dripfeed";
-  std::string mqtt_ca{};  // PEM; "": whom the system believes
+  std::string mqtt_ca{};             // PEM; "": whom the system believes
+  std::vector<std::string> shift{};  // "06:00"; empty: 06:00, 14:00 and 22:00
+  std::string arming_hook{};         // URL that is asked before an arming; "": none
+  std::string arming_hook_secret_file{};
+  std::string arming_hook_unanswered = "refuse";  // or "warn"
+  bool arming_hook_local = false;
+  std::uint32_t arming_hook_seconds = 5;
   std::uint32_t check_seconds = 60;
   std::uint32_t check_memory = 2048;     // MB
   std::uint32_t program_mb = 64;         // of one text
@@ -44,6 +50,7 @@ struct ServerOptions {
 };
 inline constexpr double kMostRetry_s = 604'800.0;  // a week
 inline constexpr std::size_t kMostRetries = 20;
+inline constexpr std::uint32_t kMostHookSeconds = 15;
 inline constexpr std::uint32_t kMostCheckSeconds = 86'400;
 inline constexpr std::uint32_t kMostUpload_mb = 64;
 inline constexpr std::uint32_t kMostStore_mb = 1'073'741'824;

@@ -63,6 +63,24 @@ std::string verdict(const store::Verdict& verdict) {
   return dump(document);
 }
 
+namespace {
+
+// The part of a report that has the times of a whole program. A report of an earlier version has none.
+std::optional<Document> whole_timing(std::string_view text) {
+  const Document report = embedded(text);
+  const auto timing = report.is_object() ? report.find("timing") : report.end();
+  if (timing == report.end() || !timing->is_object() || !timing->value("whole", false)) return std::nullopt;
+  return *timing;
+}
+
+}  // namespace
+
+std::optional<double> cycle_s_of(std::string_view report) {
+  const auto timing = whole_timing(report);
+  const Document cycle = timing ? timing->value("cycle_s", Document(nullptr)) : Document(nullptr);
+  return cycle.is_number() ? std::optional(cycle.get<double>()) : std::nullopt;
+}
+
 std::string job_forecast(const store::Job& job, const std::optional<store::Verdict>& verdict,
                          const checks::BufferSize& buffer) {
   const auto known = [](std::uint32_t value) { return value == 0 ? Document(nullptr) : Document(value); };
@@ -76,11 +94,8 @@ std::string job_forecast(const store::Job& job, const std::optional<store::Verdi
   if (!verdict) return dump(document);
   document["verdict"] = verdict->id;
   document["stale"] = verdict->stale;
-  const Document report = embedded(verdict->of.report);
-  const auto timing = report.is_object() ? report.find("timing") : report.end();
-  if (timing == report.end() || !timing->is_object()) return dump(document);
-  // A report of an earlier version has neither: nothing is known of its lines then.
-  if (!timing->value("whole", false)) return dump(document);
+  const auto timing = whole_timing(verdict->of.report);
+  if (!timing) return dump(document);
   document["cycle_s"] = timing->value("cycle_s", Document(nullptr));
   document["course"] = timing->value("course", Document::array());
   return dump(document);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "checks/machine.h"
 #include "server/app/application.h"
@@ -13,6 +14,8 @@ namespace dripfeed::json {
 // machine, 0: not known.
 std::string job_forecast(const store::Job& job, const std::optional<store::Verdict>& verdict,
                          const checks::BufferSize& buffer);
+// How long the whole program takes by the report of a check; nothing where it does not say.
+std::optional<double> cycle_s_of(std::string_view report);
 // A stored verdict: the report's members with the verdict's own.
 std::string verdict(const store::Verdict& verdict);
 // Of a list: without the report.

@@ -108,6 +108,7 @@ struct LineSettings {
 struct Profile {
   std::string name;  // what the shop calls the machine; also its id
   std::string title;
+  std::string end_check;           // what a person confirms after each job, before the next one; "": nothing
   std::vector<std::string> notes;  // where the values are from, and what is assumed
   ControlSettings control;
   checks::Machine machine;

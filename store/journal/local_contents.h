@@ -19,6 +19,7 @@ class LocalContents final : public store::Contents {
   }
   store::Result<std::shared_ptr<store::ContentReader>> reader(std::string_view sha256) override;
   store::Result<void> verify(std::string_view sha256) override { return there_.verify(sha256); }
+  store::Result<std::uint64_t> total_bytes() override { return there_.total_bytes(); }
 
  private:
   store::Contents& there_;

@@ -8,6 +8,7 @@
 #include "store/postgresql/schema_v3.h"
 #include "store/postgresql/schema_v4.h"
 #include "store/postgresql/schema_v5.h"
+#include "store/postgresql/schema_v6.h"
 #include "store/sql/session.h"
 
 namespace dripfeed::postgresql {
@@ -47,10 +48,12 @@ constexpr sql::Mark kStore{.stands = is_marked, .sql = kMark};
 }  // namespace
 
 std::span<const sql::Migration> migrations() {
-  static const std::array kMigrations{sql::Migration{1, "tables", kSchemaV1}, sql::Migration{2, "rules", kSchemaV2},
+  static const std::array kMigrations{sql::Migration{1, "tables", kSchemaV1},
+                                      sql::Migration{2, "rules", kSchemaV2},
                                       sql::Migration{3, "nodes", kSchemaV3},
                                       sql::Migration{4, "attachments", kSchemaV4},
-                                      sql::Migration{5, "deleted programs", kSchemaV5}};
+                                      sql::Migration{5, "deleted programs", kSchemaV5},
+                                      sql::Migration{6, "plans and ends of jobs", kSchemaV6}};
   return kMigrations;
 }
 

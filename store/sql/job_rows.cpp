@@ -1,6 +1,9 @@
 // The columns of a job.
 #include "store/sql/job_rows.h"
 
+#include <ctime>
+#include <optional>
+
 #include <fmt/format.h>
 
 namespace dripfeed::sql {
@@ -12,18 +15,29 @@ using store::Job;
 constexpr std::string_view kInsert =
     "INSERT INTO job (text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
     "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, confirm_reason, "
-    "confirmed_at_ms, queue_rank, work_order) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', ?, '', ?, 0, 0, 0, 0, '', '', 0, "
-    "?, "
-    "?)";
+    "confirmed_at_ms, queue_rank, work_order, not_before_ms, choice, end_check) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', "
+    "?, '', ?, 0, 0, 0, 0, '', '', 0, ?, ?, ?, ?, ?)";
 constexpr std::string_view kInsertHead =
     "INSERT INTO ledger_head (job, last, seq, at_ms, handed, clocked, confirmed, reserve) VALUES (?, NULL, 0, 0, 0, 0, "
     "0, 0)";
 constexpr std::string_view kUpdate =
     "UPDATE job SET state = ?, reason = ?, armed_by = ?, armed_at_ms = ?, started_at_ms = ?, ended_at_ms = ?, torn = "
     "?, "
-    "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ?, expires_at_ms = ?, reason_id = ? WHERE id = ?";
+    "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ?, expires_at_ms = ?, reason_id = ?, not_before_ms = ?, "
+    "end_confirmed_by = ?, end_note = ?, end_confirmed_at_ms = ? WHERE id = ?";
+
+// -1 in the query stands for NULL.
+std::optional<std::int64_t> known(std::int64_t value) { return value < 0 ? std::nullopt : std::optional(value); }
 
 }  // namespace
+
+std::string utc_time(std::int64_t at_ms) {
+  const auto at = static_cast<std::time_t>(at_ms / 1000);
+  std::tm utc{};
+  ::gmtime_r(&at, &utc);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02} UTC", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday,
+                     utc.tm_hour, utc.tm_min, utc.tm_sec);
+}
 
 std::string job_subject(Id job) { return fmt::format("job/{}", job); }
 
@@ -34,7 +48,9 @@ std::string jobs_where(std::string_view rest) {
       "confirm_reason, "
       "confirmed_at_ms, expires_at_ms, read_back, reason_id, queue_rank, work_order, "
       "coalesce(held_ms, -1), (SELECT restart_of FROM text_release r WHERE r.id = job.text_release), (SELECT "
-      "restart_line FROM text_release r WHERE r.id = job.text_release) FROM job WHERE {}",
+      "restart_line FROM text_release r WHERE r.id = job.text_release), coalesce(holds, -1), coalesce(line_ms, -1), "
+      "coalesce(forecast_ms, -1), not_before_ms, choice, end_check, end_confirmed_by, end_note, end_confirmed_at_ms "
+      "FROM job WHERE {}",
       rest);
 }
 
@@ -66,15 +82,25 @@ Job read_job(Query& query) {
   job.reason_id = query.text();
   job.rank = query.number();
   job.order = query.number();
-  if (const std::int64_t held_ms = query.signed_number(); held_ms >= 0) job.held_ms = held_ms;
+  job.held_ms = known(query.signed_number());
   job.restart.release = query.number();
   job.restart.line = query.number();
+  if (const std::int64_t holds = query.signed_number(); holds >= 0) job.holds = static_cast<std::uint64_t>(holds);
+  job.line_ms = known(query.signed_number());
+  job.forecast_ms = known(query.signed_number());
+  job.not_before_ms = query.signed_number();
+  job.choice = query.number();
+  job.end_check = query.text();
+  job.end_confirmed_by = query.text();
+  job.end_note = query.text();
+  job.end_confirmed_at_ms = query.signed_number();
   return job;
 }
 
 Id insert_job(Session& session, const Job& job) {
   session.run(kInsert, job.release, job.program, job.revision, job.text_sha256, job.machine, job.delivery, job.link,
-              job.bytes_total, job.state, job.created_by, job.created_at_ms, job.rank, NumberOrNull{job.order});
+              job.bytes_total, job.state, job.created_by, job.created_at_ms, job.rank, NumberOrNull{job.order},
+              job.not_before_ms, NumberOrNull{job.choice}, job.end_check);
   const Id id = session.last_id();
   session.run(kInsertHead, id);
   return id;
@@ -83,8 +109,14 @@ Id insert_job(Session& session, const Job& job) {
 void update_job(Session& session, const Job& job) {
   session.run(kUpdate, job.state, job.reason, job.armed_by, job.armed_at_ms, job.started_at_ms, job.ended_at_ms,
               job.torn, job.confirmed_by, job.confirm_reason, job.confirmed_at_ms, job.expires_at_ms, job.reason_id,
-              job.id);
-  if (job.held_ms) session.run("UPDATE job SET held_ms = ? WHERE id = ?", *job.held_ms, job.id);
+              job.not_before_ms, job.end_confirmed_by, job.end_note, job.end_confirmed_at_ms, job.id);
+  const auto set = [&](std::string_view sql, const auto& value) {
+    if (value) session.run(sql, *value, job.id);
+  };
+  set("UPDATE job SET held_ms = ? WHERE id = ?", job.held_ms);
+  set("UPDATE job SET holds = ? WHERE id = ?", job.holds);
+  set("UPDATE job SET line_ms = ? WHERE id = ?", job.line_ms);
+  set("UPDATE job SET forecast_ms = ? WHERE id = ?", job.forecast_ms);
 }
 
 std::uint64_t reserve_of(Session& session, Id job) {

@@ -6,6 +6,8 @@
 
 namespace dripfeed::sql {
 
+// "2026-11-27 14:00:00 UTC", for people.
+std::string utc_time(std::int64_t at_ms);
 std::string job_subject(store::Id job);
 // A SELECT of the columns that read_job() reads.
 std::string jobs_where(std::string_view rest);

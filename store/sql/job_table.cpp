@@ -42,12 +42,15 @@ Job moved(Job job, const JobMove& move, const Stamp& by) {
   if (move.to == JobState::armed) {
     job.armed_by = by.actor;
     job.armed_at_ms = by.at_ms;
+    job.forecast_ms = move.forecast_ms;
   }
   if (move.to == JobState::feeding && job.started_at_ms == 0) job.started_at_ms = by.at_ms;
   if (store::ended(move.to)) {
     job.ended_at_ms = by.at_ms;
     job.torn = move.torn;
     job.held_ms = move.held_ms;
+    job.holds = move.holds;
+    job.line_ms = move.line_ms;
   }
   return job;
 }
@@ -78,6 +81,39 @@ void write_move(Session& session, JobState from, const Job& job, const Stamp& by
   log_event(session, job, by);
 }
 
+// Before its time only with a reason, which the audit keeps.
+Result<void> check_time(Session& session, const Job& job, const JobMove& move, const Stamp& by) {
+  if (by.at_ms >= job.not_before_ms) return {};
+  if (move.early_reason.empty())
+    return refuse(ErrorCode::too_early, fmt::format("job {} not before {}", job.id, utc_time(job.not_before_ms)));
+  add_audit_row(session,
+                {.action = "job.arm-early",
+                 .subject = job_subject(job.id),
+                 .detail = fmt::format("not before {}: {}", utc_time(job.not_before_ms), move.early_reason)},
+                by);
+  return {};
+}
+
+// Of a choice one job is armed: the others leave the queue with it.
+void withdraw_others(Session& session, const Job& armed, const Stamp& by) {
+  if (armed.choice == 0) return;
+  std::vector<Job> others;
+  {
+    static const std::string kSql = jobs_where("choice = ? AND id <> ? AND state = 'queued' ORDER BY id");
+    Query query(session, kSql, armed.choice, armed.id);
+    while (query.next()) others.push_back(read_job(query));
+  }
+  for (const Job& other : others) {
+    const Job gone =
+        moved(other,
+              {.to = JobState::cancelled,
+               .reason = fmt::format("withdrawn: job {} of the same choice was armed on {}", armed.id, armed.machine),
+               .reason_id = "withdrawn"},
+              by);
+    write_move(session, other.state, gone, by);
+  }
+}
+
 std::uint64_t last_rank(Session& session, std::string_view machine) {
   Query query(session, "SELECT coalesce(max(queue_rank), 0) FROM job WHERE machine = ? AND state = 'queued'", machine);
   return query.next() ? query.number() : 0;
@@ -104,6 +140,11 @@ Result<void> JobTable::check_line(const Job& job) {
   const auto answer = answers_.torn_on(job.machine);
   if (!answer) return std::unexpected(answer.error());
   if (*answer) return refuse(ErrorCode::machine_torn, fmt::format("answer {} on {}", (*answer)->id, job.machine));
+  const auto end = end_waits_on(job.machine);
+  if (!end) return std::unexpected(end.error());
+  if (*end)
+    return refuse(ErrorCode::end_not_confirmed,
+                  fmt::format("job {} on {}: {}", (*end)->id, job.machine, (*end)->end_check));
   return {};
 }
 
@@ -127,11 +168,18 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     added.link = job.link;
     added.bytes_total = job.bytes_total;
     added.order = job.order;
+    added.not_before_ms = job.not_before_ms;
+    added.end_check = job.end_check;
+    added.choice = job.choice;
     added.restart = release->of.restart;
     added.created_by = by.actor;
     added.created_at_ms = by.at_ms;
     added.rank = last_rank(session, added.machine) + 1;
     added.id = insert_job(session, added);
+    if (job.begins_choice) {
+      added.choice = added.id;
+      session.run("UPDATE job SET choice = ? WHERE id = ?", added.choice, added.id);
+    }
     add_audit_row(session,
                   {.action = "job.add",
                    .subject = job_subject(added.id),
@@ -157,8 +205,10 @@ Result<Job> JobTable::move(Id job, const JobMove& move, const Stamp& by) {
       if (auto open = refuse_closed(session, old->order, old->machine); !open) return std::unexpected(open.error());
       if (auto clear = check_clearance(*old, by.at_ms); !clear) return std::unexpected(clear.error());
       if (auto line = check_line(*old); !line) return std::unexpected(line.error());
+      if (auto time = check_time(session, *old, move, by); !time) return std::unexpected(time.error());
     }
-    const Job next = moved(*old, move, by);
+    Job next = moved(*old, move, by);
+    if (move.to == JobState::armed) withdraw_others(session, next, by);
     if (old->started_at_ms == 0 && move.to == JobState::feeding) ReleaseTable::count_transfer(session, old->release);
     write_move(session, old->state, next, by);
     return next;
@@ -259,11 +309,13 @@ Result<store::Page<Job>> JobTable::list(const store::PageRequest& page, const st
     const auto from = newest_first(page);
     if (!from) return std::unexpected(from.error());
     const std::string sql = jobs_where(
-        fmt::format("{} AND {} AND {} AND {} AND id < ? ORDER BY id DESC LIMIT ?",
+        fmt::format("{} AND {} AND {} AND {} AND {} AND id < ? ORDER BY id DESC LIMIT ?",
                     filter.machine.empty() ? "? = ''" : "machine = ?", filter.state ? "state = ?" : "? = ''",
-                    filter.program == 0 ? "? = 0" : "program = ?", filter.order == 0 ? "? = 0" : "work_order = ?"));
+                    filter.program == 0 ? "? = 0" : "program = ?", filter.order == 0 ? "? = 0" : "work_order = ?",
+                    filter.choice == 0 ? "? = 0" : "choice = ?"));
     const std::string_view state = filter.state ? store::name_of(*filter.state) : std::string_view();
-    Query query(session, sql, filter.machine, state, filter.program, filter.order, from->after, from->rows);
+    Query query(session, sql, filter.machine, state, filter.program, filter.order, filter.choice, from->after,
+                from->rows);
     return collect(query, page, read_job, [](const Job& job) { return fmt::format("{}", job.id); });
   });
 }

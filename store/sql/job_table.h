@@ -17,6 +17,11 @@ class JobTable final : public store::Jobs {
   store::Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason,
                                           const store::Stamp& by) override;
   store::Result<std::vector<store::Job>> move_before(store::Id job, store::Id before, const store::Stamp& by) override;
+  store::Result<store::Job> schedule(store::Id job, std::int64_t not_before_ms, const store::Stamp& by) override;
+  store::Result<store::Job> confirm_end(store::Id job, std::string_view note, const store::Stamp& by) override;
+  store::Result<std::optional<store::Job>> end_waits_on(std::string_view machine) override;
+  store::Result<void> each_ended(const store::EndedFilter& filter,
+                                 const std::function<void(const store::EndedJob&)>& visit) override;
   store::Result<std::vector<store::JobUse>> used(std::string_view machine, std::int64_t from_ms,
                                                  std::int64_t to_ms) override;
   store::Result<store::Job> set_read_back(store::Id job, std::string_view result, const store::Stamp& by) override;

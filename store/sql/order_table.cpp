@@ -30,7 +30,7 @@ std::string select_where(std::string_view rest) {
       " coalesce((SELECT CAST(sum(good) AS BIGINT) FROM parts_report r WHERE r.work_order = o.id), 0),"
       " coalesce((SELECT CAST(sum(scrap) AS BIGINT) FROM parts_report r WHERE r.work_order = o.id), 0),"
       " (SELECT count(*) FROM job j WHERE j.work_order = o.id AND j.state = 'done'),"
-      " (SELECT count(*) FROM job j WHERE j.work_order = o.id AND j.state = 'queued')"
+      " (SELECT count(DISTINCT coalesce(j.choice, j.id)) FROM job j WHERE j.work_order = o.id AND j.state = 'queued')"
       " FROM work_order o WHERE {}",
       rest);
 }

@@ -40,6 +40,10 @@ def what_it_says(folder):
     expect("named twice" in check(folder, {"modbus_unit": {"a": 1, "b": 1}}, code=2), "a unit twice")
     expect("--store" in check(folder, {"node": "hall-1"}, code=2), "a node without a store that is shared")
     expect("not 0..65535" in check(folder, {"modbus_listen": ":x"}, code=2), "no address")
+    expect("\"6:00\" is no time of day" in check(folder, {"shift": ["6:00"]}, code=2), "no time of day")
+    expect("same time" in check(folder, {"shift": ["06:00", "06:00"]}, code=2), "a shift twice")
+    expect("go together" in check(folder, {"arming_hook": "https://erp.shop/may-i"}, code=2), "a hook without its secret")
+    expect("refuse or warn" in check(folder, {"arming_hook_unanswered": "arm"}, code=2), "no word for it")
     serve("--config", folder / "none.json", "--check", code=2)
 
 
@@ -49,7 +53,9 @@ def the_schema(folder):
     validator = Draft202012Validator(schema)
     whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "node": "hall-1", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
-             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "check_seconds": 1, "check_memory": 64,
+             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "shift": ["05:30", "17:30"],
+             "arming_hook": "https://erp.shop/may-i", "arming_hook_secret_file": "/etc/dripfeed/hook", "arming_hook_unanswered": "warn", "arming_hook_local": True,
+             "arming_hook_seconds": 2, "check_seconds": 1, "check_memory": 64,
              "program_mb": 1, "attachment_mb": 64, "store_mb": 0, "delete_after_days": 0}
     expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")
     options = subprocess.run([str(binary()), "serve", "--help"], capture_output=True, text=True, timeout=30).stdout
@@ -58,7 +64,7 @@ def the_schema(folder):
     for good in (whole, {}):
         expect(not list(validator.iter_errors(good)), f"the schema refuses {good}")
         check(folder, good)
-    for bad in ({"dat": ""}, {"check_seconds": 0}, {"proxy": "::1"}, {"proxy": [""]}, {"modbus_unit": {"a": 248}}, {"insecure": 1}, {"webhook_retry_s": [0]}, {"webhook_retry_s": ["5"]}, []):
+    for bad in ({"dat": ""}, {"check_seconds": 0}, {"proxy": "::1"}, {"proxy": [""]}, {"modbus_unit": {"a": 248}}, {"insecure": 1}, {"webhook_retry_s": [0]}, {"webhook_retry_s": ["5"]}, {"arming_hook_seconds": 16}, {"shift": "06:00"}, []):
         expect(list(validator.iter_errors(bad)), f"the schema takes {bad}")
         check(folder, bad, code=2)
 

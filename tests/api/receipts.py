@@ -9,11 +9,11 @@ PROGRAM = "%\nO0042\nG21 G18 G40 G99\nG55\nT0101\nG97 S500 M03\nG00 X100. Z10.\n
 
 
 class Bench:
-    def __init__(self, folder, **receive):
+    def __init__(self, folder, options=(), **receive):
         self.control = HandControl()
         self.profile = hand_profile(self.control)
         self.profile["receive"] = {"quiet_s": 0.6, "quiet_after_end_s": 0.2, "read_back": True} | receive
-        self.client = Client(folder).start()
+        self.client = Client(folder, *options).start()
         self.client.post("/machines", self.profile)
         self.client.wait_line("lathe", "idle")
 

@@ -150,15 +150,19 @@ def rows(made):
         ("PUT", "/api/v1/orders/{id}", "operator", {"id": "order"}, {"part": "R-1", "quantity": 6}, {"headers": MATCH_1}),
         ("POST", "/api/v1/orders/{id}/parts", "operator", {"id": "order"}, {"good": 2}, {}),
         ("POST", "/api/v1/orders/{id}/move", "operator", {"id": "order"}, {"to": "held", "reason": "no material"}, {}),
-        ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"]}, {"keep": "job"}),
+        ("POST", "/api/v1/groups/{name}/jobs", "operator", {"name": "hall"}, lambda: {"program": made["program"]}, {}),
+        ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"], "end_check": "part taken out"}, {"keep": "job"}),
         ("GET", "/api/v1/jobs", "viewer", {}, None, {}),
         ("GET", "/api/v1/jobs/{id}", "viewer", {"id": "job"}, None, {}),
         ("GET", "/api/v1/jobs/{id}/forecast", "viewer", {"id": "job"}, None, {}),
         ("POST", "/api/v1/jobs/{id}/move", "operator", {"id": "job"}, {"before": None}, {}),
+        ("POST", "/api/v1/jobs/{id}/schedule", "operator", {"id": "job"}, {}, {}),
+        ("GET", "/api/v1/history/sums", "viewer", {}, None, {}),
         ("POST", "/api/v1/jobs/{id}/arm", "operator", {"id": "job"}, {}, {"ready": "idle"}),
         ("POST", "/api/v1/jobs/{id}/stop", "operator", {"id": "job"}, {}, {"ready": "feeding"}),
         ("POST", "/api/v1/jobs/{id}/resume", "operator", {"id": "job"}, {"reason": "looked at it"}, {"ready": "stopped"}),
         ("POST", "/api/v1/jobs/{id}/cancel", "operator", {"id": "job"}, {}, {}),
+        ("POST", "/api/v1/jobs/{id}/confirm-end", "operator", {"id": "job"}, {"note": "on the table"}, {"ready": "ended"}),
         ("GET", "/api/v1/work", "viewer", {}, None, {}),
         ("DELETE", "/api/v1/work/{id}", "programmer", {"id": "work"}, None, {"ready": "working"}),
         ("GET", "/api/v1/jobs/{id}/ledger", "viewer", {"id": "job"}, None, {}),
@@ -179,7 +183,7 @@ ON_ONE_MACHINE = {
     ("POST", "/api/v1/releases/{id}/restarts"), ("POST", "/api/v1/receipts/{id}/accept"), ("POST", "/api/v1/receipts/{id}/discard"), ("POST", "/api/v1/receipts/{id}/explain"),
     ("POST", "/api/v1/alarms/{id}/shelve"), ("POST", "/api/v1/alarms/{id}/unshelve"), ("POST", "/api/v1/alarms/{id}/acknowledge"),
     ("POST", "/api/v1/jobs"), ("POST", "/api/v1/jobs/{id}/move"), ("POST", "/api/v1/jobs/{id}/arm"), ("POST", "/api/v1/jobs/{id}/resume"),
-    ("POST", "/api/v1/jobs/{id}/cancel"),
+    ("POST", "/api/v1/jobs/{id}/cancel"), ("POST", "/api/v1/jobs/{id}/schedule"), ("POST", "/api/v1/jobs/{id}/confirm-end"), ("POST", "/api/v1/groups/{name}/jobs"),
 }
 # Whoever operates one machine may stop them all, and try a text on no machine.
 ON_ANY = {("POST", "/api/v1/jobs/{id}/stop"), ("POST", "/api/v1/path"), ("POST", "/api/v1/stock"), ("POST", "/api/v1/diagnose"), ("POST", "/api/v1/convert"),
@@ -252,8 +256,10 @@ class Stage:
     def stopped(self):
         self.client.wait_job(self.made["job"], "held", stall="stopped")
 
-    def torn(self):
+    def ended(self):
         self.client.wait_job(self.made["job"], "cancelled")
+
+    def torn(self):
         job = self.client.queue(self.made["release"])
         self.idle()
         self.client.post(f"/jobs/{job}/arm")

@@ -1,4 +1,5 @@
 // The readers of everything that comes in as JSON: the machine profile and the bodies of requests.
+#include "server/json/orders.h"
 #include "server/json/people.h"
 #include "server/json/profile_document.h"
 #include "server/json/requests.h"
@@ -37,6 +38,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_reported(json::read_transition_body(body));
   require_reported(json::read_job_body(body));
   require_reported(json::read_arm_body(body));
+  require_reported(json::read_choice_body(body));
+  require_reported(json::read_schedule_body(body));
+  require_reported(json::read_end_body(body));
   require_reported(json::read_session_body(body));
   require_reported(json::read_user_body(body));
   require_reported(json::read_user_change_body(body));

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Job, Order, Release, VerdictSummary } from '../src/api/types';
 import { csvOf, isoTime } from '../src/rules/csv';
-import { durationOf, groupsOf, shiftOf, sumsOf } from '../src/rules/history';
+import { againstForecast, durationOf, rangeBegin, sumsOf } from '../src/rules/history';
 import { byUrgency, filtered, fromLocalField, isLate, localField } from '../src/rules/orders';
 import { fitting, hindranceOf, needsFourEyes, openPoints, stepsOf, verdictOf } from '../src/rules/releases';
 import { sorted } from '../src/rules/sorting';
@@ -69,16 +69,12 @@ test('each point of a verdict is waived by itself, or all of them at once', () =
   assert.equal(hindranceOf(verdict({ verdict: 'warn', waivers: [p] }), kNow), 'not_waived', 'a point that the verdict does not have');
 });
 
-test('transfers of the past are summed by what they have in common', () => {
-  const at = (hour: number, minute = 0): number => new Date(2026, 2, 5, hour, minute).getTime();
-  assert.deepEqual([at(5, 59), at(6), at(13, 59), at(14), at(22), at(23)].map(shiftOf), ['2026-03-04 22:00', '2026-03-05 06:00', '2026-03-05 06:00', '2026-03-05 14:00', '2026-03-05 22:00', '2026-03-05 22:00']);
-  const all = [job({ machine: 'mill', ended_at_ms: at(7), order: 4 }), job({ machine: 'lathe', ended_at_ms: at(15), order: null }), job({ machine: 'lathe', ended_at_ms: at(16), order: 4, state: 'failed' })];
-  const partOf = (order: number | null) => (order === 4 ? 'R-1' : '');
-  const by = (grouping: Parameters<typeof groupsOf>[1]) => groupsOf(all, grouping, partOf).map(({ name, jobs, sums }) => [name, jobs, sums.states.done]);
-  assert.deepEqual(by('machine'), [['lathe', 2, 1], ['mill', 1, 1]]);
-  assert.deepEqual(by('part'), [['', 1, 1], ['R-1', 2, 1]]);
-  assert.deepEqual(by('shift'), [['2026-03-05 14:00', 2, 1], ['2026-03-05 06:00', 1, 1]]);
-  assert.deepEqual(by('day'), [['2026-03-05', 3, 2]]);
+test('the sums of the past reach back so many days, and are held against the forecast', () => {
+  assert.equal(rangeBegin(null, 1_800_000_012_345), null);
+  assert.equal(rangeBegin(1, 1_800_000_012_345), 1_800_000_000_000 - 86_400_000);
+  assert.equal(rangeBegin(7, 1_800_000_000_000), rangeBegin(7, 1_800_000_059_999), 'the same within a minute');
+  assert.equal(againstForecast({ forecast_s: 80, forecast_took_s: 100 }), 1.25);
+  assert.equal(againstForecast({ forecast_s: 0, forecast_took_s: 0 }), null);
 });
 
 const release = (change: Partial<Release>): Release =>

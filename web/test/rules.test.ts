@@ -42,6 +42,10 @@ test('without a live connection nothing can be set in motion', () => {
 
 test('a queued job can be armed on an idle line only', () => {
   assert.deepEqual(offerFor(jobOf(), statusOf(), 'operator', true), { actions: ['arm', 'withdraw'], because: null });
+  const timed = jobOf({ not_before_ms: 5000 });
+  assert.equal(offerFor(timed, statusOf(), 'approver', true, 4999).because?.id, 'because.too_early');
+  assert.deepEqual(offerFor(timed, statusOf(), 'operator', true, 4999).actions, ['withdraw']);
+  assert.deepEqual(offerFor(timed, statusOf(), 'operator', true, 5000).actions, ['arm', 'withdraw']);
   const lines: LineState[] = ['armed', 'feeding', 'held', 'draining', 'torn', 'disconnected'];
   for (const line of lines) {
     const offer = offerFor(jobOf(), statusOf({ line, job: 5 }), 'operator', true);

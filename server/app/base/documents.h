@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,8 @@ class Documents {
   [[nodiscard]] virtual std::string write_values(const Values& values) const = 0;
   // The whole report of a check, as GET /checks/{id} gives it.
   [[nodiscard]] virtual std::string write_report(const CheckReport& report) const = 0;
+  // How long the whole program takes by such a report, in seconds; nothing where it does not say.
+  [[nodiscard]] virtual std::optional<double> cycle_s(std::string_view report) const = 0;
   // A family's drawing, as POST /preview gives it.
   [[nodiscard]] virtual std::string write_drawing(const std::vector<family::DrawnView>& drawing) const = 0;
 };

@@ -28,6 +28,8 @@ constexpr std::array kRows = {
     Row{store::ErrorCode::machine_busy, ErrorCode::refused},
     Row{store::ErrorCode::not_leased, ErrorCode::refused},
     Row{store::ErrorCode::machine_torn, ErrorCode::refused},
+    Row{store::ErrorCode::too_early, ErrorCode::refused},
+    Row{store::ErrorCode::end_not_confirmed, ErrorCode::refused},
     Row{store::ErrorCode::key_reused, ErrorCode::invalid},
     Row{store::ErrorCode::append_only, ErrorCode::refused},
     Row{store::ErrorCode::busy, ErrorCode::unavailable},

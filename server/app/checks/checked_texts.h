@@ -28,6 +28,7 @@ class CheckedTexts {
   struct Fit {
     std::string link;  // the line's URL
     std::uint64_t bytes_total = 0;
+    std::string end_check{};  // that the machine's profile asks for
   };
 
   // From any thread.

@@ -92,9 +92,11 @@ bool has_line(LineState state) {
 bool is_down(const LineReport& report) { return report.state == LineState::disconnected || !report.link_error.empty(); }
 
 // Lines that have a time of a character count their holds; a folder and a block transfer do not.
-std::optional<std::int64_t> held_ms_of(const LineReport& report) {
-  if (report.char_s <= 0.0) return std::nullopt;
-  return static_cast<std::int64_t>(report.hold_s * 1e3);
+void add_line_figures(const LineReport& report, store::JobMove& move) {
+  if (report.char_s <= 0.0) return;
+  move.held_ms = static_cast<std::int64_t>(report.hold_s * 1e3);
+  move.holds = report.holds;
+  move.line_ms = static_cast<std::int64_t>(report.line_s * 1e3);
 }
 
 std::string_view machine_state(const LineReport& report) {
@@ -281,12 +283,12 @@ void JobFollower::follow_job(Followed& followed, const Booked& booked) {
 void JobFollower::move(Followed& followed, store::JobState to, const LineReport& report) {
   const bool ends = store::ended(to);
   const bool disarms = to == store::JobState::queued;
-  const store::JobMove step{.to = to,
-                            .reason = ends || disarms ? reason_of(report) : std::string(report.stall),
-                            .torn = ends && report.state == LineState::torn,
-                            .expires_at_ms = 0,
-                            .reason_id = reason_id_of(report),
-                            .held_ms = ends ? held_ms_of(report) : std::nullopt};
+  store::JobMove step{.to = to,
+                      .reason = ends || disarms ? reason_of(report) : std::string(report.stall),
+                      .torn = ends && report.state == LineState::torn,
+                      .expires_at_ms = 0,
+                      .reason_id = reason_id_of(report)};
+  if (ends) add_line_figures(report, step);
   const auto moved = store_.jobs().move(followed.job.id, step, {std::string(kActor), clock_.wall_ms()});
   if (!moved) {
     spdlog::error("job {}: {}", followed.job.id, store::message_of(moved.error()));

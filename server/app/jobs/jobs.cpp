@@ -61,14 +61,15 @@ std::uint64_t random_session() {
 }  // namespace
 
 Jobs::Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock,
-           const Documents& documents, CalledPrograms called)
+           const Documents& documents, CalledPrograms called, HookSettings hook)
     : store_(store),
       lines_(lines),
       books_(books),
       events_(events),
       clock_(clock),
       documents_(documents),
-      called_(std::move(called)) {}
+      called_(std::move(called)),
+      hook_(std::move(hook)) {}
 
 store::Stamp Jobs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -137,7 +138,9 @@ Result<CheckedTexts::Fit> Jobs::read_fit(const CheckedTexts::Key& text, std::str
   if (auto whole = refuse_drip_into_folder(*profile, text.delivery); !whole) return std::unexpected(whole.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());
-  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes};
+  // A memory load makes no part: what is asked for after one is its job's own to say.
+  std::string end_check = text.delivery == store::Delivery::drip ? profile->end_check : std::string();
+  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes, .end_check = std::move(end_check)};
 }
 
 struct Jobs::Wanted {
@@ -167,7 +170,15 @@ Result<void> Jobs::read_text(store::Id release) {
   return {};
 }
 
-Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor, store::Id order) {
+Result<void> Jobs::make_ready(store::Id release) {
+  const auto wanted = find_wanted(release);
+  if (!wanted) return std::unexpected(wanted.error());
+  if (!checked_texts_.find(wanted->text()))
+    if (auto read = read_text(release); !read) return read;
+  return refuse_outdated(wanted->release.text_sha256, wanted->machine, wanted->release.of.delivery);
+}
+
+Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor, const JobPlan& plan) {
   const auto wanted = find_wanted(release);
   if (!wanted) return std::unexpected(wanted.error());
   auto fit = checked_texts_.find(wanted->text());
@@ -175,9 +186,15 @@ Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string
   const store::Release& row = wanted->release;
   if (auto same = refuse_outdated(row.text_sha256, wanted->machine, row.of.delivery); !same)
     return std::unexpected(same.error());
-  return lift(store_.jobs().add(
-      {.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total, .order = order},
-      stamp(actor)));
+  return lift(store_.jobs().add({.release = release,
+                                 .link = std::move(fit->link),
+                                 .bytes_total = fit->bytes_total,
+                                 .order = plan.order,
+                                 .not_before_ms = plan.not_before_ms,
+                                 .end_check = plan.end_check.empty() ? std::move(fit->end_check) : plan.end_check,
+                                 .choice = plan.choice,
+                                 .begins_choice = plan.begins_choice},
+                                stamp(actor)));
 }
 
 Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
@@ -199,7 +216,17 @@ struct Jobs::Arming {
   feed::ProgramFacts facts;
   std::string file_name;
   std::shared_ptr<ContentSource> source;
+  std::optional<std::int64_t> forecast_ms{};
 };
+
+// Of a drip feed, which lasts as long as its program. Between rounds the control waits for its operator.
+std::optional<std::int64_t> Jobs::forecast_ms(const store::Job& job, std::uint32_t rounds) {
+  if (job.delivery != store::Delivery::drip || rounds != 1) return std::nullopt;
+  const auto verdict = store_.verdicts().newest(job.text_sha256, job.machine, job.delivery);
+  if (!verdict || !*verdict) return std::nullopt;
+  const auto cycle_s = documents_.cycle_s((*verdict)->of.report);
+  return cycle_s ? std::optional(std::llround(*cycle_s * 1e3)) : std::nullopt;
+}
 
 Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   if (auto room = refuse_on_full_disk(books_.disk_reserve()); !room) return std::unexpected(room.error());
@@ -220,11 +247,16 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   const auto part = part_for(store_.contents(), job->text_sha256, *profile);
   if (!part) return std::unexpected(part.error());
   auto source = std::make_shared<ContentSource>(*text, rounds, *part);
-  return Arming{
-      .job = *job, .profile = *profile, .facts = *facts, .file_name = std::move(*name), .source = std::move(source)};
+  return Arming{.job = *job,
+                .profile = *profile,
+                .facts = *facts,
+                .file_name = std::move(*name),
+                .source = std::move(source),
+                .forecast_ms = forecast_ms(*job, rounds)};
 }
 
-Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds) {
+Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds,
+                             std::string_view early_reason) {
   if (rounds == 0 || rounds > feed::kMaxRounds) {
     return fail(ErrorCode::invalid, std::string(feed::message(feed::Refusal::rounds)),
                 {{.pointer = "/rounds", .text = "1 <= rounds <= 1000000"}});
@@ -236,11 +268,14 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   const auto named = lift(store_.jobs().get(id));
   if (!named) return std::unexpected(named.error());
   if (named->restart.is_one() && rounds > 1) return fail(ErrorCode::refused, "a restart is sent once");
+  // First of all: no lock is held while another system is asked.
+  if (const auto asked = ask_hook(*named, actor); !asked) return std::unexpected(asked.error());
   // Until the line has the order no one gives the machine another line or profile.
   const auto hold = lines_.hold(named->machine);
   const auto arming = prepare_arming(id, rounds);
   if (!arming) return std::unexpected(arming.error());
   if (!lines_.find(named->machine)) return std::unexpected(no_line(named->machine));
+  if (const auto idle = refuse_idle_no_more(*named); !idle) return std::unexpected(idle.error());
   const double minutes = given.value_or(arming->profile.line.arming_minutes);
   const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
   auto armed = lift(store_.jobs().move(id,
@@ -248,9 +283,12 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
                                         .reason = "armed",
                                         .torn = false,
                                         .expires_at_ms = expires_at_ms,
-                                        .reason_id = "armed"},
+                                        .reason_id = "armed",
+                                        .forecast_ms = arming->forecast_ms,
+                                        .early_reason = std::string(early_reason)},
                                        stamp(actor)));
   if (!armed) return armed;
+  publish_withdrawn(*armed);
   // Nothing is reserved before the control's start: of a job that was only armed the ledger proves that nothing left.
   const std::string armed_text =
       (rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds)) + store::words_of(named->restart);

@@ -2,34 +2,14 @@
 #include "server/app/jobs/utilisation.h"
 
 #include <algorithm>
-#include <ctime>
+#include <ranges>
+#include <utility>
 
-#include <fmt/format.h>
+#include "server/app/jobs/shifts.h"
 
 namespace dripfeed::app {
 
 namespace {
-
-std::tm local_of(std::int64_t at_ms) {
-  const std::time_t seconds = static_cast<std::time_t>(at_ms / 1000);
-  std::tm local{};
-  ::localtime_r(&seconds, &local);
-  return local;
-}
-
-// Midnight at the begin of the day that is so many days after that of `at_ms`.
-std::int64_t midnight(std::int64_t at_ms, int days_after) {
-  std::tm day = local_of(at_ms);
-  day.tm_sec = day.tm_min = day.tm_hour = 0;
-  day.tm_mday += days_after;
-  day.tm_isdst = -1;
-  return static_cast<std::int64_t>(std::mktime(&day)) * 1000;
-}
-
-std::string name_of_day(std::int64_t from_ms) {
-  const std::tm day = local_of(from_ms);
-  return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
-}
 
 // When the line was free of it, as far as is known.
 std::int64_t end_of(const store::JobUse& use, std::int64_t now_ms) {
@@ -67,11 +47,14 @@ Result<std::vector<DayOfUse>> utilisation(store::Store& store, const std::string
                                           std::int64_t now_ms) {
   if (const auto known = lift(store.machines().get(machine)); !known) return std::unexpected(known.error());
   std::vector<DayOfUse> all(days);
-  for (std::uint32_t i = 0; i < days; ++i) {
-    const int after = static_cast<int>(i) - static_cast<int>(days) + 1;
-    all[i].from_ms = midnight(now_ms, after);
-    all[i].to_ms = midnight(now_ms, after + 1);
-    all[i].day = name_of_day(all[i].from_ms);
+  // Backwards: the moment before a day is in the one before it.
+  std::int64_t in_ms = now_ms;
+  for (DayOfUse& day : all | std::views::reverse) {
+    LocalTime time = day_of(in_ms);
+    day.day = std::move(time.name);
+    day.from_ms = time.from_ms;
+    day.to_ms = time.to_ms;
+    in_ms = time.from_ms - 1;
   }
   const auto used = lift(store.jobs().used(machine, all.front().from_ms, all.back().to_ms));
   if (!used) return std::unexpected(used.error());

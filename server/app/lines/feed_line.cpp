@@ -368,6 +368,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.known = known();
     report_.holds = counters.holds;
     report_.hold_s = to_seconds(counters.held_for);
+    report_.line_s = static_cast<double>(counters.clocked) * report_.char_s;
     report_.line_use = feed_.line_use();
   }
 

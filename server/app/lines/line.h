@@ -99,6 +99,7 @@ struct LineReport {
   KnownInterval known;
   std::uint64_t holds = 0;
   double hold_s = 0.0;
+  double line_s = 0.0;                // that its characters took on the line; 0 where that is not known
   double line_use = 0.0;              // share of line time used while not held, 0..1
   double char_s = 0.0;                // time of one character on the line; 0 where there is none
   std::uint64_t unarmed_starts = 0;   // DC1 that came with nothing armed: nothing was sent

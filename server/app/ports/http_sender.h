@@ -3,7 +3,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +17,9 @@ struct HttpPost {
   std::string url;
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
-  bool local = false;  // may go to this computer and to private networks
+  bool local = false;                         // may go to this computer and to private networks
+  std::chrono::milliseconds at_most{20'000};  // until it ends, and not longer than that
+  bool keeps_answer = false;
 };
 
 // Of a post that ended.
@@ -22,7 +27,9 @@ struct HttpOutcome {
   std::uint64_t ticket = 0;
   std::uint32_t status = 0;  // 0: no answer came
   std::string error{};       // why not
+  std::string body{};        // of the answer, its first kKeptAnswer_bytes, where the post keeps it
 };
+inline constexpr std::size_t kKeptAnswer_bytes = 4096;
 
 // All but wake() on one thread.
 class HttpSender {
@@ -41,5 +48,6 @@ class HttpSender {
   // From any thread: work() returns soon.
   virtual void wake() = 0;
 };
+using MakeHttpSender = std::function<std::unique_ptr<HttpSender>()>;
 
 }  // namespace dripfeed::app

@@ -132,13 +132,67 @@ async function history(page) {
   await sums.getByRole('combobox', { name: 'Sums by' }).selectOption({ label: 'Machine' });
   await sums.getByRole('row').filter({ hasText: 'past' }).filter({ hasText: '2' }).waitFor();
   await sums.getByRole('combobox', { name: 'Sums by' }).selectOption({ label: 'Shift' });
-  await sums.getByText(/Shifts of eight hours/).waitFor();
+  await sums.getByText(/belongs to the shift in which it ended/).waitFor();
   const ofShifts = await saved(page, () => sums.getByRole('button', { name: 'Export as CSV' }).click());
-  expect(ofShifts.lines.length >= 2 && ofShifts.lines[0].startsWith('shift,jobs,done'), `sums by shift, and their file (${ofShifts.lines[0]})`);
+  expect(ofShifts.lines.length >= 2 && ofShifts.lines[0].startsWith('shift,from,to,jobs,done'), `sums by shift, and their file (${ofShifts.lines[0]})`);
+  await sums.getByRole('combobox', { name: 'Time' }).selectOption({ label: 'the last 7 days' });
+  await until(async () => /Jobs\s+2/.test(await sums.innerText()), 'of the last days');
   await accessible(page, 'the history');
   await shot(page, 'history');
   await page.getByRole('search').getByLabel('State').selectOption('done');
   await page.getByText('No transfer like this.').waitFor();
+}
+
+// What is planned of jobs: a time, a choice of machines, an end that is confirmed. Nothing is armed by any of it.
+async function plans(page) {
+  const [model] = await rig.machine('plans', { jobs: 1, blocks: 40 });
+  const { release, program } = await rig.job(model);
+  await rig.machine('plans2', { jobs: 0 });
+  const verdict = (await rig.call('POST', '/checks', { program, machine: 'plans2' })).body;
+  if (verdict.verdict !== 'pass') await rig.call('POST', `/checks/${verdict.id}/waivers`, { reason: 'a text of a test' });
+  const other = (await rig.call('POST', '/releases', { program, machine: 'plans2' })).body;
+  for (const step of [{ to: 'in_review' }, { to: 'proving', transfers: 9 }]) await rig.call('POST', `/releases/${other.id}/transitions`, step);
+  const add = async (more) => (await rig.call('POST', '/jobs', { release, ...more })).body.id;
+  await rig.call('POST', `/jobs/${model}/cancel`);
+  const timed = await add({ not_before_ms: Date.now() + 3_600_000 });
+  const checked = await add({ end_check: 'part taken out, chuck closed' });
+  await rig.call('PUT', '/groups/both', { machines: ['plans', 'plans2'] });
+  const choice = (await rig.call('POST', '/groups/both/jobs', { program })).body;
+  await signIn(page, url, tokens.approver);
+  await page.goto(`${url}/#/machines/plans`);
+  const row = (id) => page.locator(`.queue-list [data-job="${id}"]`);
+  await row(timed).getByText(/Not to be armed before/).waitFor();
+  await row(checked).getByText('After its end a person confirms: part taken out, chuck closed').waitFor();
+  await row(choice.jobs[0].id).getByText(/A choice, also queued for plans2/).waitFor();
+  await accessible(page, 'a queue with plans');
+  await shot(page, 'plans-queue');
+  await row(timed).getByRole('button', { name: `Time… of job ${timed}` }).click();
+  await dialog(page).getByLabel(/Not before/).fill('');
+  await dialog(page).getByRole('button', { name: 'Set the time' }).click();
+  await until(async () => (await rig.job(timed)).not_before_ms === null, 'at any time');
+  await rig.call('POST', `/jobs/${timed}/schedule`, { not_before_ms: Date.now() + 3_600_000 });
+  await row(timed).getByRole('button', { name: 'Arm before its time…' }).click();
+  await dialog(page).getByLabel(/Why it is armed before its time/).fill('the customer waits');
+  await shot(page, 'plans-early');
+  await dialog(page).getByRole('button', { name: /Arm for/ }).click();
+  await until(async () => (await rig.job(timed)).state === 'armed', 'armed with a reason');
+  await rig.call('POST', `/jobs/${timed}/cancel`);
+  await rig.waitLine('plans', 'idle');
+  await rig.call('POST', `/jobs/${checked}/arm`, {});
+  await rig.say('plans', 'dc1');
+  await until(async () => (await rig.job(checked)).state === 'done', 'fed', 20_000);
+  const end = page.getByRole('button', { name: `Confirm the end of job ${checked}` });
+  await end.waitFor();
+  await shot(page, 'plans-end');
+  await accessible(page, 'an end that waits');
+  await end.click();
+  await dialog(page).getByText('part taken out, chuck closed').waitFor();
+  await dialog(page).getByLabel(/Note/).fill('on the table');
+  await dialog(page).getByRole('button', { name: 'I have seen it' }).click();
+  await end.waitFor({ state: 'detached' });
+  expect((await rig.job(checked)).end_note === 'on the table', 'the note is kept');
+  await page.goto(`${url}/#/jobs/${checked}`);
+  await page.getByText(/part taken out, chuck closed: confirmed by/).waitFor();
 }
 
 async function looks(page) {
@@ -167,5 +221,6 @@ await main([
   ['a planner: add, queue, report, hold, change, find, sort, export', () => withPage(kDesk, planner)],
   ['lists as files', () => withPage(kDesk, files)],
   ['transfers of the past', () => withPage(kDesk, history)],
+  ['plans of jobs', () => withPage(kDesk, plans)],
   ['every look', () => withPage(kDesk, looks)],
 ]);

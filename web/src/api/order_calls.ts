@@ -1,7 +1,7 @@
 // The calls of whoever plans: orders, their jobs, parts that were made.
 import { everything } from './calls';
 import { request } from './client';
-import type { Job, NewOrder, Order, OrderPlan, OrderState, Release } from './types';
+import type { HistorySums, Job, NewOrder, Order, OrderPlan, OrderState, Release } from './types';
 
 export const orderCalls = {
   orders: (state: OrderState | '') => everything<Order>('/orders', state === '' ? {} : { state }),
@@ -15,5 +15,15 @@ export const orderCalls = {
     request<Order>('POST', `/orders/${id}/parts`, { body: { good, scrap, ...(note === '' ? {} : { note }) }, key }),
   jobsOf: (order: number) => everything<Job>('/jobs', { order: String(order) }),
   addJob: (order: number, release: number, key: string) => request<Job>('POST', '/jobs', { body: { release, order }, key }),
+  historySums: (by: HistorySums['by'], filter: { state: string; machine: string; from_ms: number | null }) => {
+    const query = new URLSearchParams({ by });
+    if (filter.state !== '') query.set('state', filter.state);
+    if (filter.machine !== '') query.set('machine', filter.machine);
+    if (filter.from_ms !== null) query.set('from_ms', String(filter.from_ms));
+    return request<HistorySums>('GET', `/history/sums?${query.toString()}`);
+  },
+  schedule: (job: number, not_before_ms: number | null, key: string) => request<Job>('POST', `/jobs/${job}/schedule`, { body: { not_before_ms }, key }),
+  armEarly: (job: number, minutes: number, early_reason: string, key: string) => request<Job>('POST', `/jobs/${job}/arm`, { body: { minutes, early_reason }, key }),
+  confirmEnd: (job: number, note: string, key: string) => request<Job>('POST', `/jobs/${job}/confirm-end`, { body: note === '' ? {} : { note }, key }),
   releases: () => everything<Release>('/releases'),
 };

@@ -580,6 +580,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/groups/{name}/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * queue a program for the machines of a group: a choice of jobs of which a person arms one
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_groups_name_jobs"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/users": {
         parameters: {
             query?: never;
@@ -2004,6 +2024,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/schedule": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * when a queued job may be armed; nothing is armed by it
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_schedule"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/confirm-end": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a person confirms what the end of a job asks for, before the next one of the machine is armed
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_confirm_end"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/stop": {
         parameters: {
             query?: never;
@@ -2058,6 +2118,26 @@ export interface paths {
          * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_jobs_id_resume"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/history/sums": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV for who accepts that
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_history_sums"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -3386,7 +3466,7 @@ export interface components {
              * @description what it is, for programs; a code keeps its name, status and meaning
              * @enum {string}
              */
-            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "no_room" | "over_quota";
+            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "no_machine_of_group" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "too_early" | "end_not_confirmed" | "hook_refused" | "hook_unanswered" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "no_room" | "over_quota";
             /** @description one sentence for a person */
             detail: string;
             said?: components["schemas"]["Said"] | null;
@@ -3408,7 +3488,7 @@ export interface components {
              * @description of the sentence, the same in every version
              * @enum {string}
              */
-            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "withdrawn" | "early_by_approver" | "none_of_group" | "hook_refuses" | "hook_silent" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_too_early" | "store_end_not_confirmed" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
             /** @description by name; `detail`: what is added in brackets */
             values: {
                 [key: string]: {
@@ -3942,36 +4022,6 @@ export interface components {
             /** @description of the text that was shown */
             shown_sha256: string;
         };
-        /**
-         * @description which release is transferred
-         * @example {
-         *       "release": 17,
-         *       "order": 31
-         *     }
-         */
-        NewJob: {
-            /** @description id of the release */
-            release: number;
-            /** @description id of the order that it belongs to; not given: none */
-            order?: number | null;
-        };
-        /**
-         * @description how a job is armed
-         * @example {
-         *       "minutes": 10
-         *     }
-         */
-        ArmOrder: {
-            /** @description until the arming ends by itself; not given: the profile's */
-            minutes?: number | null;
-            /** @description how often the text is sent; each waits for the control's own start */
-            rounds?: number | null;
-        };
-        /** @description the new place of a queued job */
-        Move: {
-            /** @description id of the queued job of the same machine that it is moved before; null, or not given: to the end */
-            before?: number | null;
-        };
         /** @description for how long an alarm asks for no person */
         Shelve: {
             /** @description for which it asks for no person */
@@ -4169,6 +4219,72 @@ export interface components {
             four_eyes?: boolean | null;
         };
         /**
+         * @description which release is transferred, and when it may be
+         * @example {
+         *       "release": 17,
+         *       "order": 31,
+         *       "not_before_ms": 1795500450000,
+         *       "end_check": "part taken out"
+         *     }
+         */
+        NewJob: {
+            /** @description id of the release */
+            release: number;
+            /** @description id of the order that it belongs to; not given: none */
+            order?: number | null;
+            /** @description before this time it is armed only with a reason, in ms since 1970; not given: at any time */
+            not_before_ms?: number | null;
+            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
+            end_check?: string | null;
+        };
+        /** @description which program is queued for a group of machines */
+        NewChoice: {
+            /** @description its id */
+            program: number;
+            /** @description of its text; not given: the newest */
+            revision?: number | null;
+            /**
+             * @description how the text is sent to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /** @description id of the order that it belongs to; not given: none */
+            order?: number | null;
+            /** @description before this time it is armed only with a reason, in ms since 1970; not given: at any time */
+            not_before_ms?: number | null;
+            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
+            end_check?: string | null;
+        };
+        /**
+         * @description how a job is armed
+         * @example {
+         *       "minutes": 10
+         *     }
+         */
+        ArmOrder: {
+            /** @description until the arming ends by itself; not given: the profile's */
+            minutes?: number | null;
+            /** @description how often the text is sent; each waits for the control's own start */
+            rounds?: number | null;
+            /** @description why it is armed before its time, by an approver; not given: it is not */
+            early_reason?: string | null;
+        };
+        /** @description the new place of a queued job */
+        Move: {
+            /** @description id of the queued job of the same machine that it is moved before; null, or not given: to the end */
+            before?: number | null;
+        };
+        /** @description when a queued job may be armed */
+        JobSchedule: {
+            /** @description before this time it is armed only with a reason, in ms since 1970; not given: at any time */
+            not_before_ms?: number | null;
+        };
+        /** @description a person has done what the job's end asks for */
+        JobEnd: {
+            /** @description for people */
+            note?: string | null;
+        };
+        /**
          * @description what is to be made
          * @example {
          *       "number": "4711",
@@ -4258,6 +4374,8 @@ export interface components {
             name: string;
             /** @description for people */
             title?: string | null;
+            /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
+            end_check?: string | null;
             /** @description of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80 */
             dialect: string;
             /** @description where the values are from, and what is assumed */
@@ -7215,7 +7333,18 @@ export interface components {
          *       "expires_at_ms": 1795501100000,
          *       "started_at_ms": 1795500512000,
          *       "ended_at_ms": null,
+         *       "held_s": null,
+         *       "holds": null,
+         *       "line_s": null,
+         *       "forecast_s": 38.4,
          *       "torn": false,
+         *       "not_before_ms": null,
+         *       "choice": null,
+         *       "end_check": "part taken out",
+         *       "needs_end_confirmation": false,
+         *       "end_confirmed_by": null,
+         *       "end_confirmed_at_ms": null,
+         *       "end_note": null,
          *       "needs_confirmation": false,
          *       "confirmed_by": null,
          *       "confirm_reason": null,
@@ -7295,6 +7424,28 @@ export interface components {
              * @enum {string|null}
              */
             read_back_state: "waiting" | "equal" | "differs" | "expired" | "superseded" | null;
+            /** @description that its control held, in seconds; null: not counted, or not over */
+            held_s: number | null;
+            /** @description how often its control held; null: not counted, or not over */
+            holds: number | null;
+            /** @description that its characters took on the line, in seconds; null: not counted, or not over */
+            line_s: number | null;
+            /** @description of a drip feed, how long its check expected it to take, when it was armed; null: not known */
+            forecast_s: number | null;
+            /** @description before which it is armed only with a reason; null: at any time; milliseconds since 1970, UTC */
+            not_before_ms: number | null;
+            /** @description of which one job is armed; null: it stands alone */
+            choice: number | null;
+            /** @description what a person confirms after its end, before the next job of its machine is armed */
+            end_check: string | null;
+            /** @description it has ended, and no person has confirmed `end_check` yet */
+            needs_end_confirmation: boolean;
+            /** @description who confirmed it */
+            end_confirmed_by: string | null;
+            /** @description when; milliseconds since 1970, UTC */
+            end_confirmed_at_ms: number | null;
+            /** @description what they wrote */
+            end_note: string | null;
         };
         /** @description how long a job's program takes by its check; nothing here was seen at the machine */
         JobForecast: {
@@ -7312,6 +7463,20 @@ export interface components {
             buffer_bytes: number | null;
             /** @description that the control holds; null: not known, or not limited so */
             buffer_blocks: number | null;
+        };
+        /** @description a program that is queued for several machines: one of the jobs is armed, the others leave the queue then */
+        JobChoice: {
+            /** @description id of the first of its jobs, by which they belong together */
+            choice: number;
+            /** @description one a machine */
+            jobs: components["schemas"]["Job"][];
+            /** @description by machine */
+            left_out: {
+                /** @description its name */
+                machine: string;
+                /** @description one sentence */
+                why: string;
+            }[];
         };
         /** @description what is known of a transfer */
         Ledger: {
@@ -7348,6 +7513,102 @@ export interface components {
             };
         };
         EventJob: components["schemas"]["Job"];
+        /** @description sums of the transfers that ended in a time */
+        HistorySums: {
+            /**
+             * @description what they are grouped by
+             * @enum {string}
+             */
+            by: "machine" | "part" | "day" | "shift";
+            /** @description of all groups */
+            all: {
+                /** @description transfers that ended */
+                jobs: number;
+                /** @description of these */
+                done: number;
+                /** @description of these */
+                failed: number;
+                /** @description of these */
+                cancelled: number;
+                /** @description of these */
+                interrupted: number;
+                /** @description on the wire, of those that are done */
+                bytes: number;
+                /** @description transfers of which something was sent */
+                fed: number;
+                /** @description transfers whose holds were timed: `held_s` is of these */
+                held_jobs: number;
+                /** @description transfers whose holds were counted: `holds` is of these */
+                holds_jobs: number;
+                /** @description by the controls */
+                holds: number;
+                /** @description transfers whose characters were timed: `line_s` is of these */
+                line_jobs: number;
+                /** @description transfers that are done and had a forecast: `forecast_s` and `forecast_took_s` are of these */
+                forecast_jobs: number;
+                /** @description from the first byte to the end, in seconds */
+                feeding_s: number;
+                /** @description held by the controls, in seconds */
+                held_s: number;
+                /** @description that characters took on the lines, in seconds */
+                line_s: number;
+                /** @description from the first byte to the end without the holds, of the same transfers, in seconds */
+                line_free_s: number;
+                /** @description that the checks expected, in seconds */
+                forecast_s: number;
+                /** @description from the first byte to the end, of the same transfers, in seconds */
+                forecast_took_s: number;
+                /** @description `line_s` of `line_free_s`; null: nothing was timed */
+                line_use: number | null;
+            };
+            /** @description machines and parts by name; days and shifts newest first */
+            groups: {
+                /** @description of the machine; number of the part, empty: not known; the day, or day and begin of the shift, by the server's clock */
+                name: string;
+                /** @description begin of the day or shift; milliseconds since 1970, UTC */
+                from_ms: number | null;
+                /** @description its end; milliseconds since 1970, UTC */
+                to_ms: number | null;
+                /** @description transfers that ended */
+                jobs: number;
+                /** @description of these */
+                done: number;
+                /** @description of these */
+                failed: number;
+                /** @description of these */
+                cancelled: number;
+                /** @description of these */
+                interrupted: number;
+                /** @description on the wire, of those that are done */
+                bytes: number;
+                /** @description transfers of which something was sent */
+                fed: number;
+                /** @description transfers whose holds were timed: `held_s` is of these */
+                held_jobs: number;
+                /** @description transfers whose holds were counted: `holds` is of these */
+                holds_jobs: number;
+                /** @description by the controls */
+                holds: number;
+                /** @description transfers whose characters were timed: `line_s` is of these */
+                line_jobs: number;
+                /** @description transfers that are done and had a forecast: `forecast_s` and `forecast_took_s` are of these */
+                forecast_jobs: number;
+                /** @description from the first byte to the end, in seconds */
+                feeding_s: number;
+                /** @description held by the controls, in seconds */
+                held_s: number;
+                /** @description that characters took on the lines, in seconds */
+                line_s: number;
+                /** @description from the first byte to the end without the holds, of the same transfers, in seconds */
+                line_free_s: number;
+                /** @description that the checks expected, in seconds */
+                forecast_s: number;
+                /** @description from the first byte to the end, of the same transfers, in seconds */
+                forecast_took_s: number;
+                /** @description `line_s` of `line_free_s`; null: nothing was timed */
+                line_use: number | null;
+            }[];
+        };
         /** @description a program that a control punched */
         Receipt: {
             /** @description of the receipt */
@@ -8452,7 +8713,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
+        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
         Problem409: {
             headers: {
                 [name: string]: unknown;
@@ -9904,6 +10165,58 @@ export interface operations {
             422: components["responses"]["Problem422"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_groups_name_jobs: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the group */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewChoice"];
+            };
+        };
+        responses: {
+            /** @description queue a program for the machines of a group: a choice of jobs of which a person arms one */
+            201: {
+                headers: {
+                    /** @description the path of what was made */
+                    Location: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobChoice"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
             /** @description another problem */
             default: {
                 headers: {
@@ -13684,6 +13997,8 @@ export interface operations {
                 state?: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
                 /** @description only those of this order, by its id */
                 order?: number;
+                /** @description only those of this choice, by its id */
+                choice?: number;
             };
             header?: never;
             path?: never;
@@ -13942,6 +14257,106 @@ export interface operations {
             };
         };
     };
+    post_jobs_id_schedule: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["JobSchedule"];
+            };
+        };
+        responses: {
+            /** @description when a queued job may be armed; nothing is armed by it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_confirm_end: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["JobEnd"];
+            };
+        };
+        responses: {
+            /** @description a person confirms what the end of a job asks for, before the next one of the machine is armed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_jobs_id_stop: {
         parameters: {
             query?: never;
@@ -14071,6 +14486,53 @@ export interface operations {
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
             507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_history_sums: {
+        parameters: {
+            query?: {
+                /** @description what the sums are grouped by; the machine without */
+                by?: "machine" | "part" | "day" | "shift";
+                /** @description only those of this machine */
+                machine?: string;
+                /** @description only those in this state */
+                state?: "done" | "failed" | "cancelled" | "interrupted";
+                /** @description from this time on, in ms since 1970, UTC */
+                from_ms?: number;
+                /** @description before this time, in ms since 1970, UTC */
+                to_ms?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV for who accepts that */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HistorySums"];
+                    "text/csv": string;
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
             /** @description another problem */
             default: {
                 headers: {

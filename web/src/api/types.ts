@@ -70,6 +70,9 @@ export type ProgramLine = ProgramLines['lines'][number];
 export type Utilisation = Schemas['Utilisation'];
 export type UsedDay = Utilisation['days'][number];
 
+export type HistorySums = Schemas['HistorySums'];
+export type HistoryGroup = HistorySums['groups'][number];
+
 export type SearchResult = Schemas['SearchResult'];
 export type SearchHit = SearchResult['items'][number];
 export type ProgramRevision = Schemas['ProgramRevision'];

@@ -27,7 +27,6 @@ export const programText = (job: Job): string => programName(job.program) ?? t('
 export function ArmDialog({ id }: { id: number }) {
   const job = jobs.value.get(id);
   if (!job) return null;
-  const title = machines.value.get(job.machine)?.head.value.title;
   return (
     <OrderDialog
       title={t('arm.title', { job: id })}
@@ -35,6 +34,15 @@ export function ArmDialog({ id }: { id: number }) {
       blocked={blockedBecause(id, 'arm')}
       send={(key) => calls.arm(id, kArmMinutes, key)}
     >
+      <WhatIsArmed job={job} />
+    </OrderDialog>
+  );
+}
+
+export function WhatIsArmed({ job }: { job: Job }) {
+  const title = machines.value.get(job.machine)?.head.value.title;
+  return (
+    <>
       <Facts
         strong
         facts={[
@@ -49,7 +57,7 @@ export function ArmDialog({ id }: { id: number }) {
       <p class="notice tone-ready">
         <strong>{t('arm.control_starts')}</strong> {t('arm.look_first')}
       </p>
-    </OrderDialog>
+    </>
   );
 }
 

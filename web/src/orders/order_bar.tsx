@@ -6,6 +6,7 @@ import { calls } from '../api/calls';
 import { newOrderKey } from '../api/client';
 import type { Job } from '../api/types';
 import { t } from '../i18n/i18n';
+import { minutes } from '../parts/clock';
 import { showDialog } from '../parts/dialog';
 import { Icon, type Shape } from '../parts/icon';
 import { offerFor, type Because, type JobAction } from '../rules/job_actions';
@@ -41,7 +42,7 @@ export function OrderBar({ machine }: { machine: Machine }) {
   const onLine = hasJob(core) && core.job !== null ? (jobs.value.get(core.job) ?? null) : null;
   const next = onLine ? null : (queueOf(machine.name)[0] ?? null);
   const job = onLine ?? next;
-  const offer = job ? offerFor(job, core, roleOn(machine.name), isLive.value) : { actions: [] as JobAction[], because: null };
+  const offer = job ? offerFor(job, core, roleOn(machine.name), isLive.value, job.not_before_ms === null ? 0 : minutes.value) : { actions: [] as JobAction[], because: null };
 
   const now = async (id: number, call: (id: number, key: string) => Promise<Job>, isStop: boolean) => {
     setError(null);

@@ -1,5 +1,5 @@
 // Sums of transfers that are over.
-import type { Job, JobState } from '../api/types';
+import type { HistorySums, Job, JobState } from '../api/types';
 
 export const kEndedStates = ['done', 'failed', 'cancelled', 'interrupted'] as const satisfies readonly JobState[];
 type EndedState = (typeof kEndedStates)[number];
@@ -28,43 +28,12 @@ export function sumsOf(jobs: readonly Job[]): Sums {
 export const kGroupings = ['machine', 'part', 'day', 'shift'] as const;
 export type Grouping = (typeof kGroupings)[number];
 
-// Three of eight hours each, the first from six o'clock; the night's is of the day on which it began.
-const kShiftHours = 8;
-const kFirstShiftAt = 6;
+// How far back the sums reach, in days.
+export const kRanges = [1, 7, 30, 365] as const;
 
-const two = (value: number): string => String(value).padStart(2, '0');
+// The begin of a time that ends now; of whole minutes, so that it is the same for a while. Null: all that is known.
+export const rangeBegin = (days: number | null, now_ms: number): number | null => (days === null ? null : now_ms - (now_ms % 60_000) - days * 86_400_000);
 
-const dayOf = (at: Date): string => `${at.getFullYear()}-${two(at.getMonth() + 1)}-${two(at.getDate())}`;
-
-// "2026-11-26 06:00", its begin in local time.
-export function shiftOf(at_ms: number): string {
-  const at = new Date(at_ms);
-  at.setHours(at.getHours() - kFirstShiftAt);
-  const begin = kFirstShiftAt + Math.floor(at.getHours() / kShiftHours) * kShiftHours;
-  return `${dayOf(at)} ${two(begin)}:00`;
-}
-
-export interface Group {
-  name: string; // '': of none
-  jobs: number;
-  sums: Sums;
-}
-
-// `partOf`: by the order that a transfer belongs to. Days and shifts newest first, others by name.
-export function groupsOf(jobs: readonly Job[], by: Grouping, partOf: (order: number | null) => string): Group[] {
-  const names: Record<Grouping, (job: Job) => string> = {
-    machine: ({ machine }) => machine,
-    part: ({ order }) => partOf(order),
-    day: ({ ended_at_ms }) => dayOf(new Date(ended_at_ms ?? 0)),
-    shift: ({ ended_at_ms }) => shiftOf(ended_at_ms ?? 0),
-  };
-  const found = new Map<string, Job[]>();
-  for (const job of jobs) {
-    const name = names[by](job);
-    found.set(name, [...(found.get(name) ?? []), job]);
-  }
-  const down = by === 'day' || by === 'shift' ? -1 : 1;
-  return [...found]
-    .map(([name, all]) => ({ name, jobs: all.length, sums: sumsOf(all) }))
-    .sort((a, b) => down * a.name.localeCompare(b.name));
-}
+// How the time compares with what the checks expected: 1.25 for a quarter more. Null: no forecast.
+export const againstForecast = ({ forecast_s, forecast_took_s }: Pick<HistorySums['all'], 'forecast_s' | 'forecast_took_s'>): number | null =>
+  forecast_s > 0 ? forecast_took_s / forecast_s : null;

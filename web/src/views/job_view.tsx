@@ -12,6 +12,7 @@ import { Failure } from '../parts/failure';
 import { lazyView } from '../parts/lazy';
 import { WireBar, WireFigures } from '../parts/wire_progress';
 import { hasJob } from '../rules/lines';
+import { hasPlan } from '../rules/plans';
 import { mayRestart } from '../rules/restarts';
 import { atLeast } from '../rules/roles';
 import { hrefs } from '../router';
@@ -22,7 +23,10 @@ import { LedgerView } from './ledger_view';
 import { NotFound } from './not_found';
 
 // Few look for it, so its code is loaded with it.
+const Plan = lazyView(() => import('./orders/plans').then((file) => file.Plan));
 const RestartPlace = lazyView(() => import('./restart_place').then((code) => code.RestartPlace));
+
+const Planned = ({ job }: { job: Job }) => (job.state === 'queued' || hasPlan(job) ? <Plan job={job} /> : null);
 
 export function JobView({ id }: { id: number }) {
   const [error, setError] = useState<unknown>(null);
@@ -54,6 +58,7 @@ export function JobView({ id }: { id: number }) {
               <JobFacts job={job} />
               <Times job={job} />
             </div>
+            <Planned job={job} />
           </section>
           {mayRestart(job) && atLeast(roleOn(job.machine), 'operator') && <RestartPlace key={job.id} job={job} />}
           <LedgerView job={job} />

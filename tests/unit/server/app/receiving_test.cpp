@@ -28,6 +28,7 @@ class TunedDocuments final : public Documents {
   [[nodiscard]] std::string write_report(const CheckReport& report) const override {
     return plain_.write_report(report);
   }
+  [[nodiscard]] std::optional<double> cycle_s(std::string_view report) const override { return plain_.cycle_s(report); }
   [[nodiscard]] std::string write_drawing(const std::vector<family::DrawnView>& drawing) const override {
     return plain_.write_drawing(drawing);
   }

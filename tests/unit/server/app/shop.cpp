@@ -42,6 +42,8 @@ std::string PlainDocuments::write_report(const CheckReport& report) const {
   return std::string(checks::name_of(report.verdict));
 }
 
+std::optional<double> PlainDocuments::cycle_s(std::string_view /*report*/) const { return std::nullopt; }
+
 std::string PlainDocuments::write_drawing(const std::vector<family::DrawnView>& drawing) const {
   std::string text;
   for (const family::DrawnView& view : drawing) text += std::string(view.axes) + ";";

@@ -23,6 +23,7 @@ class PlainDocuments final : public Documents {
   [[nodiscard]] Result<Values> read_values(std::string_view document) const override;
   [[nodiscard]] std::string write_values(const Values& values) const override;
   [[nodiscard]] std::string write_report(const CheckReport& report) const override;
+  [[nodiscard]] std::optional<double> cycle_s(std::string_view report) const override;
   [[nodiscard]] std::string write_drawing(const std::vector<family::DrawnView>& drawing) const override;
 };
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "server/json/orders.h"
 #include "server/json/people.h"
 
 namespace dripfeed::json {

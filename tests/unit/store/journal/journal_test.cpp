@@ -290,6 +290,7 @@ class Contents final : public store::Contents {
     return text.copy(into.data(), into.size(), offset);
   }
   Result<void> verify(std::string_view /*sha256*/) override { return {}; }
+  Result<std::uint64_t> total_bytes() override { return text.size(); }
 };
 
 TEST_F(JournalTest, AFedTextIsReadFromACopyThatLeavesNoFile) {

@@ -10,6 +10,7 @@ import { showDialog } from '../../parts/dialog';
 import { Badge } from '../../parts/badge';
 import { Facts } from '../../parts/facts';
 import { Failure } from '../../parts/failure';
+import { lazyView } from '../../parts/lazy';
 import { WireBar, WireFigures } from '../../parts/wire_progress';
 import { OrderBar } from '../../orders/order_bar';
 import { ResumeAsDc1Dialog } from '../../orders/dialogs';
@@ -24,11 +25,13 @@ import { wordsOf } from '../floor/words';
 import { NotFound } from '../not_found';
 import { Blocks } from './blocks';
 import { Calibration } from './calibration';
-import { History } from './history';
 import { LinePart } from './line';
 import { Outlook } from './outlook';
 import { Queue } from './queue';
 import { Use } from './use';
+
+// Below what a person looks for first, so its code comes after it.
+const History = lazyView(() => import('./history').then((file) => file.History));
 
 export function MachineView({ name }: { name: string }) {
   const machine = machines.value.get(name);

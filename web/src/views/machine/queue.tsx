@@ -9,11 +9,15 @@ import { showDialog } from '../../parts/dialog';
 import { Empty } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Icon } from '../../parts/icon';
+import { lazyView } from '../../parts/lazy';
+import { hasPlan } from '../../rules/plans';
 import { atLeast } from '../../rules/roles';
 import { hrefs } from '../../router';
 import { takeJobs } from '../../state/changes';
 import { loader } from '../../state/loader';
-import { isLive, queueOf, roleOn, type Machine } from '../../state/shop';
+import { isLive, jobs, queueOf, roleOn, type Machine } from '../../state/shop';
+
+const Plan = lazyView(() => import('../orders/plans').then((file) => file.Plan));
 
 export function Queue({ machine }: { machine: Machine }) {
   const [error, setError] = useState<unknown>(null);
@@ -30,6 +34,7 @@ export function Queue({ machine }: { machine: Machine }) {
     <section class="card" aria-label={t('queue.of', { machine: machine.name })}>
       <h2>{t('queue.title')}</h2>
       <Failure error={error} />
+      {[...jobs.value.values()].map((job) => job.machine === machine.name && job.needs_end_confirmation && <Plan key={job.id} job={job} />)}
       {queue.length === 0 && (
         <Empty
           action={
@@ -58,6 +63,7 @@ export function Queue({ machine }: { machine: Machine }) {
             }}
           >
             <QueueRow job={job} />
+            {hasPlan(job) && <Plan job={job} />}
             {may && (
               <span class="queue-buttons">
                 <MoveButton job={job} up disabled={index === 0} press={() => move(job.id, queue[index - 1]?.id ?? null)} />

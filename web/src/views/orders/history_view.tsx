@@ -2,14 +2,15 @@
 import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../../api/calls';
 import { orderCalls } from '../../api/order_calls';
-import type { Job, JobState } from '../../api/types';
-import { bytes, count } from '../../format/numbers';
+import type { HistoryGroup, HistorySums, Job, JobState } from '../../api/types';
+import { bytes, count, wholePercent } from '../../format/numbers';
 import { dateTime, duration } from '../../format/times';
 import { jobReason, jobWording } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { programText } from '../../orders/dialogs';
 import { Badge } from '../../parts/badge';
 import { Choice, MachineField } from '../../parts/choice';
+import { minutes } from '../../parts/clock';
 import { CsvButton } from '../../parts/csv_button';
 import { Empty } from '../../parts/empty';
 import { Facts, type Fact } from '../../parts/facts';
@@ -18,7 +19,7 @@ import { Table, type Column } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
 import { changeQuery, hrefs } from '../../router';
 import { isoTime, type CsvColumn } from '../../rules/csv';
-import { durationOf, groupsOf, kEndedStates, kGroupings, sumsOf, type Group, type Grouping } from '../../rules/history';
+import { againstForecast, durationOf, kEndedStates, kGroupings, kRanges, rangeBegin, type Grouping } from '../../rules/history';
 import { loader } from '../../state/loader';
 import { takeJobs } from '../../state/changes';
 
@@ -47,7 +48,9 @@ export function HistoryView({ query }: { query: URLSearchParams }) {
       </div>
       <Failure error={error} />
       {!loading && rows.length === 0 && error === null && <Empty>{t('past.none')}</Empty>}
-      {rows.length > 0 && <Sums rows={rows} isWhole={more === null} by={kGroupings.find((one) => one === query.get('by')) ?? ''} />}
+      {rows.length > 0 && (
+        <Sums state={state} machine={machine} by={kGroupings.find((one) => one === query.get('by')) ?? ''} days={kRanges.find((one) => String(one) === query.get('days')) ?? null} />
+      )}
       {rows.length > 0 && <History rows={rows} />}
       {more && (
         <button type="button" class="button" onClick={more}>
@@ -79,42 +82,62 @@ function useHistory(state: JobState | '', machine: string) {
   return { rows: all.filter(({ ended_at_ms }) => ended_at_ms !== null), more: next === null ? null : more, error: first.error ?? failed, loading: first.loading };
 }
 
-function Sums({ rows, isWhole, by }: { rows: readonly Job[]; isWhole: boolean; by: Grouping | '' }) {
-  const sums = sumsOf(rows);
+// Of all transfers that fit the filter, as the server adds them up.
+function Sums({ state, machine, by, days }: { state: JobState | ''; machine: string; by: Grouping | ''; days: number | null }) {
+  const from_ms = rangeBegin(days, minutes.value);
+  const { value, error } = useLoaded(`${state} ${machine} ${by} ${from_ms}`, () => orderCalls.historySums(by || 'machine', { state, machine, from_ms }));
   return (
     <section class="card" aria-label={t('past.sums')}>
       <h2>{t('past.sums')}</h2>
-      {!isWhole && <p class="hint">{t('past.of_shown', { count: rows.length })}</p>}
-      <Facts
-        facts={[
-          [t('nav.jobs'), count(rows.length)],
-          ...kEndedStates.map((state): Fact => [jobWording(state).text, sums.states[state] > 0 ? count(sums.states[state]) : null]),
-          [t('past.bytes'), bytes(sums.bytes)],
-          [t('past.time'), duration(sums.seconds)],
-        ]}
-      />
-      <Choice
-        label={t('past.by')}
-        value={by}
-        options={kGroupings.map((one) => [one, t(`past_by.${one}`)] as const)}
-        empty={t('past.by_nothing')}
-        change={(one) => changeQuery('by', one || null)}
-      />
-      {by !== '' && <Groups rows={rows} by={by} />}
+      <Failure error={error} />
+      {value && <SumFacts sums={value.all} />}
+      <div class="search-line">
+        <Choice
+          label={t('past.range')}
+          value={days === null ? '' : String(days)}
+          options={kRanges.map((one) => [String(one), t('past.days', { days: one })] as const)}
+          empty={t('past.always')}
+          change={(one) => changeQuery('days', one || null)}
+        />
+        <Choice
+          label={t('past.by')}
+          value={by}
+          options={kGroupings.map((one) => [one, t(`past_by.${one}`)] as const)}
+          empty={t('past.by_nothing')}
+          change={(one) => changeQuery('by', one || null)}
+        />
+      </div>
+      {value && by !== '' && <Groups groups={value.groups} by={by} />}
     </section>
   );
 }
 
-// Of the part by its order; a transfer without one is of no part that is known.
-function Groups({ rows, by }: { rows: readonly Job[]; by: Grouping }) {
-  const orders = useLoaded(by === 'part' ? 'orders' : null, () => orderCalls.orders(''));
-  const parts = new Map(orders.value?.map(({ id, part }) => [id, part]));
-  if (by === 'part' && !orders.value) return <Failure error={orders.error} />;
-  const groups = groupsOf(rows, by, (order) => (order === null ? '' : (parts.get(order) ?? '')));
+const SumFacts = ({ sums }: { sums: HistorySums['all'] }) => (
+  <Facts
+    facts={[
+      [t('nav.jobs'), count(sums.jobs)],
+      ...kEndedStates.map((state): Fact => [jobWording(state).text, sums[state] > 0 ? count(sums[state]) : null]),
+      [t('past.bytes'), bytes(sums.bytes)],
+      [t('past.time'), duration(sums.feeding_s)],
+      [t('past.held'), sums.held_jobs > 0 ? heldText(sums) : null],
+      [t('past.line_use'), sums.line_use === null ? null : wholePercent(sums.line_s, sums.line_free_s)],
+      [t('past.forecast'), sums.forecast_jobs > 0 ? forecastText(sums) : null],
+    ]}
+  />
+);
+
+const heldText = ({ held_s, holds, holds_jobs }: HistorySums['all']): string =>
+  holds_jobs > 0 ? t('past.held_times', { time: duration(held_s), count: holds }) : duration(held_s);
+
+const forecastText = (sums: HistorySums['all']): string =>
+  t('past.against', { took: duration(sums.forecast_took_s), expected: duration(sums.forecast_s), jobs: sums.forecast_jobs });
+
+function Groups({ groups, by }: { groups: readonly HistoryGroup[]; by: Grouping }) {
   const head = t(`past_by.${by}`);
   return (
     <>
       {by === 'shift' && <p class="hint">{t('past.shifts')}</p>}
+      {by === 'part' && <p class="hint">{t('past.parts')}</p>}
       <Table
         label={t('past.sums_by', { by: head })}
         rows={groups}
@@ -122,11 +145,17 @@ function Groups({ rows, by }: { rows: readonly Job[]; by: Grouping }) {
         columns={[
           { id: 'name', head, by: ({ name }) => name, cell: ({ name }) => name || t('past.no_part') },
           { id: 'jobs', head: t('nav.jobs'), by: ({ jobs }) => jobs, cell: ({ jobs }) => count(jobs) },
-          ...kEndedStates.map(
-            (state): Column<Group> => ({ id: state, head: jobWording(state).text, by: ({ sums }) => sums.states[state], cell: ({ sums }) => count(sums.states[state]) }),
-          ),
-          { id: 'bytes', head: t('past.bytes'), by: ({ sums }) => sums.bytes, cell: ({ sums }) => bytes(sums.bytes) },
-          { id: 'time', head: t('past.time'), by: ({ sums }) => sums.seconds, cell: ({ sums }) => duration(sums.seconds) },
+          ...kEndedStates.map((state): Column<HistoryGroup> => ({ id: state, head: jobWording(state).text, by: (group) => group[state], cell: (group) => count(group[state]) })),
+          { id: 'bytes', head: t('past.bytes'), by: (group) => group.bytes, cell: (group) => bytes(group.bytes) },
+          { id: 'time', head: t('past.time'), by: ({ feeding_s }) => feeding_s, cell: ({ feeding_s }) => duration(feeding_s) },
+          { id: 'held', head: t('past.held'), by: ({ held_s }) => held_s, cell: (group) => (group.held_jobs > 0 ? duration(group.held_s) : '–') },
+          { id: 'use', head: t('past.line_use'), by: ({ line_use }) => line_use, cell: (group) => wholePercent(group.line_s, group.line_free_s) },
+          {
+            id: 'forecast',
+            head: t('past.of_forecast'),
+            by: againstForecast,
+            cell: (group) => wholePercent(group.forecast_took_s, group.forecast_s),
+          },
         ]}
       />
       <CsvButton name={`sums-by-${by}`} columns={groupCsv(by)} rows={groups} />
@@ -134,12 +163,16 @@ function Groups({ rows, by }: { rows: readonly Job[]; by: Grouping }) {
   );
 }
 
-const groupCsv = (by: Grouping): CsvColumn<Group>[] => [
+const kFigures = [
+  'jobs', 'done', 'failed', 'cancelled', 'interrupted', 'bytes', 'fed', 'held_jobs', 'holds_jobs', 'holds', 'line_jobs', 'forecast_jobs',
+  'feeding_s', 'held_s', 'line_s', 'line_free_s', 'forecast_s', 'forecast_took_s', 'line_use',
+] as const satisfies readonly (keyof HistorySums['all'])[];
+
+const groupCsv = (by: Grouping): CsvColumn<HistoryGroup>[] => [
   { head: by, of: ({ name }) => name },
-  { head: 'jobs', of: ({ jobs }) => jobs },
-  ...kEndedStates.map((state): CsvColumn<Group> => ({ head: state, of: ({ sums }) => sums.states[state] })),
-  { head: 'bytes', of: ({ sums }) => sums.bytes },
-  { head: 'seconds', of: ({ sums }) => Math.round(sums.seconds * 10) / 10 },
+  { head: 'from', of: ({ from_ms }) => isoTime(from_ms) },
+  { head: 'to', of: ({ to_ms }) => isoTime(to_ms) },
+  ...kFigures.map((figure): CsvColumn<HistoryGroup> => ({ head: figure, of: (group) => group[figure] })),
 ];
 
 const History = ({ rows }: { rows: readonly Job[] }) => (

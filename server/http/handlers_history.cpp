@@ -1,0 +1,60 @@
+// The past in sums, as a document or as a file for a spreadsheet.
+#include <fmt/format.h>
+
+#include "server/app/jobs/history.h"
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+#include "server/json/history.h"
+#include "server/json/records.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+constexpr std::uint64_t kLatest_ms = std::uint64_t{1} << 53U;
+
+// ?by=; by machine where it is not given.
+std::expected<app::SumsBy, Response> sums_by(const Request& request) {
+  const std::string given = query_text(request, "by");
+  if (given.empty()) return app::SumsBy::machine;
+  for (std::size_t i = 0; i < app::kSumsByNames.size(); ++i)
+    if (app::kSumsByNames[i] == given) return static_cast<app::SumsBy>(i);
+  return std::unexpected(
+      problem_response(422, fmt::format("sums are by machine, part, day or shift, not by \"{}\"", given)));
+}
+
+std::expected<store::EndedFilter, Response> ended_filter(const Request& request) {
+  const auto from_ms = number_of(request, "from_ms", 0, 0, kLatest_ms);
+  if (!from_ms) return std::unexpected(from_ms.error());
+  const auto to_ms = number_of(request, "to_ms", kLatest_ms, 1, kLatest_ms);
+  if (!to_ms) return std::unexpected(to_ms.error());
+  store::EndedFilter filter{.from_ms = static_cast<std::int64_t>(*from_ms),
+                            .to_ms = static_cast<std::int64_t>(*to_ms),
+                            .machine = query_text(request, "machine"),
+                            .state = std::nullopt};
+  if (const std::string state = query_text(request, "state"); !state.empty()) {
+    filter.state = store::named<store::JobState>(state);
+    if (!filter.state || !store::ended(*filter.state))
+      return std::unexpected(problem_response(422, fmt::format("no job ends in the state \"{}\"", state)));
+  }
+  return filter;
+}
+
+}  // namespace
+
+Response get_history_sums(const Call& call) {
+  const auto by = sums_by(call.request);
+  if (!by) return by.error();
+  const auto filter = ended_filter(call.request);
+  if (!filter) return filter.error();
+  app::Application& app = call.api.application();
+  const auto sums = app::history_sums(app.store(), *filter, *by, app.shifts());
+  if (!sums) return problem_response(sums.error());
+  const bool wants_csv = call.request.accept.find("text/csv") != std::string::npos;
+  Response response = json_response(200, wants_csv ? json::history_csv(*sums, *by) : json::history_sums(*sums, *by));
+  if (wants_csv) response.content_type = "text/csv; charset=utf-8";
+  response.headers.emplace_back("Vary", "Accept");
+  return response;
+}
+
+}  // namespace dripfeed::http
