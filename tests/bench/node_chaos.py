@@ -4,7 +4,7 @@ slow, at random moments while a line is fed and programs are added.
     node_chaos.py DRIPFEED [ROUNDS] [SEED]
 
 After each round: every acknowledged program is there; the bytes that the control got lie in the interval that the ledger states, and each character is
-the next one of the text; a job that ended well arrived whole; no two servers sent to the control; after a take-over not one byte left before a
+the next one of the text; a job that ended well arrived whole; after a take-over not one byte left before a
 person's word. Prints what happened by kind, and ends with 1 at the first lie."""
 
 import collections
@@ -19,7 +19,7 @@ import threading
 import time
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "api")]
-from client import DC1, Client, HandControl, expect, hand_profile, plain_program, shop  # noqa: E402
+from client import DC1, HandControl, expect, hand_profile, plain_program, shop  # noqa: E402
 from nodes import Node  # noqa: E402
 from postgresql import Database  # noqa: E402
 
@@ -77,11 +77,7 @@ class Wire:
 
 
 class Control(HandControl):
-    """Keeps what each connection got, so that it is seen when two servers send."""
-
-    def __init__(self):
-        super().__init__()
-        self.sessions = []
+    """What came is forgotten before each feed."""
 
     def next_session(self):
         with self.lock:
