@@ -2,6 +2,7 @@
 #include "store/error.h"
 
 #include <array>
+#include <cerrno>
 #include <cstddef>
 
 namespace dripfeed::store {
@@ -66,6 +67,10 @@ std::string message_of(const Error& error) {
   std::string message(text_of(error.code));
   if (!error.detail.empty()) message.append(" (").append(error.detail).append(")");
   return message;
+}
+
+ErrorCode code_of_file_fault(int error_number) {
+  return error_number == ENOSPC || error_number == EDQUOT ? ErrorCode::disk_full : ErrorCode::io_failed;
 }
 
 }  // namespace dripfeed::store

@@ -42,6 +42,9 @@ enum class ErrorCode : std::uint8_t {
   internal,  // the engine refused for a reason that should not exist
 };
 
+// What a system's error number (errno) of a file means: disk_full, or io_failed.
+ErrorCode code_of_file_fault(int error_number);
+
 struct Error {
   ErrorCode code = ErrorCode::internal;
   std::string detail;

@@ -48,7 +48,6 @@ std::optional<LedgerFault> fault_of(Id job, const LedgerCounts& before, const Le
 // Rows that are durable on this computer and not in the store yet, because its database does not answer.
 struct LateRows {
   std::uint64_t commits = 0;  // that wait
-  std::int64_t since_ms = 0;  // of the oldest; 0: none waits
   std::string why;            // the last attempt failed; "" where it did not
   std::uint64_t faults = 0;   // rows that the store refused when they came, since the start
   std::string last_fault;     // the newest of them

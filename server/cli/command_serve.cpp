@@ -315,11 +315,12 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
     print_error(server.error());
     return kWrongUse;
   }
+  const char* const scheme = options.tls_cert.empty() ? "http" : "https";
   if (app::NodeLines* const nodes = application.nodes())
-    nodes->announce(fmt::format("{}://{}:{}", options.tls_cert.empty() ? "http" : "https",
-                                http::is_loopback(plan.address) ? plan.address.host : host_name(), (*server)->port()));
-  announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", options.tls_cert.empty() ? "http" : "https",
-                       plan.address.host, (*server)->port(), (fs::path(options.data) / "first-token").string()));
+    nodes->announce(fmt::format("{}://{}:{}", scheme, http::is_loopback(plan.address) ? plan.address.host : host_name(),
+                                (*server)->port()));
+  announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", scheme, plan.address.host, (*server)->port(),
+                       (fs::path(options.data) / "first-token").string()));
   {
     const Live live{.server = **server, .plcs = plcs.get(), .desk = desk, .workers = workers};
     const Reload::Running running(reload, [&](const ServerOptions& now) { return take_over(live, now); });

@@ -99,8 +99,7 @@ JournalFile::~JournalFile() {
 }
 
 Error JournalFile::fault(int error) const {
-  const ErrorCode code = error == ENOSPC || error == EDQUOT ? ErrorCode::disk_full : ErrorCode::io_failed;
-  return {code, fmt::format("{}: {}", path_, std::generic_category().message(error))};
+  return {store::code_of_file_fault(error), fmt::format("{}: {}", path_, std::generic_category().message(error))};
 }
 
 Result<void> JournalFile::make_name() {

@@ -74,11 +74,7 @@ bool LedgerJournal::settle(std::chrono::milliseconds patience) {
 
 store::LateRows LedgerJournal::late() const {
   const std::lock_guard lock(mutex_);
-  return {.commits = waiting_.size(),
-          .since_ms = waiting_.empty() ? 0 : waiting_.front().at_ms,
-          .why = why_,
-          .faults = faults_,
-          .last_fault = last_fault_};
+  return {.commits = waiting_.size(), .why = why_, .faults = faults_, .last_fault = last_fault_};
 }
 
 void LedgerJournal::each_waiting(const std::function<void(const Entry&)>& visit) const {

@@ -22,8 +22,8 @@ using store::Result;
 constexpr std::size_t kPiece = 16 * store::kChunkBytes;
 
 std::unexpected<Error> fault(const std::string& what, int error) {
-  const ErrorCode code = error == ENOSPC || error == EDQUOT ? ErrorCode::disk_full : ErrorCode::io_failed;
-  return std::unexpected(Error{code, fmt::format("{}: {}", what, std::generic_category().message(error))});
+  return std::unexpected(
+      Error{store::code_of_file_fault(error), fmt::format("{}: {}", what, std::generic_category().message(error))});
 }
 
 class LocalCopy final : public store::ContentReader {

@@ -24,8 +24,7 @@ using store::Result;
 constexpr int kStepPages = 256;  // 1 MiB
 
 Error system_fault(const std::string& path) {
-  const ErrorCode code = errno == ENOSPC || errno == EDQUOT ? ErrorCode::disk_full : ErrorCode::io_failed;
-  return {code, fmt::format("{}: {}", path, std::generic_category().message(errno))};
+  return {store::code_of_file_fault(errno), fmt::format("{}: {}", path, std::generic_category().message(errno))};
 }
 
 // A file or folder, for fdatasync() and fsync(). Closing one that SQLite has open, too, would drop SQLite's locks on

@@ -114,6 +114,10 @@ def a_person_hands_a_line_over(folder, database):
     expect(s.a.nodes()["b"]["machines"][0] | {"since_ms": 0} == {"name": "lathe", "lease": 2, "since_ms": 0, "given_by": "admin",
                                                                 "reason": "the lathe moves to hall b"}, f"{s.a.nodes()['b']}")
     s.b.wait_job(s.feed(s.b, s.lathe, "lathe", number="O0050"), "done")
+    spare = HandControl()
+    s.a.post("/machines", hand_profile(spare, "spare"))
+    s.a.post("/machines/spare/hand-over", {"node": "b", "reason": "before b knew of it"})
+    s.b.wait_line("spare", "idle")
     s.end()
 
 

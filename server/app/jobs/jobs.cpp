@@ -238,14 +238,14 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   if (!profile) return std::unexpected(profile.error());
   const auto text = lift(store_.contents().reader(job->text_sha256));
   if (!text) return std::unexpected(text.error());
-  const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
+  const auto part = part_for(store_.contents(), job->text_sha256, *profile);
+  if (!part) return std::unexpected(part.error());
+  const auto facts = check_program(*text, *part, *profile, delivery_of(job->delivery));
   if (!facts) return std::unexpected(facts.error());
   if (auto same = refuse_outdated(job->text_sha256, *machine, job->delivery); !same)
     return std::unexpected(same.error());
   auto name = file_name(*profile, job->program);
   if (!name) return std::unexpected(name.error());
-  const auto part = part_for(store_.contents(), job->text_sha256, *profile);
-  if (!part) return std::unexpected(part.error());
   auto source = std::make_shared<ContentSource>(*text, rounds, *part);
   return Arming{.job = *job,
                 .profile = *profile,
@@ -335,8 +335,9 @@ Result<store::Job> Jobs::disarm_after(const store::Job& job, const std::string& 
 
 Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::string_view action, std::string_view reason,
                                  std::string_view actor, std::string_view note) {
+  const bool restrains = command != feed::Command::resume && command != feed::Command::resume_as_if_dc1;
   const auto job = store_.jobs().get(id);
-  if (!job) return std::unexpected(from_store(job.error()));
+  if (!job) return restrains ? end_without_store(id, command, actor, job.error()) : lift(job);
   const auto line = line_with(*job);
   if (!line) return std::unexpected(line.error());
   const auto audit = [&] {
@@ -344,7 +345,6 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
   };
   // The audit comes first: what lets bytes go out is never without its row. What ends them takes effect even when no
   // row can be written.
-  const bool restrains = command != feed::Command::resume && command != feed::Command::resume_as_if_dc1;
   if (!restrains) {
     if (const auto noted = audit(); !noted) return std::unexpected(from_store(noted.error()));
   }
@@ -393,8 +393,6 @@ Result<store::Job> Jobs::end_without_store(store::Id id, feed::Command command, 
 }
 
 Result<store::Job> Jobs::stop(store::Id id, std::string_view actor) {
-  if (const auto job = store_.jobs().get(id); !job)
-    return end_without_store(id, feed::Command::stop, actor, job.error());
   return command(id, feed::Command::stop, "job.stop", "", actor);
 }
 

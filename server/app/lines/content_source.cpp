@@ -86,11 +86,16 @@ Result<TextPart> part_for(store::Contents& contents, const std::string& sha256, 
 
 Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::string& sha256,
                                          const machine::Profile& profile, ir::Delivery delivery) {
-  const auto line = machine::effective_line(profile.line);
-  if (!line) return fail(ErrorCode::refused, line.error());
   const auto part = part_for(contents, sha256, profile);
   if (!part) return std::unexpected(part.error());
-  ContentSource source(store::read_in_place(contents, sha256), 1, *part);
+  return check_program(store::read_in_place(contents, sha256), *part, profile, delivery);
+}
+
+Result<feed::ProgramFacts> check_program(std::shared_ptr<store::ContentReader> text, const TextPart& part,
+                                         const machine::Profile& profile, ir::Delivery delivery) {
+  const auto line = machine::effective_line(profile.line);
+  if (!line) return fail(ErrorCode::refused, line.error());
+  ContentSource source(std::move(text), 1, part);
   feed::ProgramCheck check(machine::program_syntax_of(profile, delivery));
   tape_code::CharacterCheck characters(machine::characters_of(*line));
   for (;;) {
@@ -106,13 +111,13 @@ Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::s
   }
   if (characters.count() > 0) {
     const tape_code::IllegalCharacter& first = characters.found().front();
-    return refuse_at(part->line - 1 + first.line, first.column,
+    return refuse_at(part.line - 1 + first.line, first.column,
                      fmt::format("{} ({} such)", machine::character_refusal(*line, first), characters.count()));
   }
   const auto facts = check.finish();
   if (facts) return *facts;
   const feed::ProgramRefusal& refusal = facts.error();
-  return refuse_at(part->line - 1 + refusal.line, refusal.column, std::string(feed::message(refusal.fault)));
+  return refuse_at(part.line - 1 + refusal.line, refusal.column, std::string(feed::message(refusal.fault)));
 }
 
 }  // namespace dripfeed::app

@@ -59,6 +59,8 @@ Result<TextPart> part_for(store::Contents& contents, const std::string& sha256, 
 
 // Reads that part of the text once and checks that it may be fed to this machine: its frame, and that the control takes
 // and the line's code has every character. The facts are of the text with LF as EOB; a refusal names line and column.
+Result<feed::ProgramFacts> check_program(std::shared_ptr<store::ContentReader> text, const TextPart& part,
+                                         const machine::Profile& profile, ir::Delivery delivery);
 Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::string& sha256,
                                          const machine::Profile& profile, ir::Delivery delivery);
 

@@ -77,8 +77,17 @@ void NodeLines::stop() {
   if (thread_) thread_->stop();
 }
 
+// News come with every change of any server; the beat is a change of its own and is not made for each.
 void NodeLines::round() {
-  beat();
+  if (clock_.now() >= beat_at_) {
+    beat_at_ = clock_.now() + kBeat;
+    beat();
+    follow_leases();
+  }
+  follow_news();
+}
+
+void NodeLines::follow_leases() {
   auto read = read_leases();
   const std::string complaint = read ? std::string() : read.error().text;
   if (complaint != complaint_ && !complaint.empty()) spdlog::warn("nodes: {}", complaint);
@@ -90,7 +99,6 @@ void NodeLines::round() {
     for (const auto& [machine, lease] : leases_) leases.push_back(lease);
   }
   for (const store::Lease& lease : leases) look_at(lease);
-  follow_news();
 }
 
 // A node that cannot say that it is there leads no longer.
@@ -106,10 +114,22 @@ void NodeLines::beat() {
 
 void NodeLines::look_at(const store::Lease& lease) {
   if (lease.node != nodes_.own()) return leave(lease);
-  if (lines_.find(lease.machine) || !lines_.why_none(lease.machine).starts_with(elsewhere(""))) return;
+  if (lines_.find(lease.machine)) return;
+  {
+    // A line that could not be opened has its reason and is not tried each second; one that was never here has none.
+    const std::lock_guard lock(mutex_);
+    if (left_.erase(lease.machine) == 0 && !lines_.why_none(lease.machine).empty()) return;
+  }
   if (const auto opened = catalog_.open_line(lease.machine); !opened)
     return spdlog::error("{} has no line: {}", lease.machine, opened.error().text);
   spdlog::info("{}: its line is this node's now: {}", lease.machine, lease.reason);
+}
+
+Result<void> NodeLines::leave_line(const std::string& machine, std::string_view node) {
+  if (auto left = lines_.leave(machine, elsewhere(node)); !left) return left;
+  const std::lock_guard lock(mutex_);
+  left_.insert(machine);
+  return {};
 }
 
 // A line that a person took over elsewhere. Its job may end at a block until the next round; then nothing more leaves
@@ -127,7 +147,7 @@ void NodeLines::leave(const store::Lease& lease) {
   ending_.erase(lease.machine);
   if (!lines_.find(lease.machine) && lines_.why_none(lease.machine) == why) return;
   const auto hold = lines_.hold(lease.machine);
-  if (const auto left = lines_.leave(lease.machine, why); !left)
+  if (const auto left = leave_line(lease.machine, lease.node); !left)
     spdlog::warn("{}: {}: {}", lease.machine, why, left.error().text);
 }
 
@@ -172,7 +192,7 @@ Result<void> NodeLines::hand_over(const std::string& machine, std::string_view n
   const auto given = lift(nodes_.hand_over(machine, node, reason, stamp(actor)));
   if (!given) return std::unexpected(given.error());
   spdlog::info("{}: handed over to node {} by {}: {}", machine, node, actor, reason);
-  if (auto left = lines_.leave(machine, elsewhere(node)); !left) return left;
+  if (auto left = leave_line(machine, node); !left) return left;
   return read_leases();
 }
 
@@ -181,6 +201,10 @@ Result<void> NodeLines::take_over(const std::string& machine, std::string_view r
   if (!jobs) return std::unexpected(jobs.error());
   spdlog::warn("{}: taken over by {}: {}", machine, actor, reason);
   if (auto read = read_leases(); !read) return read;
+  {
+    const std::lock_guard lock(mutex_);
+    left_.erase(machine);
+  }
   for (const store::Job& job : *jobs) {
     events_.publish({.id = 0,
                      .kind = EventKind::job,

@@ -50,9 +50,11 @@ class NodeLines {
  private:
   void round();
   void beat();
+  void follow_leases();
   Result<void> read_leases();
   void look_at(const store::Lease& lease);
   void leave(const store::Lease& lease);
+  Result<void> leave_line(const std::string& machine, std::string_view node);
   void follow_news();
   void publish(const store::NodeNews& news);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
@@ -67,7 +69,9 @@ class NodeLines {
   mutable std::mutex mutex_;
   std::string url_;
   std::map<std::string, store::Lease, std::less<>> leases_;  // as they were read last
+  std::set<std::string> left_;  // machines whose lines this server left, to be opened when they become its own again
   std::atomic<bool> leads_{false};
+  feed::Time beat_at_{};
   std::set<std::string> ending_;  // machines that are another's, with a job that may end at a block
   std::uint64_t seen_ = 0;        // of the log of events
   std::string complaint_;         // why the last round failed; "": it did not
