@@ -36,15 +36,16 @@ def listens(port):
     return any(row[3] == "0A" and int(row[1].split(":")[1], 16) == port for row in rows)
 
 
-def wait_for(what, condition, seconds=20.0, step=0.02):
-    """The first true value of condition(); fails with `what` when it never comes."""
+def wait_for(what, condition, seconds=20.0, step=0.02, seen=lambda: None):
+    """The first true value of condition(); fails with `what`, and what is `seen` instead, when it never comes."""
     until = time.monotonic() + seconds
     while time.monotonic() < until:
         value = condition()
         if value:
             return value
         time.sleep(step)
-    raise TimeoutError(f"waited {seconds:g} s for {what}")
+    instead = seen()
+    raise TimeoutError(f"waited {seconds:g} s for {what}" + (f", there is {instead}" if instead else ""))
 
 
 def preset(name, **link):
@@ -152,10 +153,12 @@ class Server:
         return release
 
     def wait_job(self, job, *states, seconds=60.0):
-        return wait_for(f"job {job} to be {' or '.join(states)}", lambda: (lambda j: j if j["state"] in states else None)(self.job(job)), seconds)
+        return wait_for(f"job {job} to be {' or '.join(states)}", lambda: (lambda j: j if j["state"] in states else None)(self.job(job)), seconds,
+                        seen=lambda: {name: self.job(job)[name] for name in ("state", "reason", "bytes", "torn")})
 
     def wait_line(self, machine, *states, seconds=20.0):
-        return wait_for(f"{machine} to be {' or '.join(states)}", lambda: (lambda s: s if s["line"] in states else None)(self.status(machine)), seconds)
+        return wait_for(f"{machine} to be {' or '.join(states)}", lambda: (lambda s: s if s["line"] in states else None)(self.status(machine)), seconds,
+                        seen=lambda: self.status(machine)["line"])
 
 
 class Control:

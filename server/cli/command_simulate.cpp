@@ -34,6 +34,7 @@ struct SimulateOptions {
   bool then_read = false;
   double speed = 1.0;
   double operator_s = 0.0;
+  double patience_s = 60.0;
   bool repeat = false;
   std::size_t count = 1;
   std::string uart = "16550";
@@ -223,6 +224,7 @@ app::Result<void> add_all(const machine::LinkUrl& link, const simulator::Control
                                       },
                                   .seed = options.seed + static_cast<std::uint32_t>(n) - 1,
                                   .operator_s = options.operator_s,
+                                  .patience_s = options.patience_s,
                                   .repeat = options.repeat});
     if (!added) return app::fail(app::ErrorCode::invalid, added.error());
   }
@@ -333,6 +335,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("--speed", options->speed, "runs so much faster than a machine")->check(CLI::Range(0.001, 1e6));
   command->add_option("--operator", options->operator_s,
                       "after so many seconds without a character the operator presses RESET and START");
+  command->add_option("--patience", options->patience_s,
+                      "the same inside a program whose host is still there; 60 without it");
   command->add_flag("--repeat", options->repeat, "the operator starts the next program after the end of one");
   command
       ->add_option("--count", options->count,

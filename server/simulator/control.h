@@ -111,6 +111,8 @@ class Control {
   [[nodiscard]] virtual ControlState state() const = 0;
   // Nothing came, nothing runs and nothing is held since this instant (waiting for the host); nothing while busy.
   [[nodiscard]] virtual std::optional<Time_ns> quiet_since() const = 0;
+  // Some of a program came and its end did not: who presses RESET now loses the rest of it.
+  [[nodiscard]] virtual bool is_inside_program() const = 0;
   // The program ended and everything was run.
   [[nodiscard]] virtual bool finished() const = 0;
   // It begins by itself to send, so it is started when a host is there and not before.

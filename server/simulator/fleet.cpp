@@ -66,6 +66,7 @@ class Fleet::Station {
     const bool opened = settings_.link.kind == machine::LinkKind::pty && !hung_up && !reached_;
     if ((connected && taken_ == 0) || (opened && control_->speaks_first())) control_->start(now_ns());
     reached_ = reached_ || connected || opened;
+    if (control_->is_inside_program()) host_left_ = host_left_ || connected || (hung_up && count == 0);
     if (count == 0) {
       if (hung_up) rest_until_ = now_ns() + kUnconnectedWait;
       return;
@@ -88,12 +89,8 @@ class Fleet::Station {
       control_->left_late(now_ns() - taken_at);
     }
     wire_->show(control_->lines());
-    const auto quiet = control_->quiet_since();
     if ((control_->finished() || control_->state() == ControlState::alarm) && !settings_.repeat) return;
-    if (settings_.operator_s > 0 && quiet && static_cast<double>(now - *quiet) > settings_.operator_s * 1e9) {
-      control_->reset();
-      control_->start(now);
-    }
+    if (const auto quiet = control_->quiet_since()) operate(static_cast<double>(now - *quiet) * 1e-9, now);
   }
 
   [[nodiscard]] bool over() const {
@@ -111,6 +108,17 @@ class Fleet::Station {
 
  private:
   [[nodiscard]] bool listens() const { return !cut_ && !plug_in_at_ && !deaf_; }
+
+  // The operator at the control after so many seconds of silence. Inside a program he waits longer, as its rest may
+  // still come, unless the host left meanwhile.
+  void operate(double quiet_s, Time_ns now) {
+    if (settings_.operator_s <= 0) return;
+    const bool may_go_on = control_->is_inside_program() && !host_left_;
+    if (quiet_s <= (may_go_on ? std::max(settings_.patience_s, settings_.operator_s) : settings_.operator_s)) return;
+    host_left_ = false;
+    control_->reset();
+    control_->start(now);
+  }
 
   // What arrives up to the character at which the line breaks.
   void take(std::span<const std::byte> came, Time_ns before) {
@@ -163,7 +171,8 @@ class Fleet::Station {
   Time_ns looked_at_ = now_ns();
   bool cut_ = false;
   bool deaf_ = false;
-  bool reached_ = false;  // a host was there
+  bool reached_ = false;    // a host was there
+  bool host_left_ = false;  // or closed its end inside the program
 };
 
 // Hundreds of wires are more files than a shell allows by default.

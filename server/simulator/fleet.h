@@ -19,9 +19,10 @@ struct StationSettings {
   machine::LinkUrl link;  // pty: or tcp-listen:
   ControlSettings control;
   Record record;
-  std::uint32_t seed = 1;   // of the line's faults; control.faults has them all
-  double operator_s = 0.0;  // after so long without a character the operator presses RESET and START; 0: never
-  bool repeat = false;      // and starts the next program after the end of one
+  std::uint32_t seed = 1;    // of the line's faults; control.faults has them all
+  double operator_s = 0.0;   // after so long without a character the operator presses RESET and START; 0: never
+  double patience_s = 60.0;  // and after so long inside a program whose host is still there: it may be held
+  bool repeat = false;       // and starts the next program after the end of one
 };
 
 class Fleet {

@@ -26,6 +26,9 @@ class PacketControl final : public Control, private packet::Sink {
   [[nodiscard]] ControlReport report() const override;
   [[nodiscard]] ControlState state() const override { return report_.state; }
   [[nodiscard]] std::optional<Time_ns> quiet_since() const override;
+  [[nodiscard]] bool is_inside_program() const override {
+    return report_.state == ControlState::reading && tape_.has_begun() && !tape_.at_end();
+  }
   [[nodiscard]] bool finished() const override;
 
  private:

@@ -27,6 +27,7 @@ class PacketPunch final : public Control {
   [[nodiscard]] ControlReport report() const override { return report_; }
   [[nodiscard]] ControlState state() const override { return report_.state; }
   [[nodiscard]] std::optional<Time_ns> quiet_since() const override;
+  [[nodiscard]] bool is_inside_program() const override { return false; }
   [[nodiscard]] bool finished() const override { return report_.state == ControlState::ended; }
   [[nodiscard]] bool speaks_first() const override { return true; }
 

@@ -27,6 +27,7 @@ class PunchingControl final : public Control {
   [[nodiscard]] ControlReport report() const override { return reader_.report(); }
   [[nodiscard]] ControlState state() const override;
   [[nodiscard]] std::optional<Time_ns> quiet_since() const override;
+  [[nodiscard]] bool is_inside_program() const override { return reading_ && reader_.is_inside_program(); }
   [[nodiscard]] bool finished() const override;
   [[nodiscard]] bool speaks_first() const override { return true; }
   // Characters that left.

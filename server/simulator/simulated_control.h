@@ -30,6 +30,9 @@ class SimulatedControl final : public Control {
   [[nodiscard]] ControlReport report() const override;
   [[nodiscard]] ControlState state() const override { return report_.state; }
   [[nodiscard]] std::optional<Time_ns> quiet_since() const override;
+  [[nodiscard]] bool is_inside_program() const override {
+    return report_.state == ControlState::reading && (seen_percent_ || !label_skip_);
+  }
   [[nodiscard]] bool finished() const override {
     return report_.state == ControlState::ended && pending_.empty() && blocks_.empty() && !running_;
   }

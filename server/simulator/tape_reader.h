@@ -26,6 +26,7 @@ class TapeReader {
   // Bytes of blocks that are not run yet, the unfinished one's included.
   [[nodiscard]] std::uint64_t buffered() const { return buffered_; }
   [[nodiscard]] bool at_end() const { return at_end_; }  // the '%' after the program was read
+  [[nodiscard]] bool has_begun() const { return seen_percent_; }
   [[nodiscard]] bool is_busy() const { return running_ || !blocks_.empty(); }
   [[nodiscard]] std::optional<Time_ns> runs_until() const {
     return running_ ? std::optional(run_until_) : std::nullopt;

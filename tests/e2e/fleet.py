@@ -3,9 +3,12 @@ parity bit, and a cable that is out for two seconds."""
 
 import json
 import os
+import select
 import subprocess
+import time
 
 from rig import binary, expect, in_folder, plain_program, shop
+from torn_send import DC1
 
 
 def prepare(folder, blocks):
@@ -75,6 +78,27 @@ def a_cable_that_was_out_resumes_nothing(folder):
     expect(report["bytes"] == 300, f"{report['bytes']} arrived: something was sent behind the break")
 
 
+def the_operator_waits_for_a_program_that_is_held(folder):
+    """Inside a program RESET is pressed late, as its rest would be lost; when the host has left, it is pressed soon."""
+    prepare(folder, 1)
+    control = simulate(folder, "line")
+    host = os.open(folder / "line", os.O_RDWR | os.O_NOCTTY)
+    expect(os.read(host, 1) == DC1, "the operator did not press START")
+    os.write(host, with_even_parity("%\nO0042\nG21\n"))
+    expect(not select.select([host], [], [], 1.5)[0], "the operator reset a program that is held")
+    os.close(host)
+    time.sleep(0.3)
+    host = os.open(folder / "line", os.O_RDWR | os.O_NOCTTY)
+    expect(select.select([host], [], [], 10)[0] and os.read(host, 1) == DC1, "the operator waits for a host that has left")
+    os.close(host)
+    control.stop()
+
+
+def with_even_parity(text):
+    return bytes(byte | (byte.bit_count() % 2) << 7 for byte in text.encode())
+
+
 if __name__ == "__main__":
-    for test in (three_controls_in_one_process, two_rounds_by_two_starts, a_flipped_parity_bit_is_an_alarm, a_cable_that_was_out_resumes_nothing):
+    for test in (three_controls_in_one_process, two_rounds_by_two_starts, a_flipped_parity_bit_is_an_alarm, a_cable_that_was_out_resumes_nothing,
+                 the_operator_waits_for_a_program_that_is_held):
         in_folder(test)
