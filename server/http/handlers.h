@@ -161,6 +161,7 @@ app::Result<StoredText> load_text(store::Store& store, store::Id program, store:
 Response path_of_text(const Call& call);
 Response stock_of_text(const Call& call);
 Response get_program_path(const Call& call);
+Response get_program_picture(const Call& call);
 Response get_program_stock(const Call& call);
 
 // handlers_jobs.cpp

@@ -87,6 +87,16 @@ Response path_response(const Call& call, const TextOf& of) {
   return done ? json_response(200, *done) : problem_response(done.error());
 }
 
+// Of a longer text no picture is made: it would take a worker's time for a sign in a list.
+constexpr std::size_t kMostPictured_bytes = std::size_t{1} << 20U;
+
+Response picture_response(const Call& call, const TextOf& of) {
+  if (of.order.text.size() > kMostPictured_bytes)
+    return problem_response(422, fmt::format("a picture is made of at most {} bytes of text", kMostPictured_bytes));
+  const auto done = call.api.workers().picture(of.order, waiter_of(call, "picture", of.subject, of.machine));
+  return done ? json_response(200, *done) : problem_response(done.error());
+}
+
 Response stock_response(const Call& call, const TextOf& of) {
   auto done = call.api.workers().stock(of.order, waiter_of(call, "stock", of.subject, of.machine));
   if (!done) return problem_response(done.error());
@@ -120,6 +130,7 @@ Response of_program(const Call& call, Answer answer) {
 Response path_of_text(const Call& call) { return of_text(call, path_response); }
 Response stock_of_text(const Call& call) { return of_text(call, stock_response); }
 Response get_program_path(const Call& call) { return of_program(call, path_response); }
+Response get_program_picture(const Call& call) { return of_program(call, picture_response); }
 Response get_program_stock(const Call& call) { return of_program(call, stock_response); }
 
 }  // namespace dripfeed::http

@@ -154,6 +154,8 @@ constexpr Route kRoutes[] = {
     {get, "/api/v1/programs/{id}/path", viewer, heavy, get_program_path,
      "the toolpath of a revision, as points, and what is not known of it", kNoBody, gives("ToolPath"), no_more,
      "revision machine delivery"},
+    {get, "/api/v1/programs/{id}/picture", viewer, heavy, get_program_picture,
+     "a small drawing of a revision's toolpath, for a list", kNoBody, gives("PathPicture"), no_more, "revision"},
     {get, "/api/v1/programs/{id}/stock", viewer, heavy, get_program_stock,
      "the stock of a revision from the first cut to the last, as columns of numbers that its head describes", kNoBody,
      gives("", "application/octet-stream"), no_more, "revision machine delivery stock"},

@@ -206,6 +206,14 @@ Reply path(const Work& work) {
   return reply;
 }
 
+Reply picture(const Work& work) {
+  const auto done = app::follow_path(read_text_order(work.package), work.documents, work.budget);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(path_picture(app::picture_of(*done)));
+  return reply;
+}
+
 Reply stock(const Work& work) {
   const auto done = app::follow_stock(read_text_order(work.package), work.documents, work.budget);
   if (!done) return std::unexpected(done.error());
@@ -259,12 +267,12 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},     {"render", render},    {"accuracy", accuracy},
-                              {"gouge", gouge},     {"timing", timing},    {"sweep", sweep},
-                              {"compare", compare}, {"index", index},      {"diagnose", diagnose},
-                              {"convert", convert}, {"path", path},        {"restart", restart},
-                              {"stock", stock},     {"rewrite", rewrite},  {"statistics", figures_of_text},
-                              {"explain", explain}, {"optimize", optimize}};
+constexpr KindRow kKinds[] = {{"check", check},     {"render", render},     {"accuracy", accuracy},
+                              {"gouge", gouge},     {"timing", timing},     {"sweep", sweep},
+                              {"compare", compare}, {"index", index},       {"diagnose", diagnose},
+                              {"convert", convert}, {"path", path},         {"restart", restart},
+                              {"stock", stock},     {"rewrite", rewrite},   {"statistics", figures_of_text},
+                              {"explain", explain}, {"optimize", optimize}, {"picture", picture}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {
   const Work work{.package = package,

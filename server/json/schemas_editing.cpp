@@ -3,6 +3,7 @@
 #include "dialects/compile/dialect/outline.h"
 #include "dialects/compile/render/optimized.h"
 #include "dialects/compile/translate/convert.h"
+#include "server/app/checks/path_picture.h"
 #include "server/app/checks/tool_path.h"
 #include "server/json/schemas.h"
 #include "server/json/schemas_checks.h"
@@ -235,6 +236,14 @@ Schemas path_schemas() {
                                          "integers; empty: nothing is fed")},
                          {"deviations_mm", text("of what the point's block cuts from the nominal, 32-bit floats; "
                                                 "positive: material is left; NaN: not measured; empty: of none")}})}})},
+      {"PathPicture",
+       object("a program's toolpath as a small drawing of lines",
+              {{"view", one_of(app::kPictureViewNames, "of it: turning has z to the right and x up")},
+               {"width", integer("of the drawing; its top left is 0 0")},
+               {"height", integer("of the drawing")},
+               {"cut", text("path data as SVG has them; empty: no cut is known")},
+               {"rapid", text("path data; may lie outside of the drawing; empty: no rapid is known")},
+               {"has_all_cuts", flag("it was run to its end, and no cut lies at a place that is not known")}})},
       {"Statistics", statistics()}};
 }
 

@@ -117,6 +117,15 @@ std::string tool_path(const app::ToolPath& path) {
   return dump(document);
 }
 
+std::string path_picture(const app::PathPicture& picture) {
+  return dump({{"view", app::kPictureViewNames[static_cast<std::size_t>(picture.view)]},
+               {"width", app::PathPicture::kWidth},
+               {"height", app::PathPicture::kHeight},
+               {"cut", picture.cut},
+               {"rapid", picture.rapid},
+               {"has_all_cuts", picture.has_all_cuts}});
+}
+
 std::string statistics(const app::Statistics& statistics) {
   const app::ToolPath& path = statistics.path;
   Document tools = Document::array();

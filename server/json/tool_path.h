@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "server/app/checks/path_picture.h"
 #include "server/app/checks/statistics.h"
 #include "server/app/checks/stock.h"
 #include "server/app/checks/tool_path.h"
@@ -10,6 +11,7 @@
 namespace dripfeed::json {
 
 std::string tool_path(const app::ToolPath& path);
+std::string path_picture(const app::PathPicture& picture);
 std::string statistics(const app::Statistics& statistics);
 
 // The stock of a program along its cuts as bytes, for a page that draws it:

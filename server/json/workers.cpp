@@ -223,6 +223,10 @@ app::Result<std::string> DocumentWorkers::path(const app::DiagnoseOrder& order, 
   return of_text("path", order, waiter);
 }
 
+app::Result<std::string> DocumentWorkers::picture(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
+  return of_text("picture", order, waiter);
+}
+
 app::Result<std::string> DocumentWorkers::stock(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
   return of_text("stock", order, waiter);
 }

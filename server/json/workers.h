@@ -65,6 +65,9 @@ class DocumentWorkers final : public app::Workers {
   // The document of json::tool_path.
   app::Result<std::string> path(const app::DiagnoseOrder& order, const app::Waiter& waiter);
 
+  // The document of json::path_picture.
+  app::Result<std::string> picture(const app::DiagnoseOrder& order, const app::Waiter& waiter);
+
   // The document of json::value_changes.
   app::Result<std::string> explain(const app::ValueOrder& order, const app::Waiter& waiter);
 

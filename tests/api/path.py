@@ -52,6 +52,22 @@ def of_a_program(client):
     control.close()
 
 
+def pictures(client):
+    """Of a milled and a turned program; and what has none."""
+    def picture(text, name):
+        program = client.post("/programs", {"name": name, "dialect": "fanuc", "text": text})["id"]
+        return client.get(f"/programs/{program}/picture")
+    milled = picture(MILL.replace("X10.", "X10.\nY10."), "O0101")
+    expect(milled["view"] == "isometric" and milled["cut"].startswith("M") and milled["has_all_cuts"], milled)
+    turned = picture(MILL, "O0102")
+    expect(turned["view"] == "turning" and turned["width"] == 240 and turned["height"] == 180, turned)
+    broken = picture(MILL.replace("X10.", "X[10."), "O0103")
+    expect(not broken["cut"] and not broken["has_all_cuts"], broken)
+    program = client.post("/programs", {"name": "O0104", "dialect": "fanuc", "text": MILL.replace("X10.", "X10.\n" * 300_000)})["id"]
+    client.refuse(422, "GET", f"/programs/{program}/picture", words=["at most 1048576 bytes"])
+    client.refuse(404, "GET", "/programs/99999/picture")
+
+
 def floats(path, name):
     raw = base64.b64decode(path["columns"][name])
     return list(struct.unpack(f"<{len(raw) // 4}f", raw))
@@ -138,6 +154,7 @@ def run(folder):
     client = Client(folder).start()
     of_a_text(client)
     of_a_program(client)
+    pictures(client)
     of_a_machine(client)
     of_a_pocket(client)
     stated_blank(client)

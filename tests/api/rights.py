@@ -88,6 +88,7 @@ def rows(made):
         ("GET", "/api/v1/search", "viewer", {}, None, {"query": "?q=O0042"}),
         ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
         ("GET", "/api/v1/programs/{id}/path", "viewer", {"id": "program"}, None, {}),
+        ("GET", "/api/v1/programs/{id}/picture", "viewer", {"id": "program"}, None, {}),
         ("GET", "/api/v1/programs/{id}/stock", "viewer", {"id": "program"}, None, {"query": "?stock=cylinder+80+-100+2&machine=lathe"}),
         ("POST", "/api/v1/path", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/stock", "programmer", {}, {"text": "G17 G90\nM30", "dialect": "fanuc", "stock": "box 0 1 0 1 0 1"}, {}),

@@ -35,7 +35,7 @@ const kRows: Row[] = [
   { view: 'review', pattern: /^\/review$/ },
   { view: 'reviewed', pattern: /^\/review\/([1-9]\d{0,15})$/ },
   { view: 'library', pattern: /^\/(?:library|programs)$/ },
-  { view: 'program', pattern: /^\/programs\/([1-9]\d{0,15})(?:\/(revisions|compare|uses|checks|release))?$/ },
+  { view: 'program', pattern: /^\/programs\/([1-9]\d{0,15})(?:\/(revisions|compare|uses|files|checks|release))?$/ },
   { view: 'families', pattern: /^\/(?:families|parts)$/ },
   { view: 'family', pattern: /^\/families\/([^/]+)$/ },
   { view: 'part', pattern: /^\/parts\/([^/]+)$/ },
@@ -97,7 +97,7 @@ export const hrefs = {
 export const kPeoplePlaces = ['users', 'groups', 'tokens', 'machines', 'store', 'audit'] as const;
 export type PeoplePlace = (typeof kPeoplePlaces)[number];
 
-export const kProgramPlaces = ['text', 'revisions', 'compare', 'uses', 'checks', 'release'] as const;
+export const kProgramPlaces = ['text', 'revisions', 'compare', 'uses', 'files', 'checks', 'release'] as const;
 export type ProgramPlace = (typeof kProgramPlaces)[number];
 
 export const route = signal<Route>(routeOf(''));

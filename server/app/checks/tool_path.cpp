@@ -96,6 +96,7 @@ double PathRecorder::point_of(double row) const {
 void PathRecorder::leave_out(NotDrawn why, const ir::Motion& motion) {
   NotDrawnMoves& moves = path_.not_drawn[static_cast<std::size_t>(why)];
   if (moves.count++ == 0 && motion.place.program == 0) moves.first_line = motion.place.line;
+  if (motion.kind != ir::MotionKind::rapid) ++moves.cuts;
   here_.reset();
 }
 
@@ -198,6 +199,7 @@ ToolPath PathRecorder::finish(const Followed::Run& run) {
     if (is_move && row.ends_move && (unknown || before == nullptr)) {
       NotDrawnMoves& moves = path_.not_drawn[static_cast<std::size_t>(NotDrawn::unknown_place)];
       if (moves.count++ == 0) moves.first_line = line;
+      if (row.kind != PathKind::rapid) ++moves.cuts;
     }
     const Spot* const from = before;
     before = unknown ? nullptr : &rows_[i].spot;

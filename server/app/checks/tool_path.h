@@ -31,6 +31,7 @@ enum class NotDrawn : std::uint8_t { unknown_place, machine_coordinates, no_plac
 inline constexpr std::array<std::string_view, 3> kNotDrawnNames = {"unknown_place", "machine_coordinates", "no_place"};
 struct NotDrawnMoves {
   std::uint64_t count = 0;
+  std::uint64_t cuts = 0;  // of these, that are no rapids
   std::uint32_t first_line = 0;
 };
 

@@ -80,6 +80,16 @@ export async function requestBytes(path: string, body?: unknown): Promise<ArrayB
   return response.arrayBuffer();
 }
 
+// A file as the body of a request.
+export async function sendFile<T>(path: string, file: File, key: string): Promise<T> {
+  const headers = { 'Content-Type': file.type || 'application/octet-stream', 'Idempotency-Key': key, ...whoAsks() };
+  const response = await fetch(kBase + path, { method: 'POST', cache: 'no-store', credentials: 'same-origin', headers, body: file }).catch(() => null);
+  if (!response) throw new ApiError(0, noAnswer('POST'));
+  const answer = parse(await response.text());
+  if (!response.ok) throw errorOfProblem(response.status, answer as Partial<Problem> | null);
+  return answer as T;
+}
+
 async function answerOf(method: Method, path: string, options: Options): Promise<string> {
   const headers: Record<string, string> = { Accept: 'application/json, text/plain, image/svg+xml' };
   const init: RequestInit = { method, headers, cache: 'no-store', credentials: 'same-origin' };

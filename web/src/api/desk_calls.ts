@@ -1,7 +1,8 @@
 // The calls of the desk: the library, a program's text, its revisions and checks, families and parts.
 import { everything } from './calls';
-import { request, requestBytes, requestText } from './client';
+import { request, requestBytes, requestText, sendFile } from './client';
 import type {
+  Attachment,
   AuditRow,
   Comparison,
   ConvertOrder,
@@ -14,6 +15,7 @@ import type {
   NewWaiver,
   Page,
   Part,
+  PathPicture,
   Preview,
   Program,
   ProgramRevision,
@@ -27,7 +29,8 @@ import type {
   RestartPreview,
   SearchResult,
   SplitProgram,
-  Statistics, SweepFigures,
+  Statistics,
+  SweepFigures,
   ToolPath,
   Verdict,
   VerdictSummary,
@@ -60,6 +63,9 @@ export interface CheckPicture {
   plot: 'feed' | 'buffer' | 'stock' | 'deviation';
 }
 export type PictureOf = Pick<Verdict, 'program' | 'revision' | 'machine' | 'delivery'>;
+
+// Whose an attached file is.
+export type FileOwner = { program: number } | { family: string } | { part: string } | { order: number };
 
 export interface DiagnoseOrder {
   text: string;
@@ -100,10 +106,15 @@ export const deskCalls = {
     request<Comparison>('POST', `/programs/${id}/compare`, { body: of, timeoutMs: kWorkMs }),
   programPath: (id: number, revision: number, machine: string, delivery: Delivery | null) =>
     request<ToolPath>('GET', `/programs/${id}/path${queryOf({ revision, machine, delivery })}`, { timeoutMs: kWorkMs }),
+  picture: (id: number, revision: number) => request<PathPicture>('GET', `/programs/${id}/picture?revision=${revision}`, { timeoutMs: kWorkMs }),
   pathOfText: (order: PathOrder) => request<ToolPath>('POST', '/path', { body: order, timeoutMs: kWorkMs }),
   programStock: (id: number, revision: number, machine: string, delivery: Delivery | null, stock: string) =>
     requestBytes(`/programs/${id}/stock${queryOf({ revision, machine, delivery, stock })}`),
   stockOfText: (order: PathOrder) => requestBytes('/stock', order),
+  attachments: (owner: FileOwner) => everything<Attachment>('/attachments', Object.fromEntries(Object.entries(owner).map(([name, value]) => [name, String(value)]))),
+  attach: (owner: FileOwner, file: File, key: string) => sendFile<Attachment>(`/attachments${queryOf({ name: file.name, ...owner })}`, file, key),
+  detach: (id: number, reason: string, key: string) => request<Attachment>('POST', `/attachments/${id}/remove`, { body: { reason }, key }),
+  attachmentHref: (id: number) => `/api/v1/attachments/${id}/content`,
   uses: (id: number) => request<ProgramUses>('GET', `/programs/${id}/uses`),
 
   diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),

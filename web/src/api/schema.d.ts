@@ -1120,6 +1120,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/{id}/picture": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * a small drawing of a revision's toolpath, for a list
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_programs_id_picture"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/programs/{id}/stock": {
         parameters: {
             query?: never;
@@ -6718,6 +6738,24 @@ export interface components {
                 deviations_mm: string;
             };
         };
+        /** @description a program's toolpath as a small drawing of lines */
+        PathPicture: {
+            /**
+             * @description of it: turning has z to the right and x up
+             * @enum {string}
+             */
+            view: "turning" | "isometric";
+            /** @description of the drawing; its top left is 0 0 */
+            width: number;
+            /** @description of the drawing */
+            height: number;
+            /** @description path data as SVG has them; empty: no cut is known */
+            cut: string;
+            /** @description path data; may lie outside of the drawing; empty: no rapid is known */
+            rapid: string;
+            /** @description it was run to its end, and no cut lies at a place that is not known */
+            has_all_cuts: boolean;
+        };
         /** @description what a text amounts to; without the programs that it calls */
         Statistics: {
             /** @description in which the text was read */
@@ -11897,6 +11935,48 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ToolPath"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs_id_picture: {
+        parameters: {
+            query?: {
+                /** @description of the text; the newest without */
+                revision?: number;
+            };
+            header?: never;
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description a small drawing of a revision's toolpath, for a list */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PathPicture"];
                 };
             };
             400: components["responses"]["Problem400"];

@@ -47,6 +47,8 @@ export type ReceiptState = Receipt['state'];
 export type StoredLikeness = NonNullable<Receipt['stored']>;
 
 export type ReceivedValues = Schemas['ReceivedValues'];
+export type PathPicture = Schemas['PathPicture'];
+export type Attachment = Schemas['Attachment'];
 export type SweepFigures = Schemas['SweepFigures'];
 
 export type StoreRoom = Schemas['StoreRoom'];

@@ -1,9 +1,11 @@
 // The one table of the page: columns as data, so that heads, cells and the labels of a narrow screen agree. Columns that
-// say what they are sorted by have a button in their head; on a narrow screen, where there are no heads, a field.
+// say what they are sorted by have a button in their head; on a narrow screen, where there are no heads, a field. A table
+// with a name lets a person choose its columns, and the browser keeps the choice.
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { t } from '../i18n/i18n';
 import { sorted, type Order } from '../rules/sorting';
+import { ColumnChoice, useColumns } from './columns';
 import { Icon } from './icon';
 
 export interface Column<Row> {
@@ -12,6 +14,8 @@ export interface Column<Row> {
   cell: (row: Row) => ComponentChildren;
   class?: string;
   by?: (row: Row) => string | number | null; // rows may be sorted by it
+  isExtra?: boolean; // shown when a person asks for it
+  isFixed?: boolean; // shown always
 }
 
 interface Props<Row> {
@@ -21,15 +25,18 @@ interface Props<Row> {
   keyOf: (row: Row) => string | number;
   marks?: (row: Row) => Record<string, string>; // data attributes of a row
   numbers?: boolean;
+  name?: string; // under which the choice of columns is kept
 }
 
-export function Table<Row>({ label, columns, rows, keyOf, marks, numbers = false }: Props<Row>) {
+export function Table<Row>({ label, columns, rows, keyOf, marks, numbers = false, name }: Props<Row>) {
+  const offered = columns.filter((column) => column !== false);
+  const [shown, choose] = useColumns(name, offered);
   const [order, setOrder] = useState<Order | null>(null); // null: as they come
-  const shown = columns.filter((column) => column !== false);
   const by = shown.find(({ id }) => id === order?.id)?.by;
   const press = (id: string) => setOrder((before) => (before?.id !== id ? { id, down: false } : before.down ? null : { id, down: true }));
   return (
     <>
+      {name && <ColumnChoice columns={offered} shown={shown} choose={choose} />}
       <SortField columns={shown} order={order} set={setOrder} />
       <table class={numbers ? 'table table-numbers' : 'table'} aria-label={label}>
         <thead>

@@ -46,6 +46,7 @@ export function JobsView() {
         <Table
           label={t('nav.jobs')}
           rows={jobs}
+          name="jobs"
           keyOf={(job) => job.id}
           marks={(job) => ({ 'data-job': String(job.id), 'data-state': job.state })}
           columns={[

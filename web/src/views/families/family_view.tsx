@@ -1,6 +1,7 @@
 // One family: a form for a new part of it, the parts that it has, and its text.
 import { deskCalls } from '../../api/desk_calls';
 import { t } from '../../i18n/i18n';
+import { AttachedFiles } from '../../parts/attached_files';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
 import { goUnlessLeft, hrefs } from '../../router';
@@ -51,6 +52,7 @@ export function FamilyView({ name }: { name: string }) {
               ))}
             </ul>
           </section>
+          <AttachedFiles owner={{ family: family.name }} may={may} />
           <details>
             <summary>{t('parts.text')}</summary>
             <pre class="text-box" tabIndex={0}>

@@ -6,6 +6,7 @@ import type { Delivery, Rendered } from '../../api/types';
 import { count } from '../../format/numbers';
 import { dateTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
+import { AttachedFiles } from '../../parts/attached_files';
 import { Failure } from '../../parts/failure';
 import { TargetForm, type Fits } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
@@ -62,6 +63,7 @@ export function PartView({ number }: { number: string }) {
               ))}
             </ul>
           </section>
+          <AttachedFiles owner={{ part: number }} may={may} />
         </>
       )}
     </>

@@ -20,6 +20,7 @@ import { person } from '../../state/shop';
 import { useFound, type Found } from './found';
 import { Labels } from './labels';
 import { ArchiveButton } from './orders';
+import { Thumbnail } from './thumbnail';
 import { UploadDialog } from './upload_dialog';
 
 const kTypingMs = 250;
@@ -260,12 +261,18 @@ const Programs = ({ items, isOld, may, changed }: ProgramsProps) => (
     <Table
       label={t('nav.library')}
       rows={items}
+      name="library"
       keyOf={({ program }) => program.id}
       marks={({ program }) => ({ 'data-program': String(program.id) })}
       columns={[
-        { id: 'name', head: t('column.program'), cell: NameCell },
+        { id: 'picture', head: t('column.picture'), class: 'picture-cell', cell: ({ program }) => <Thumbnail program={program} /> },
+        { id: 'name', head: t('column.program'), class: 'program-cell', isFixed: true, cell: NameCell },
         { id: 'labels', head: t('column.filed'), cell: ({ program }) => <Labels program={program} may={may && !program.archived} changed={changed} /> },
         { id: 'revision', head: t('column.revision'), cell: ({ program }) => <RevisionCell program={program} /> },
+        { id: 'dialect', head: t('column.dialect'), isExtra: true, cell: ({ program }) => dialectText(program.dialect) },
+        { id: 'size', head: t('column.size'), isExtra: true, cell: ({ program }) => bytes(program.bytes) },
+        { id: 'part', head: t('column.part'), isExtra: true, cell: ({ program }) => program.origin.part && <a href={hrefs.part(program.origin.part)}>{program.origin.part}</a> },
+        { id: 'machine', head: t('column.made_for'), isExtra: true, cell: ({ program }) => program.origin.machine },
         may && { id: 'orders', head: t('column.orders'), class: 'orders', cell: ({ program }) => <ArchiveButton program={program} changed={changed} /> },
       ]}
     />

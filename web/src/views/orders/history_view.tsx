@@ -179,6 +179,7 @@ const History = ({ rows }: { rows: readonly Job[] }) => (
   <Table
     label={t('title.history')}
     rows={rows}
+    name="history"
     keyOf={({ id }) => id}
     marks={({ id, state }) => ({ 'data-job': String(id), 'data-state': state })}
     columns={[

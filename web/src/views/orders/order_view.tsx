@@ -7,6 +7,7 @@ import { dateTime } from '../../format/times';
 import { jobWording, orderWording } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { programText } from '../../orders/dialogs';
+import { AttachedFiles } from '../../parts/attached_files';
 import { Badge } from '../../parts/badge';
 import { showDialog } from '../../parts/dialog';
 import { Facts } from '../../parts/facts';
@@ -70,6 +71,7 @@ function Shown({ order, changed, again }: { order: Order; changed: (order: Order
           </div>
         )}
       </section>
+      <AttachedFiles owner={{ order: order.id }} may={atLeast(bestRole(), 'programmer')} />
       <JobsOf order={order} may={may && order.state === 'open'} changed={again} />
     </>
   );

@@ -86,6 +86,7 @@ const Orders = ({ rows }: { rows: readonly Order[] }) => (
   <Table
     label={t('nav.orders')}
     rows={rows}
+    name="orders"
     keyOf={({ id }) => id}
     marks={({ id, state }) => ({ 'data-order': String(id), 'data-state': state })}
     columns={[

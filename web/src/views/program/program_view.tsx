@@ -1,11 +1,12 @@
-// One program: its head, and its places, each with an address of its own: text, revisions, comparison, uses, checks,
-// release. What is typed and not saved is kept when one goes from place to place.
+// One program: its head, and its places, each with an address of its own: text, revisions, comparison, uses, files,
+// checks, release. What is typed and not saved is kept when one goes from place to place.
 import { useEffect, useRef } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
 import type { Program } from '../../api/types';
 import { dateTime } from '../../format/times';
 import { dialectText } from '../../format/words';
 import { t } from '../../i18n/i18n';
+import { AttachedFiles } from '../../parts/attached_files';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
 import { atLeast } from '../../rules/roles';
@@ -30,11 +31,14 @@ export interface PlaceProps {
   again: () => void;
 }
 
+const FilesPlace = ({ program, may }: PlaceProps) => <AttachedFiles owner={{ program: program.id }} may={may} />;
+
 const kPlaces: Record<ProgramPlace, (props: PlaceProps) => preact.ComponentChildren> = {
   text: TextPlace,
   revisions: RevisionsPlace,
   compare: ComparePlace,
   uses: UsesPlace,
+  files: FilesPlace,
   checks: ChecksPlace,
   release: ReleasePlace,
 };
