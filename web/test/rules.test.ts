@@ -42,6 +42,8 @@ test('without a live connection nothing can be set in motion', () => {
 
 test('a queued job can be armed on an idle line only', () => {
   assert.deepEqual(offerFor(jobOf(), statusOf(), 'operator', true), { actions: ['arm', 'withdraw'], because: null });
+  const ended = jobOf({ id: 4, state: 'done', end_check: 'part out', needs_end_confirmation: true });
+  assert.deepEqual(offerFor(jobOf(), statusOf(), 'operator', true, 0, ended), { actions: ['withdraw'], because: { id: 'because.end_unconfirmed', values: { job: 4, check: 'part out' } } });
   const timed = jobOf({ not_before_ms: 5000 });
   assert.equal(offerFor(timed, statusOf(), 'approver', true, 4999).because?.id, 'because.too_early');
   assert.deepEqual(offerFor(timed, statusOf(), 'operator', true, 4999).actions, ['withdraw']);
@@ -123,6 +125,11 @@ test('where a machine stands is one word, by what is most urgent', () => {
   assert.equal(key({ line: 'idle', asks_since_ms: 5 }, jobOf({ state: 'done', ended_at_ms: 5 })), 'asks');
   assert.equal(key({ line: 'idle' }, jobOf({ state: 'done', ended_at_ms: 5 }), 3), 'queued');
   assert.equal(key({ line: 'idle', job: 1, plc: { state: 'alarm', program: 0, line: 0, alarm: 7 } }), 'machine_alarm');
+  const ended = jobOf({ id: 4, state: 'done', ended_at_ms: 5, end_check: 'part out', needs_end_confirmation: true });
+  assert.equal(standingOf(now({ line: 'idle', asks_since_ms: 5 }), ended, 3, ended).key, 'end_unconfirmed');
+  assert.equal(standingOf(now({ line: 'disconnected' }), ended, 3, ended).key, 'disconnected');
+  assert.equal(standingOf(now({ line: 'feeding', job: 5 }), jobOf({ state: 'feeding' }), 3, ended).key, 'feeding');
+  assert.ok(standingOf(now({ line: 'idle' }), ended, 0, ended).urgency > kNeedsPerson);
   assert.ok(standingOf(now({ line: 'feeding', job: 1 }), null, 0).urgency < kNeedsPerson);
   assert.ok(standingOf(now({ line: 'held', job: 1, stall: 'stopped' }), null, 0).urgency > kNeedsPerson);
 });

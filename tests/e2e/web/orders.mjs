@@ -1,7 +1,7 @@
 // A planner's work against the real server: orders are added, found, sorted, exported, held and opened; jobs of an
 // approved release are queued for them; parts are reported. And the transfers of the past, with their sums.
 import { readFile } from 'node:fs/promises';
-import { accessible, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, card, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -181,18 +181,45 @@ async function plans(page) {
   await rig.call('POST', `/jobs/${checked}/arm`, {});
   await rig.say('plans', 'dc1');
   await until(async () => (await rig.job(checked)).state === 'done', 'fed', 20_000);
-  const end = page.getByRole('button', { name: `Confirm the end of job ${checked}` });
+  const end = page.getByRole('region', { name: 'Queued for plans' }).getByRole('button', { name: `Confirm the end of job ${checked}` });
   await end.waitFor();
   await shot(page, 'plans-end');
   await accessible(page, 'an end that waits');
-  await end.click();
+  // Nothing else is armed there meanwhile: the machine's main order is the confirmation.
+  await page.goto(`${url}/#/floor`);
+  const plans = card(page, 'plans');
+  await plans.getByText('end to confirm').waitFor();
+  expect(await plans.getByText(`Job ${checked} has ended; to be confirmed: part taken out, chuck closed`).isVisible(), 'the card states what is to be confirmed');
+  expect((await plans.getByRole('button', { name: /^Arm/ }).count()) === 0, 'and offers no arming');
+  await shot(page, 'plans-floor');
+  await plans.getByRole('button', { name: `Confirm the end of job ${checked}` }).click();
   await dialog(page).getByText('part taken out, chuck closed').waitFor();
   await dialog(page).getByLabel(/Note/).fill('on the table');
   await dialog(page).getByRole('button', { name: 'I have seen it' }).click();
-  await end.waitFor({ state: 'detached' });
+  await plans.getByRole('button', { name: /^Arm/ }).waitFor();
   expect((await rig.job(checked)).end_note === 'on the table', 'the note is kept');
   await page.goto(`${url}/#/jobs/${checked}`);
   await page.getByText(/part taken out, chuck closed: confirmed by/).waitFor();
+}
+
+// From the page: a choice of a group's machines with a time and an end to confirm, queued at once.
+async function planned(page) {
+  for (const one of (await rig.call('GET', '/jobs?state=queued&limit=200')).body.items) await rig.call('POST', `/jobs/${one.id}/cancel`);
+  await signIn(page, url, tokens.operator);
+  await page.goto(`${url}/#/releases`);
+  await page.getByRole('row').filter({ hasText: 'plans2' }).getByRole('button', { name: /^Plan a job of release/ }).first().click();
+  await dialog(page).getByRole('combobox', { name: /^For/ }).selectOption('both');
+  await dialog(page).getByLabel(/Not before/).fill('2031-05-06T07:30');
+  await dialog(page).getByLabel(/To be confirmed after its end/).fill('part measured');
+  await accessible(page, 'a job that is planned');
+  await shot(page, 'plans-new');
+  await dialog(page).getByRole('button', { name: 'Queue' }).click();
+  await page.getByText('A person arms one of them').waitFor();
+  await shot(page, 'plans-queued');
+  const { body } = await rig.call('GET', '/jobs?state=queued&limit=200');
+  const made = body.items.filter(({ end_check }) => end_check === 'part measured');
+  expect(made.map(({ machine }) => machine).sort().join() === 'plans,plans2', `one for each machine: ${made.length}`);
+  expect(made[0].choice !== null && made[0].choice === made[1].choice && new Date(made[0].not_before_ms).getFullYear() === 2031, 'they are one choice, not before its time');
 }
 
 async function looks(page) {
@@ -222,5 +249,6 @@ await main([
   ['lists as files', () => withPage(kDesk, files)],
   ['transfers of the past', () => withPage(kDesk, history)],
   ['plans of jobs', () => withPage(kDesk, plans)],
+  ['a job that is planned from the page', () => withPage(kDesk, planned)],
   ['every look', () => withPage(kDesk, looks)],
 ]);

@@ -1,7 +1,7 @@
 // The calls of whoever plans: orders, their jobs, parts that were made.
 import { everything } from './calls';
 import { request } from './client';
-import type { HistorySums, Job, NewOrder, Order, OrderPlan, OrderState, Release } from './types';
+import type { HistorySums, Job, JobChoice, NewChoice, NewJob, NewOrder, Order, OrderPlan, OrderState, Release } from './types';
 
 export const orderCalls = {
   orders: (state: OrderState | '') => everything<Order>('/orders', state === '' ? {} : { state }),
@@ -22,6 +22,8 @@ export const orderCalls = {
     if (filter.from_ms !== null) query.set('from_ms', String(filter.from_ms));
     return request<HistorySums>('GET', `/history/sums?${query.toString()}`);
   },
+  planJob: (job: NewJob, key: string) => request<Job>('POST', '/jobs', { body: job, key }),
+  planChoice: (group: string, choice: NewChoice, key: string) => request<JobChoice>('POST', `/groups/${encodeURIComponent(group)}/jobs`, { body: choice, key }),
   schedule: (job: number, not_before_ms: number | null, key: string) => request<Job>('POST', `/jobs/${job}/schedule`, { body: { not_before_ms }, key }),
   armEarly: (job: number, minutes: number, early_reason: string, key: string) => request<Job>('POST', `/jobs/${job}/arm`, { body: { minutes, early_reason }, key }),
   confirmEnd: (job: number, note: string, key: string) => request<Job>('POST', `/jobs/${job}/confirm-end`, { body: note === '' ? {} : { note }, key }),

@@ -24,6 +24,9 @@ export type Ledger = Schemas['Ledger'];
 export type LedgerRow = Ledger['items'][number];
 export type LedgerInterval = Ledger['interval'];
 
+export type NewJob = Schemas['NewJob'];
+export type NewChoice = Schemas['NewChoice'];
+export type JobChoice = Schemas['JobChoice'];
 export type JobForecast = Schemas['JobForecast'];
 
 export type WireReport = Schemas['EventWire'];

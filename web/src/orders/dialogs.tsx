@@ -9,13 +9,13 @@ import { OrderDialog } from '../parts/dialog';
 import { Facts } from '../parts/facts';
 import { offerFor, type JobAction } from '../rules/job_actions';
 import { kArmMinutes } from '../rules/lines';
-import { coreOfMachine, isLive, jobs, machines, programName, roleOn } from '../state/shop';
+import { coreOfMachine, endedOf, isLive, jobs, machines, programName, roleOn } from '../state/shop';
 
 // Why the order cannot be given now, or null.
 function blockedBecause(id: number, action: JobAction): string | null {
   const job = jobs.value.get(id);
   if (!job) return t('blocked.unknown_job', { job: id });
-  const offer = offerFor(job, coreOfMachine(job.machine), roleOn(job.machine), isLive.value);
+  const offer = offerFor(job, coreOfMachine(job.machine), roleOn(job.machine), isLive.value, Date.now(), endedOf(job.machine));
   if (offer.actions.includes(action)) return null;
   if (!isLive.value) return t('blocked.not_live');
   if (offer.because) return t('blocked.because', { because: t(offer.because.id, offer.because.values) });

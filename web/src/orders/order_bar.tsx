@@ -4,16 +4,17 @@ import { signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../api/calls';
 import { newOrderKey } from '../api/client';
-import type { Job } from '../api/types';
+import type { Job, TornBlock } from '../api/types';
 import { t } from '../i18n/i18n';
 import { minutes } from '../parts/clock';
 import { showDialog } from '../parts/dialog';
 import { Icon, type Shape } from '../parts/icon';
+import { showLazyDialog } from '../parts/lazy';
 import { offerFor, type Because, type JobAction } from '../rules/job_actions';
 import { hasJob, isTorn } from '../rules/lines';
 import { atLeast } from '../rules/roles';
 import { loader } from '../state/loader';
-import { isLive, jobs, queueOf, roleOn, textOf, type Machine } from '../state/shop';
+import { endedOf, isLive, jobs, queueOf, roleOn, textOf, type Machine } from '../state/shop';
 import { ArmDialog, CancelDialog, ResetDialog, ResumeDialog } from './dialogs';
 
 interface Place {
@@ -42,7 +43,8 @@ export function OrderBar({ machine }: { machine: Machine }) {
   const onLine = hasJob(core) && core.job !== null ? (jobs.value.get(core.job) ?? null) : null;
   const next = onLine ? null : (queueOf(machine.name)[0] ?? null);
   const job = onLine ?? next;
-  const offer = job ? offerFor(job, core, roleOn(machine.name), isLive.value, job.not_before_ms === null ? 0 : minutes.value) : { actions: [] as JobAction[], because: null };
+  const ended = onLine ? null : endedOf(machine.name);
+  const offer = job ? offerFor(job, core, roleOn(machine.name), isLive.value, job.not_before_ms === null ? 0 : minutes.value, ended) : { actions: [] as JobAction[], because: null };
 
   const now = async (id: number, call: (id: number, key: string) => Promise<Job>, isStop: boolean) => {
     setError(null);
@@ -63,7 +65,7 @@ export function OrderBar({ machine }: { machine: Machine }) {
   const torn = isTorn(core);
   const places = [
     stopPlace(onLine, offer.actions, core.stop_wanted, (id) => void now(id, calls.stop, true), (id) => void now(id, calls.cancel, false)),
-    mainPlace(machine.name, job, offer.actions, offer.because, torn ? () => showDialog(<ResetDialog machine={machine.name} torn={core.needs_confirmation} />) : null),
+    confirmPlace(machine.name, torn ? core.needs_confirmation : null, ended, (failure) => setError(textOf(failure))) ?? mainPlace(job, offer.actions, offer.because),
     cancelPlace(job, offer.actions),
   ];
   return (
@@ -105,8 +107,17 @@ function stopPlace(job: Job | null, actions: JobAction[], wanted: boolean, stop:
   return { label, name: t('order.stop_job', { job: job.id }), kind: 'stop', icon: 'stop', press: () => stop(job.id) };
 }
 
-function mainPlace(machine: string, job: Job | null, actions: JobAction[], because: Because | null, reset: (() => void) | null): Place {
-  if (reset) return { label: t('order.reset'), name: t('order.reset_of', { machine }), kind: 'danger', press: isLive.value ? reset : null, why: t('because.not_live') };
+// What a person confirms before anything is armed there: the reset after a torn block, or what the last job's end asks for.
+function confirmPlace(machine: string, torn: TornBlock | null, ended: Job | null, failed: (error: unknown) => void): Place | null {
+  const confirm = (words: Pick<Place, 'label' | 'name' | 'kind'>, press: () => void): Place => ({ ...words, press: isLive.value ? press : null, why: t('because.not_live') });
+  if (torn) return confirm({ label: t('order.reset'), name: t('order.reset_of', { machine }), kind: 'danger' }, () => showDialog(<ResetDialog machine={machine} torn={torn} />));
+  if (!ended) return null;
+  // Its dialog is loaded with what else is planned of jobs.
+  const show = () => void showLazyDialog(() => import('../views/orders/plans'), ({ EndDialog }) => <EndDialog job={ended} />).catch(failed);
+  return confirm({ label: t('order.confirm_end'), name: t('order.confirm_end_of', { job: ended.id }), kind: 'main' }, show);
+}
+
+function mainPlace(job: Job | null, actions: JobAction[], because: Because | null): Place {
   if (job && actions.includes('arm'))
     return { label: t('order.arm', { job: job.id }), name: t('order.arm_job', { job: job.id }), kind: 'main', press: () => showDialog(<ArmDialog id={job.id} />) };
   if (job && actions.includes('resume'))

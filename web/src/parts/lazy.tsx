@@ -1,7 +1,9 @@
-// A view whose code is loaded when it is shown first. What cannot be loaded is an error of the view.
-import type { ComponentType } from 'preact';
+// A view whose code is loaded when it is shown first, and a dialog whose code is loaded when it is asked for. What cannot be
+// loaded is an error of the view, or of whoever asked.
+import type { ComponentType, VNode } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { loadAllWords, t } from '../i18n/i18n';
+import { showDialog } from './dialog';
 
 export function lazyView<Props extends object>(load: () => Promise<ComponentType<Props>>): ComponentType<Props> {
   let known: ComponentType<Props> | null = null;
@@ -25,4 +27,9 @@ export function lazyView<Props extends object>(load: () => Promise<ComponentType
     const View = view.is;
     return <View {...props} />;
   };
+}
+
+export async function showLazyDialog<Code>(load: () => Promise<Code>, dialog: (code: Code) => VNode): Promise<void> {
+  const [code] = await Promise.all([load(), loadAllWords()]);
+  showDialog(dialog(code));
 }

@@ -11,6 +11,7 @@ export type StandingKey =
   | 'stopped'
   | 'lost_with_job'
   | 'failed'
+  | 'end_unconfirmed'
   | 'waiting'
   | 'disconnected'
   | 'asks'
@@ -37,6 +38,7 @@ const kStandings = {
   lost_with_job: { key: 'lost_with_job', tone: 'bad', urgency: 85 },
   stopped: { key: 'stopped', tone: 'waiting', urgency: 80 },
   failed: { key: 'failed', tone: 'bad', urgency: 75 },
+  end_unconfirmed: { key: 'end_unconfirmed', tone: 'waiting', urgency: 72 },
   asks: { key: 'asks', tone: 'waiting', urgency: 70 },
   waiting: { key: 'waiting', tone: 'waiting', urgency: 60 },
   armed: { key: 'armed', tone: 'ready', urgency: 55 },
@@ -54,10 +56,10 @@ export type StandingNow = Pick<MachineStatus, 'line' | 'stall' | 'job' | 'needs_
   plc_alarm: number;
 };
 
-// The same object for the same standing.
-export const standingOf = (now: StandingNow, job: Job | null, queued: number): Standing => kStandings[keyOf(now, job, queued)];
+// The same object for the same standing. `ended`: the job whose end a person has not confirmed.
+export const standingOf = (now: StandingNow, job: Job | null, queued: number, ended: Job | null = null): Standing => kStandings[keyOf(now, job, queued, ended)];
 
-function keyOf(status: StandingNow, job: Job | null, queued: number): StandingKey {
+function keyOf(status: StandingNow, job: Job | null, queued: number, ended: Job | null): StandingKey {
   if (isTorn(status)) return 'torn';
   if (stallKind(status.stall) === 'reset') return 'reset_suspected';
   if (status.line === 'disconnected') return isOnTheWay(job) ? 'lost_with_job' : 'disconnected';
@@ -65,6 +67,7 @@ function keyOf(status: StandingNow, job: Job | null, queued: number): StandingKe
   if (status.line === 'receiving' || status.line === 'answering') return status.line;
   if (status.plc_alarm > 0) return 'machine_alarm';
   if (job && (job.state === 'failed' || job.state === 'interrupted')) return 'failed';
+  if (ended) return 'end_unconfirmed';
   if (status.asks_since_ms !== null) return 'asks';
   return queued > 0 ? 'queued' : 'idle';
 }

@@ -83,6 +83,14 @@ export const queues = computed(() => {
 const kNone: Job[] = [];
 export const queueOf = (machine: string): Job[] => queues.value.get(machine) ?? kNone;
 
+// The job of each machine that has ended and whose end no person has confirmed: until then the server arms no other there.
+const ended = computed(() => {
+  const all = new Map<string, Job>();
+  for (const job of jobs.value.values()) if (job.needs_end_confirmation) all.set(job.machine, job);
+  return all;
+});
+export const endedOf = (machine: string): Job | null => ended.value.get(machine) ?? null;
+
 export const coreOfMachine = (machine: string): Core | null => machines.value.get(machine)?.core.value ?? null;
 
 export const programName = (id: number): string | null => programs.value.get(id) ?? null;

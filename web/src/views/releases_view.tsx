@@ -1,13 +1,14 @@
 // A new job: what is released for a machine, each with a button that queues it. Queueing sends nothing.
 import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../api/calls';
-import type { Release } from '../api/types';
+import type { JobChoice, Release } from '../api/types';
 import { shortHash } from '../format/numbers';
 import { dateTime } from '../format/times';
 import { deliveryText, releaseText } from '../format/words';
 import { t } from '../i18n/i18n';
 import { Empty } from '../parts/empty';
 import { Failure } from '../parts/failure';
+import { showLazyDialog } from '../parts/lazy';
 import { Table } from '../parts/table';
 import { isReleased, mayBeQueued } from '../rules/releases';
 import { atLeast } from '../rules/roles';
@@ -17,7 +18,7 @@ import { loader } from '../state/loader';
 
 export function ReleasesView() {
   const [error, setError] = useState<unknown>(null);
-  const [queued, setQueued] = useState<{ machine: string; job: number } | null>(null);
+  const [queued, setQueued] = useState<Queued | null>(null);
   const [busy, setBusy] = useState(false);
   const live = isLive.value;
   useEffect(() => {
@@ -31,12 +32,17 @@ export function ReleasesView() {
     setQueued(null);
     try {
       const job = await loader.order(calls.addJob(release.id));
-      setQueued({ machine: job.machine, job: job.id });
+      setQueued({ jobs: [job], left_out: [] });
     } catch (failure) {
       setError(failure);
     }
     setBusy(false);
   };
+  const plan = (release: Release) =>
+    void showLazyDialog(
+      () => import('./orders/queue_dialog'),
+      ({ QueueDialog }) => <QueueDialog release={release} queued={setQueued} />,
+    ).catch(setError);
   const usable = releases.value.filter(isReleased);
   const may = atLeast(bestRole(), 'operator');
   return (
@@ -44,11 +50,7 @@ export function ReleasesView() {
       <h1 tabIndex={-1}>{t('nav.releases')}</h1>
       <p class="lead">{t('releases.lead')}</p>
       <Failure error={error} />
-      {queued && (
-        <p class="notice tone-good" role="status">
-          {t('releases.queued', { job: queued.job })} <a href={hrefs.machine(queued.machine)}>{t('releases.go', { machine: queued.machine })}</a>
-        </p>
-      )}
+      {queued && <WhatWasQueued of={queued} />}
       {usable.length === 0 ? (
         <Empty
           action={
@@ -80,15 +82,20 @@ export function ReleasesView() {
               class: 'orders',
               cell: (release) =>
                 mayBeQueued(release) && atLeast(roleOn(release.machine), 'operator') && (
-                  <button
-                    type="button"
-                    class="button button-main"
-                    aria-disabled={busy || !live}
-                    onClick={() => live && void queue(release)}
-                    aria-label={t('releases.queue_of', { release: release.id })}
-                  >
-                    {t('releases.queue')}
-                  </button>
+                  <span class="queue-buttons">
+                    <button
+                      type="button"
+                      class="button button-main"
+                      aria-disabled={busy || !live}
+                      onClick={() => live && void queue(release)}
+                      aria-label={t('releases.queue_of', { release: release.id })}
+                    >
+                      {t('releases.queue')}
+                    </button>
+                    <button type="button" class="button" aria-disabled={!live} onClick={() => live && plan(release)} aria-label={t('releases.plan_of', { release: release.id })}>
+                      {t('releases.plan')}
+                    </button>
+                  </span>
                 ),
             },
           ]}
@@ -97,6 +104,22 @@ export function ReleasesView() {
     </>
   );
 }
+
+type Queued = Pick<JobChoice, 'jobs' | 'left_out'>;
+
+const WhatWasQueued = ({ of }: { of: Queued }) => (
+  <div class="notice tone-good" role="status">
+    {of.jobs.map((job) => (
+      <p key={job.id}>
+        {t('releases.queued', { job: job.id })} <a href={hrefs.machine(job.machine)}>{t('releases.go', { machine: job.machine })}</a>
+      </p>
+    ))}
+    {of.jobs.length > 1 && <p>{t('releases.choice')}</p>}
+    {of.left_out.map(({ machine, why }) => (
+      <p key={machine}>{t('releases.left_out', { machine, why })}</p>
+    ))}
+  </div>
+);
 
 const ProgramCell = ({ release }: { release: Release }) => (
   <>

@@ -13,7 +13,7 @@ import { hasJob } from '../../rules/lines';
 import { kNeedsPerson, standingOf, type Standing } from '../../rules/standing';
 import { timeLeftOf } from '../../state/forecasts';
 import { linesOf } from '../../state/program_lines';
-import { alarms, isLive, jobs, programName, queueOf, type Machine } from '../../state/shop';
+import { alarms, endedOf, isLive, jobs, programName, queueOf, type Machine } from '../../state/shop';
 
 export interface Words {
   job: ReadonlySignal<Job | null>; // the one on the line, or the last
@@ -38,7 +38,7 @@ export function wordsOf(machine: Machine): Words {
   const job = computed(() => (core.value.job === null ? null : (jobs.value.get(core.value.job) ?? null)));
   const onLine = computed(() => hasJob(core.value) && core.value.job !== null);
   const queued = computed(() => queueOf(machine.name));
-  const standing = computed(() => standingOf(core.value, job.value, queued.value.length));
+  const standing = computed(() => standingOf(core.value, job.value, queued.value.length, endedOf(machine.name)));
   const count = computed(() => alarmsOf(machine.name));
   const words: Words = {
     job,
@@ -74,6 +74,8 @@ function sentence(machine: Machine, { key }: Standing, job: Job | null): string 
       return t('sentence.waiting', { why: stallText(machine.core.value.stall ?? '') });
     case 'asks':
       return t(queue.length > 0 ? 'sentence.asks_queued' : 'sentence.asks', { job: queue[0]?.id ?? 0 });
+    case 'end_unconfirmed':
+      return t('sentence.end_unconfirmed', { job: endedOf(machine.name)?.id ?? 0, check: endedOf(machine.name)?.end_check ?? '' });
     case 'machine_alarm':
       return t('sentence.machine_alarm', { alarm: machine.core.value.plc_alarm });
     case 'queued':

@@ -88,7 +88,7 @@ const EarlyDialog = ({ job }: { job: Job }) => (
   </OrderDialog>
 );
 
-function EndDialog({ job }: { job: Job }) {
+export function EndDialog({ job }: { job: Job }) {
   const [note, setNote] = useState('');
   return (
     <OrderDialog
