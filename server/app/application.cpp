@@ -72,6 +72,7 @@ Application::Application(const Environment& environment)
       maintenance_(environment.maintenance),
       event_source_(environment.event_source),
       shifts_(environment.shifts),
+      stop_reasons_(store_, clock_, environment.stop_reasons.empty() ? usual_stop_reasons() : environment.stop_reasons),
       links_(environment.links) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
   if (store::Nodes* const nodes = store_.nodes())

@@ -12,6 +12,7 @@
 #include "server/app/jobs/books.h"
 #include "server/app/jobs/jobs.h"
 #include "server/app/jobs/shifts.h"
+#include "server/app/jobs/stop_reasons.h"
 #include "server/app/library/attachments.h"
 #include "server/app/library/library_indexer.h"
 #include "server/app/library/program_lines.h"
@@ -69,7 +70,8 @@ class Application {
     std::string version{};               // of this program, for other nodes
     LibraryLimits limits{};              // of what is stored
     Shifts shifts{};
-    HookSettings hook{};  // asked before each arming
+    std::vector<std::string> stop_reasons{};  // of the shop; empty: the usual ones
+    HookSettings hook{};                      // asked before each arming
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -126,6 +128,7 @@ class Application {
   // nullptr: this is the one server of its store.
   NodeLines* nodes() { return nodes_ ? &*nodes_ : nullptr; }
   [[nodiscard]] const Shifts& shifts() const { return shifts_; }
+  StopReasons& stop_reasons() { return stop_reasons_; }
   // nullptr: there are none.
   Webhooks* webhooks() { return webhooks_ ? &*webhooks_ : nullptr; }
   // nullptr: there is none.
@@ -158,6 +161,7 @@ class Application {
   Maintenance* maintenance_;
   std::string event_source_;
   Shifts shifts_;
+  StopReasons stop_reasons_;
   LinkThread& links_;
   std::once_flag observed_;
   std::optional<Observations> observations_;

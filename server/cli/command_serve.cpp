@@ -270,6 +270,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .version = std::string(kVersion),
                                 .limits = limits_of(options),
                                 .shifts = plan.shifts,
+                                .stop_reasons = options.stop_reason,
                                 .hook = std::move(*hook)});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;

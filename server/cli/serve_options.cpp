@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "server/app/jobs/stop_reasons.h"
 #include "server/app/mqtt.h"
 #include "server/cli/inputs.h"
 #include "server/http/tls.h"
@@ -67,6 +68,8 @@ constexpr Row<std::vector<std::string>> kLists[] = {
      "IP address that may read; must be given where --modbus-listen is not loopback", true},
     {"--shift", &ServerOptions::shift,
      "HH:MM: a shift begins then, by this computer's clock; 06:00, 14:00 and 22:00 by default"},
+    {"--stop-reason", &ServerOptions::stop_reason,
+     "a reason that people choose from when a transfer has stopped, one for each; by default the usual ones"},
     {"--proxy", &ServerOptions::proxy,
      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed", true},
 };
@@ -265,6 +268,8 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
   if (!units) return std::unexpected(units.error());
   auto shifts = app::Shifts::of(options.shift);
   if (!shifts) return app::fail(app::ErrorCode::invalid, "--shift " + shifts.error());
+  if (const std::string why = app::why_no_stop_reasons(options.stop_reason); !why.empty())
+    return app::fail(app::ErrorCode::invalid, "--stop-reason: " + why);
   ServePlan plan{.address = *address, .modbus_units = std::move(*units), .shifts = std::move(*shifts)};
   if (options.modbus_listen.empty()) return plan;
   const auto modbus = http::parse_listen_address(options.modbus_listen);

@@ -24,7 +24,7 @@ constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/machines/{name}/line-test", "line"},
     ScopeRow{"/api/v1/alarms", "line"},
     ScopeRow{"/api/v1/jobs/{id}/arm", "line"},
-    ScopeRow{"/api/v1/jobs/{id}/stop", "line"},
+    ScopeRow{"/api/v1/jobs/{id}/stop", "line"},  // and its reasons
     ScopeRow{"/api/v1/jobs/{id}/cancel", "line"},
     ScopeRow{"/api/v1/jobs/{id}/resume", "line"},
     ScopeRow{"/api/v1/jobs/{id}/confirm-end", "line"},
@@ -79,6 +79,7 @@ struct ActRow {
 constexpr std::array kActRows = {
     ActRow{Method::post, "/api/v1/machines/{name}", Acts::machine_in_path},
     ActRow{Method::put, "/api/v1/machines/{name}", Acts::machine_in_path},
+    ActRow{Method::post, "/api/v1/jobs/{id}/stop-reasons", Acts::job},
     ActRow{Method::post, "/api/v1/jobs/{id}/stop", Acts::anywhere},
     ActRow{Method::post, "/api/v1/jobs/{id}/arm", Acts::job},
     ActRow{Method::post, "/api/v1/jobs/{id}/move", Acts::job},

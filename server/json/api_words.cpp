@@ -54,6 +54,7 @@ constexpr std::array kPaths = {
     PathRow{"/api/v1/orders", "Orders"},
     PathRow{"/api/v1/jobs", "Jobs"},
     PathRow{"/api/v1/history", "Jobs"},
+    PathRow{"/api/v1/stop-reasons", "Jobs"},
     PathRow{"/api/v1/receipts", "Receipts"},
     PathRow{"/api/v1/requests", "Receipts"},
     PathRow{"/api/v1/alarms", "Alarms"},

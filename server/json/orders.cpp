@@ -10,6 +10,7 @@
 #include "server/json/bodies.h"
 #include "server/json/parse.h"
 #include "server/json/records.h"
+#include "server/json/schemas.h"
 
 namespace dripfeed::json {
 
@@ -87,6 +88,15 @@ void read_members(ObjectReader& o, ScheduleBody& into) { o.integer("not_before_m
 
 void read_members(ObjectReader& o, EndBody& into) { o.text("note", into.note); }
 
+void read_members(ObjectReader& o, StopReasonBody& into) {
+  o.proper_name("reason", into.reason);
+  o.text("note", into.note);
+}
+
+Document document_of(const app::StopReason& one) {
+  return {{"job", one.job}, {"reason", one.reason}, {"note", one.note}, {"by", one.by}, {"at_ms", one.at_ms}};
+}
+
 }  // namespace
 
 // One line, which fits on a button's dialog.
@@ -116,6 +126,7 @@ Schemas job_request_schemas() {
       described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
       described<MoveBody>("Move", read_members, "the new place of a queued job"),
       described<ScheduleBody>("JobSchedule", read_members, "when a queued job may be armed"),
+      described<StopReasonBody>("NewStopReason", read_members, "why a transfer stood still or broke off"),
       described<EndBody>("JobEnd", read_members, "a person has done what the job's end asks for"),
   };
 }
@@ -172,6 +183,44 @@ std::string order(const store::Order& order) {
                {"created_by", order.created_by},
                {"created_at_ms", order.created_at_ms},
                {"changed_at_ms", order.changed_at_ms}});
+}
+
+app::Result<StopReasonBody> read_stop_reason_body(std::string_view body) {
+  return read_by<StopReasonBody>(read_members, body);
+}
+
+std::string stop_reason(const app::StopReason& reason) { return dump(document_of(reason)); }
+
+std::string job_stop_reasons(const std::vector<app::StopReason>& reasons) {
+  Document rows = Document::array();
+  for (const app::StopReason& one : reasons) rows.push_back(document_of(one));
+  return dump({{"reasons", std::move(rows)}});
+}
+
+std::string stop_reason_counts(const std::vector<std::string>& offered,
+                               const std::vector<app::StopReasonCount>& counts) {
+  Document rows = Document::array();
+  for (const app::StopReasonCount& one : counts)
+    rows.push_back({{"machine", one.machine}, {"reason", one.reason}, {"count", one.count}});
+  return dump({{"offered", offered}, {"counts", std::move(rows)}});
+}
+
+Schemas stop_reason_schemas() {
+  return {{"StopReason", object("why a transfer stood still or broke off, as a person stated it",
+                                {{"job", integer("its id")},
+                                 {"reason", text("of the shop's list of that time")},
+                                 {"note", text("what they wrote; empty: nothing")},
+                                 {"by", text("who stated it")},
+                                 {"at_ms", time_ms("when")}})},
+          {"JobStopReasons", object("what people stated of a job",
+                                    {{"reasons", list_of(reference("StopReason"), "newest first, 1000 at most")}})},
+          {"StopReasonCounts",
+           object("which reasons there are, and how often each was stated",
+                  {{"offered", list_of(text("a reason"), "that people choose from; --stop-reason")},
+                   {"counts", list_of(object("a reason at a machine", {{"machine", text("its name")},
+                                                                       {"reason", text("of the list of that time")},
+                                                                       {"count", integer("how often it was stated")}}),
+                                      "in the time that is asked for, the most frequent first")}})}};
 }
 
 }  // namespace dripfeed::json

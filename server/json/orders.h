@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "server/app/base/error.h"
 #include "server/app/jobs/choices.h"
+#include "server/app/jobs/stop_reasons.h"
 #include "server/app/shop/sign_in.h"
 #include "server/json/schemas.h"
 
@@ -64,5 +66,17 @@ app::Result<EndBody> read_end_body(std::string_view body);
 Schemas job_request_schemas();
 
 std::string choice(const app::Choice& choice);
+
+// Why a transfer stood still or broke off.
+struct StopReasonBody {
+  std::string reason;
+  std::string note;
+};
+app::Result<StopReasonBody> read_stop_reason_body(std::string_view body);
+
+std::string stop_reason(const app::StopReason& reason);
+std::string job_stop_reasons(const std::vector<app::StopReason>& reasons);
+std::string stop_reason_counts(const std::vector<std::string>& offered,
+                               const std::vector<app::StopReasonCount>& counts);
 
 }  // namespace dripfeed::json

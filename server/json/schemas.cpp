@@ -29,10 +29,11 @@ Schemas read_schemas() {
 
 Schemas all_schemas() {
   using Table = Schemas (*)();
-  static constexpr Table kTables[] = {
-      site_schemas,    read_schemas,    machine_schemas, catalog_schemas, program_schemas, check_schemas,
-      compare_schemas, library_schemas, editing_schemas, path_schemas,    measure_schemas, job_schemas,
-      history_schemas, receipt_schemas, people_schemas,  store_schemas,   webhook_schemas, order_schemas};
+  static constexpr Table kTables[] = {site_schemas,    read_schemas,        machine_schemas, catalog_schemas,
+                                      program_schemas, check_schemas,       compare_schemas, library_schemas,
+                                      editing_schemas, path_schemas,        measure_schemas, job_schemas,
+                                      history_schemas, stop_reason_schemas, receipt_schemas, people_schemas,
+                                      store_schemas,   webhook_schemas,     order_schemas};
   Schemas all;
   for (const Table table : kTables) {
     Schemas some = table();

@@ -30,6 +30,7 @@ Schemas editing_schemas();  // faults of a text while it is written, words of a 
 Schemas measure_schemas();  // figures that are not kept, sweeps
 Schemas job_schemas();      // releases, jobs, ledgers
 Schemas history_schemas();  // sums of the past
+Schemas stop_reason_schemas();
 Schemas receipt_schemas();  // receipts and requests of operators
 Schemas store_schemas();    // the whole store, its backups
 Schemas webhook_schemas();  // events for other systems, webhooks

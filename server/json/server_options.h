@@ -33,9 +33,10 @@ struct ServerOptions {
   std::string mqtt_password_file{};
   std::string mqtt_client_id{};  // "": by the computer's name
   std::string mqtt_prefix = "dripfeed";
-  std::string mqtt_ca{};             // PEM; "": whom the system believes
-  std::vector<std::string> shift{};  // "06:00"; empty: 06:00, 14:00 and 22:00
-  std::string arming_hook{};         // URL that is asked before an arming; "": none
+  std::string mqtt_ca{};                   // PEM; "": whom the system believes
+  std::vector<std::string> shift{};        // "06:00"; empty: 06:00, 14:00 and 22:00
+  std::vector<std::string> stop_reason{};  // empty: the usual ones
+  std::string arming_hook{};               // URL that is asked before an arming; "": none
   std::string arming_hook_secret_file{};
   std::string arming_hook_unanswered = "refuse";  // or "warn"
   bool arming_hook_local = false;

@@ -41,6 +41,8 @@ def what_it_says(folder):
     expect("--store" in check(folder, {"node": "hall-1"}, code=2), "a node without a store that is shared")
     expect("not 0..65535" in check(folder, {"modbus_listen": ":x"}, code=2), "no address")
     expect("\"6:00\" is no time of day" in check(folder, {"shift": ["6:00"]}, code=2), "no time of day")
+    expect("there twice" in check(folder, {"stop_reason": ["a", "a"]}, code=2), "a reason twice")
+    expect("colon" in check(folder, {"stop_reason": ["a: b"]}, code=2), "a reason with a colon")
     expect("same time" in check(folder, {"shift": ["06:00", "06:00"]}, code=2), "a shift twice")
     expect("go together" in check(folder, {"arming_hook": "https://erp.shop/may-i"}, code=2), "a hook without its secret")
     expect("refuse or warn" in check(folder, {"arming_hook_unanswered": "arm"}, code=2), "no word for it")
@@ -53,7 +55,7 @@ def the_schema(folder):
     validator = Draft202012Validator(schema)
     whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "node": "hall-1", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
-             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "shift": ["05:30", "17:30"],
+             "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "shift": ["05:30", "17:30"], "stop_reason": ["tool broken", "no material"],
              "arming_hook": "https://erp.shop/may-i", "arming_hook_secret_file": "/etc/dripfeed/hook", "arming_hook_unanswered": "warn", "arming_hook_local": True,
              "arming_hook_seconds": 2, "check_seconds": 1, "check_memory": 64,
              "program_mb": 1, "attachment_mb": 64, "store_mb": 0, "delete_after_days": 0}

@@ -159,11 +159,14 @@ def rows(made):
         ("POST", "/api/v1/jobs/{id}/move", "operator", {"id": "job"}, {"before": None}, {}),
         ("POST", "/api/v1/jobs/{id}/schedule", "operator", {"id": "job"}, {}, {}),
         ("GET", "/api/v1/history/sums", "viewer", {}, None, {}),
+        ("GET", "/api/v1/stop-reasons", "viewer", {}, None, {}),
+        ("GET", "/api/v1/jobs/{id}/stop-reasons", "viewer", {"id": "job"}, None, {}),
         ("POST", "/api/v1/jobs/{id}/arm", "operator", {"id": "job"}, {}, {"ready": "idle"}),
         ("POST", "/api/v1/jobs/{id}/stop", "operator", {"id": "job"}, {}, {"ready": "feeding"}),
         ("POST", "/api/v1/jobs/{id}/resume", "operator", {"id": "job"}, {"reason": "looked at it"}, {"ready": "stopped"}),
         ("POST", "/api/v1/jobs/{id}/cancel", "operator", {"id": "job"}, {}, {}),
         ("POST", "/api/v1/jobs/{id}/confirm-end", "operator", {"id": "job"}, {"note": "on the table"}, {"ready": "ended"}),
+        ("POST", "/api/v1/jobs/{id}/stop-reasons", "operator", {"id": "job"}, {"reason": "tool broken"}, {}),
         ("GET", "/api/v1/work", "viewer", {}, None, {}),
         ("DELETE", "/api/v1/work/{id}", "programmer", {"id": "work"}, None, {"ready": "working"}),
         ("GET", "/api/v1/jobs/{id}/ledger", "viewer", {"id": "job"}, None, {}),
@@ -184,7 +187,7 @@ ON_ONE_MACHINE = {
     ("POST", "/api/v1/releases/{id}/restarts"), ("POST", "/api/v1/receipts/{id}/accept"), ("POST", "/api/v1/receipts/{id}/discard"), ("POST", "/api/v1/receipts/{id}/explain"),
     ("POST", "/api/v1/alarms/{id}/shelve"), ("POST", "/api/v1/alarms/{id}/unshelve"), ("POST", "/api/v1/alarms/{id}/acknowledge"),
     ("POST", "/api/v1/jobs"), ("POST", "/api/v1/jobs/{id}/move"), ("POST", "/api/v1/jobs/{id}/arm"), ("POST", "/api/v1/jobs/{id}/resume"),
-    ("POST", "/api/v1/jobs/{id}/cancel"), ("POST", "/api/v1/jobs/{id}/schedule"), ("POST", "/api/v1/jobs/{id}/confirm-end"), ("POST", "/api/v1/groups/{name}/jobs"),
+    ("POST", "/api/v1/jobs/{id}/cancel"), ("POST", "/api/v1/jobs/{id}/schedule"), ("POST", "/api/v1/jobs/{id}/confirm-end"), ("POST", "/api/v1/jobs/{id}/stop-reasons"), ("POST", "/api/v1/groups/{name}/jobs"),
 }
 # Whoever operates one machine may stop them all, and try a text on no machine.
 ON_ANY = {("POST", "/api/v1/jobs/{id}/stop"), ("POST", "/api/v1/path"), ("POST", "/api/v1/stock"), ("POST", "/api/v1/diagnose"), ("POST", "/api/v1/convert"),

@@ -499,6 +499,36 @@ async function restartAtLine(page) {
   expect((await rig.got('restart')) === got, 'nothing of it was sent');
 }
 
+// A person's own arrangement of a machine's view; a tablet at the machine has none to change.
+async function arrange(page) {
+  await rig.machine('arranged', { jobs: 1 });
+  await signIn(page, url, tokens.operator);
+  await page.goto(`${url}/#/machines/arranged`);
+  const order = () => page.locator('.machine-parts > div').evaluateAll((columns) => columns.map((column) => [...column.querySelectorAll('[data-part]')].map((part) => part.dataset.part).join()));
+  await page.getByText('Arrange this view').waitFor();
+  expect((await order()).join(' | ') === 'on_line,queue,line,history | alarms,use,calibration', `at first: ${await order()}`);
+  await page.getByText('Arrange this view').click();
+  expect(await page.getByRole('checkbox', { name: 'Alarms' }).isDisabled(), 'alarms cannot be hidden');
+  await page.getByRole('button', { name: 'Queue up' }).click();
+  await page.getByRole('button', { name: 'Other column Use', exact: false }).first().click();
+  await page.getByRole('checkbox', { name: 'Calibration' }).uncheck();
+  const own = 'queue,use,on_line,line,history | alarms';
+  expect((await order()).join(' | ') === own, `arranged: ${await order()}`);
+  await accessible(page, 'an arranged view');
+  await shot(page, 'machine-arranged');
+  await page.reload();
+  await live(page);
+  await page.locator('[data-part="history"]').waitFor({ state: 'attached' });
+  expect((await order()).join(' | ') === own, 'it outlives a reload');
+  await page.goto(`${url}/#/machines/arranged?station=1`);
+  await page.getByLabel(/This screen belongs to this machine/).waitFor();
+  expect((await page.getByText('Arrange this view').count()) === 0, 'a tablet at the machine changes none of it');
+  await page.goto(`${url}/#/machines/arranged`);
+  await page.getByText('Arrange this view').click();
+  await page.getByRole('button', { name: 'Reset the arrangement' }).click();
+  expect((await order()).join(' | ') === 'on_line,queue,line,history | alarms,use,calibration', 'and back');
+}
+
 await main([
   ['restart at a line', () => withPage(kDesk, restartAtLine)],
   ['operator', () => withPage(kDesk, operator)],
@@ -516,6 +546,7 @@ await main([
   ['signs in by PIN', () => withPage(kDesk, signsInByPin)],
   ['keyboard', () => withPage(kDesk, keyboard)],
   ['badge and station', () => withPage(kTablet, badgeAndStation)],
+  ['an arrangement of one\'s own', () => withPage(kDesk, arrange)],
   ['german', () => withPage(kDesk, german)],
   ['many jobs', () => withPage(kDesk, manyJobs)],
   ['phone', () => withPage(kPhone, everywhere('phone'))],

@@ -1,7 +1,7 @@
 // A planner's work against the real server: orders are added, found, sorted, exported, held and opened; jobs of an
 // approved release are queued for them; parts are reported. And the transfers of the past, with their sums.
 import { readFile } from 'node:fs/promises';
-import { accessible, card, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, card, expect, fits, live, main, shot, signIn, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -222,6 +222,43 @@ async function planned(page) {
   expect(made[0].choice !== null && made[0].choice === made[1].choice && new Date(made[0].not_before_ms).getFullYear() === 2031, 'they are one choice, not before its time');
 }
 
+// Why a transfer was stopped: stated at the machine by one touch, seen at the job, counted in the history.
+async function stops(page) {
+  const [job] = await rig.machine('stops', { jobs: 1, blocks: 600, baud: 9600 });
+  await rig.call('POST', `/jobs/${job}/arm`, {});
+  await rig.say('stops', 'dc1');
+  await until(async () => (await rig.got('stops')) > 200, 'it is fed');
+  await signIn(page, url, tokens.operator);
+  await page.goto(`${url}/#/machines/stops`);
+  const reasons = page.getByRole('region', { name: `Why job ${job} stopped` });
+  await page.locator('[data-part="queue"]').waitFor();
+  expect((await reasons.count()) === 0, 'while it is fed it asks for no reason');
+  await page.getByRole('button', { name: `Stop at block end, job ${job}` }).click();
+  await reasons.getByText('Nothing is stated yet.').waitFor();
+  await reasons.getByLabel(/^Note/).fill('insert of T3');
+  await accessible(page, 'a stop without a reason');
+  await reasons.getByRole('button', { name: 'tool broken' }).click();
+  await reasons.getByRole('listitem').getByText('tool broken').waitFor();
+  await shot(page, 'stops-machine');
+  expect((await rig.job(job)).state === 'held', 'it goes on being held');
+  await reasons.getByRole('button', { name: 'measuring' }).click();
+  await reasons.getByRole('listitem').getByText('measuring').waitFor();
+  await rig.call('POST', `/jobs/${job}/cancel`);
+  await page.goto(`${url}/#/jobs/${job}`);
+  await reasons.getByText('insert of T3').waitFor();
+  await accessible(page, 'a job with its reasons');
+  await page.goto(`${url}/#/history`);
+  const row = page.getByRole('region', { name: 'Stops by reason' }).getByRole('row').filter({ hasText: 'tool broken' });
+  await row.waitFor();
+  expect((await row.innerText()).includes('stops'), 'the history counts it for its machine');
+  await accessible(page, 'the history with reasons');
+  await shot(page, 'stops-history');
+  await page.setViewportSize(kPhone);
+  await page.goto(`${url}/#/machines/stops`);
+  await reasons.waitFor();
+  await fits(page, 'reasons on a phone');
+}
+
 async function looks(page) {
   await signIn(page, url, tokens.operator);
   const { id } = await only('A-77');
@@ -250,5 +287,6 @@ await main([
   ['transfers of the past', () => withPage(kDesk, history)],
   ['plans of jobs', () => withPage(kDesk, plans)],
   ['a job that is planned from the page', () => withPage(kDesk, planned)],
+  ['why transfers were stopped', () => withPage(kDesk, stops)],
   ['every look', () => withPage(kDesk, looks)],
 ]);

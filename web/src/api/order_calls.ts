@@ -1,7 +1,7 @@
 // The calls of whoever plans: orders, their jobs, parts that were made.
 import { everything } from './calls';
 import { request } from './client';
-import type { HistorySums, Job, JobChoice, NewChoice, NewJob, NewOrder, Order, OrderPlan, OrderState, Release } from './types';
+import type { HistorySums, Job, JobChoice, NewChoice, NewJob, NewOrder, Order, OrderPlan, OrderState, Release, StopReason, StopReasonCounts } from './types';
 
 export const orderCalls = {
   orders: (state: OrderState | '') => everything<Order>('/orders', state === '' ? {} : { state }),
@@ -27,5 +27,14 @@ export const orderCalls = {
   schedule: (job: number, not_before_ms: number | null, key: string) => request<Job>('POST', `/jobs/${job}/schedule`, { body: { not_before_ms }, key }),
   armEarly: (job: number, minutes: number, early_reason: string, key: string) => request<Job>('POST', `/jobs/${job}/arm`, { body: { minutes, early_reason }, key }),
   confirmEnd: (job: number, note: string, key: string) => request<Job>('POST', `/jobs/${job}/confirm-end`, { body: note === '' ? {} : { note }, key }),
+  stopReasons: (filter: { machine: string; from_ms: number | null }) => {
+    const query = new URLSearchParams();
+    if (filter.machine !== '') query.set('machine', filter.machine);
+    if (filter.from_ms !== null) query.set('from_ms', String(filter.from_ms));
+    return request<StopReasonCounts>('GET', `/stop-reasons?${query.toString()}`);
+  },
+  jobStopReasons: (job: number) => request<{ reasons: StopReason[] }>('GET', `/jobs/${job}/stop-reasons`).then(({ reasons }) => reasons),
+  stateStopReason: (job: number, reason: string, note: string, key: string) =>
+    request<StopReason>('POST', `/jobs/${job}/stop-reasons`, { body: { reason, ...(note === '' ? {} : { note }) }, key }),
   releases: () => everything<Release>('/releases'),
 };

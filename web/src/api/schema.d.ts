@@ -2084,6 +2084,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/stop-reasons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * why a job stood still or broke off, as people stated it
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_jobs_id_stop_reasons"];
+        put?: never;
+        /**
+         * state why a job stood still or broke off; it changes nothing else
+         * @description Needs the role `operator`. A token with scopes needs `line`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_stop_reasons"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/stop": {
         parameters: {
             query?: never;
@@ -2156,6 +2180,26 @@ export interface paths {
          * @description Needs the role `viewer`.
          */
         get: operations["get_history_sums"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/stop-reasons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * which reasons of a stop there are, and how often each was stated in a time
+         * @description Needs the role `viewer`.
+         */
+        get: operations["get_stop_reasons"];
         put?: never;
         post?: never;
         delete?: never;
@@ -4298,6 +4342,13 @@ export interface components {
         JobSchedule: {
             /** @description before this time it is armed only with a reason, in ms since 1970; not given: at any time */
             not_before_ms?: number | null;
+        };
+        /** @description why a transfer stood still or broke off */
+        NewStopReason: {
+            /** @description for the record */
+            reason: string;
+            /** @description for the record; of an approval the sign-off */
+            note?: string | null;
         };
         /** @description a person has done what the job's end asks for */
         JobEnd: {
@@ -7645,6 +7696,38 @@ export interface components {
                 forecast_took_s: number;
                 /** @description `line_s` of `line_free_s`; null: nothing was timed */
                 line_use: number | null;
+            }[];
+        };
+        /** @description why a transfer stood still or broke off, as a person stated it */
+        StopReason: {
+            /** @description its id */
+            job: number;
+            /** @description of the shop's list of that time */
+            reason: string;
+            /** @description what they wrote; empty: nothing */
+            note: string;
+            /** @description who stated it */
+            by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            at_ms: number;
+        };
+        /** @description what people stated of a job */
+        JobStopReasons: {
+            /** @description newest first, 1000 at most */
+            reasons: components["schemas"]["StopReason"][];
+        };
+        /** @description which reasons there are, and how often each was stated */
+        StopReasonCounts: {
+            /** @description that people choose from; --stop-reason */
+            offered: string[];
+            /** @description in the time that is asked for, the most frequent first */
+            counts: {
+                /** @description its name */
+                machine: string;
+                /** @description of the list of that time */
+                reason: string;
+                /** @description how often it was stated */
+                count: number;
             }[];
         };
         /** @description a program that a control punched */
@@ -14437,6 +14520,96 @@ export interface operations {
             };
         };
     };
+    get_jobs_id_stop_reasons: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description why a job stood still or broke off, as people stated it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobStopReasons"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_stop_reasons: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewStopReason"];
+            };
+        };
+        responses: {
+            /** @description state why a job stood still or broke off; it changes nothing else */
+            201: {
+                headers: {
+                    /** @description the path of what was made */
+                    Location: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StopReason"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_jobs_id_stop: {
         parameters: {
             query?: never;
@@ -14605,6 +14778,48 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["HistorySums"];
                     "text/csv": string;
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_stop_reasons: {
+        parameters: {
+            query?: {
+                /** @description only those of this machine */
+                machine?: string;
+                /** @description from this time on, in ms since 1970, UTC */
+                from_ms?: number;
+                /** @description before this time, in ms since 1970, UTC */
+                to_ms?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description which reasons of a stop there are, and how often each was stated in a time */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StopReasonCounts"];
                 };
             };
             400: components["responses"]["Problem400"];

@@ -27,6 +27,8 @@ export type LedgerInterval = Ledger['interval'];
 export type NewJob = Schemas['NewJob'];
 export type NewChoice = Schemas['NewChoice'];
 export type JobChoice = Schemas['JobChoice'];
+export type StopReason = Schemas['StopReason'];
+export type StopReasonCounts = Schemas['StopReasonCounts'];
 export type JobForecast = Schemas['JobForecast'];
 
 export type WireReport = Schemas['EventWire'];

@@ -24,7 +24,10 @@ import { NotFound } from './not_found';
 
 // Few look for it, so its code is loaded with it.
 const Plan = lazyView(() => import('./orders/plans').then((file) => file.Plan));
+const StopReasons = lazyView(() => import('./orders/stop_reasons').then((file) => file.StopReasons));
 const RestartPlace = lazyView(() => import('./restart_place').then((code) => code.RestartPlace));
+
+const Stopped = ({ job }: { job: Job }) => (job.started_at_ms !== null && job.state !== 'feeding' ? <StopReasons job={job} /> : null);
 
 const Planned = ({ job }: { job: Job }) => (job.state === 'queued' || hasPlan(job) ? <Plan job={job} /> : null);
 
@@ -61,6 +64,7 @@ export function JobView({ id }: { id: number }) {
             <Planned job={job} />
           </section>
           {mayRestart(job) && atLeast(roleOn(job.machine), 'operator') && <RestartPlace key={job.id} job={job} />}
+          <Stopped key={`stops ${job.id}`} job={job} />
           <LedgerView job={job} />
         </>
       )}

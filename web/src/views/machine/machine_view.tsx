@@ -7,6 +7,7 @@ import { dialectText, stallText } from '../../format/words';
 import { duration } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { showDialog } from '../../parts/dialog';
+import { Arranged, type DrawnPart } from '../../parts/arrange';
 import { Badge } from '../../parts/badge';
 import { Facts } from '../../parts/facts';
 import { Failure } from '../../parts/failure';
@@ -31,6 +32,7 @@ import { Queue } from './queue';
 import { Use } from './use';
 
 // Below what a person looks for first, so its code comes after it.
+const StopReasons = lazyView(() => import('../orders/stop_reasons').then((file) => file.StopReasons));
 const History = lazyView(() => import('./history').then((file) => file.History));
 
 export function MachineView({ name }: { name: string }) {
@@ -62,28 +64,26 @@ function Whole({ machine }: { machine: Machine }) {
         <WireBar status={machine.status} />
         <p class="machine-remark">{remark}</p>
       </header>
-      <div class="machine-parts">
-        <div>
-          <OnLine machine={machine} />
-          <Queue machine={machine} />
-          <LinePart machine={machine} whole={whole} />
-          <History machine={machine.name} />
-        </div>
-        <div>
-          <MachineAlarms name={machine.name} />
-          <UsePart name={machine.name} />
-          <Calibration whole={whole} />
-          <section class="card">
-            <label class="choice">
-              <input type="checkbox" checked={isStation} onChange={(event) => changeQuery('station', event.currentTarget.checked ? '1' : null)} />
-              {t('station.bind')}
-            </label>
-          </section>
-        </div>
-      </div>
+      <Arranged name="machine" class="machine-parts" parts={partsOf(machine, whole)} isBound={isStation} />
+      <label class="choice">
+        <input type="checkbox" checked={isStation} onChange={(event) => changeQuery('station', event.currentTarget.checked ? '1' : null)} />
+        {t('station.bind')}
+      </label>
     </div>
   );
 }
+
+// What is on the line and what asks for a person cannot be hidden.
+const partsOf = (machine: Machine, whole: MachineWhole | null): DrawnPart[] => [
+  { id: 'on_line', column: 0, isFixed: true, title: t('machine.on_line'), draw: () => <OnLine machine={machine} /> },
+  { id: 'stops', column: 0, title: t('stops.title'), draw: () => <StoppedJob machine={machine} /> },
+  { id: 'queue', column: 0, title: t('queue.title'), draw: () => <Queue machine={machine} /> },
+  { id: 'line', column: 0, title: t('line.title'), draw: () => <LinePart machine={machine} whole={whole} /> },
+  { id: 'history', column: 0, title: t('history.title'), draw: () => <History machine={machine.name} /> },
+  { id: 'alarms', column: 1, isFixed: true, title: t('nav.alarms'), draw: () => <MachineAlarms name={machine.name} /> },
+  { id: 'use', column: 1, title: t('use.title'), draw: () => <UsePart name={machine.name} /> },
+  { id: 'calibration', column: 1, title: t('calibration.title'), draw: () => <Calibration whole={whole} /> },
+];
 
 // The machine with its profile, as of the revision that is known; null while it is not there.
 function useWhole(machine: Machine): MachineWhole | null {
@@ -126,6 +126,14 @@ function OnLine({ machine }: { machine: Machine }) {
       </details>
     </section>
   );
+}
+
+// Of the job that a person stopped, or that did not end well.
+function StoppedJob({ machine }: { machine: Machine }) {
+  const { job, standing } = wordsOf(machine);
+  const now = job.value;
+  const broke = now !== null && (now.state === 'failed' || now.state === 'interrupted' || now.state === 'cancelled');
+  return now && now.started_at_ms !== null && (broke || standing.value.key === 'stopped') ? <StopReasons key={now.id} job={now} /> : null;
 }
 
 function MachineAlarms({ name }: { name: string }) {

@@ -22,6 +22,7 @@ import { isoTime, type CsvColumn } from '../../rules/csv';
 import { againstForecast, durationOf, kEndedStates, kGroupings, kRanges, rangeBegin, type Grouping } from '../../rules/history';
 import { loader } from '../../state/loader';
 import { takeJobs } from '../../state/changes';
+import { reasonText } from './stop_reasons';
 
 const kPage = 200;
 
@@ -108,6 +109,7 @@ function Sums({ state, machine, by, days }: { state: JobState | ''; machine: str
         />
       </div>
       {value && by !== '' && <Groups groups={value.groups} by={by} />}
+      <StopsByReason machine={machine} from_ms={from_ms} />
     </section>
   );
 }
@@ -174,6 +176,30 @@ const groupCsv = (by: Grouping): CsvColumn<HistoryGroup>[] => [
   { head: 'to', of: ({ to_ms }) => isoTime(to_ms) },
   ...kFigures.map((figure): CsvColumn<HistoryGroup> => ({ head: figure, of: (group) => group[figure] })),
 ];
+
+// How often people stated which reason, in the time of the sums.
+function StopsByReason({ machine, from_ms }: { machine: string; from_ms: number | null }) {
+  const { value, error } = useLoaded(`stops ${machine} ${from_ms ?? ''}`, () => orderCalls.stopReasons({ machine, from_ms }));
+  return (
+    <section aria-label={t('stops.by_reason')}>
+      <h3>{t('stops.by_reason')}</h3>
+      <Failure error={error} />
+      {value?.counts.length === 0 && <p class="quiet-text">{t('stops.no_count')}</p>}
+      {value && value.counts.length > 0 && (
+        <Table
+          label={t('stops.by_reason')}
+          rows={value.counts}
+          keyOf={(one) => `${one.machine} ${one.reason}`}
+          columns={[
+            { id: 'reason', head: t('column.reason'), by: ({ reason }) => reasonText(reason), cell: ({ reason }) => reasonText(reason) },
+            { id: 'machine', head: t('column.machine'), by: (one) => one.machine, cell: (one) => <a href={hrefs.machine(one.machine)}>{one.machine}</a> },
+            { id: 'count', head: t('stops.count'), by: (one) => one.count, cell: (one) => count(one.count) },
+          ]}
+        />
+      )}
+    </section>
+  );
+}
 
 const History = ({ rows }: { rows: readonly Job[] }) => (
   <Table
