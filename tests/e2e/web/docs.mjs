@@ -102,6 +102,18 @@ async function looks(page) {
   expect(true, 'an index that cannot be read is stated');
 }
 
+// At the viewport of a small desk.
+async function drawings(page) {
+  for (const name of ['architecture', 'families']) {
+    await page.goto(`${url}/docs/${name}`);
+    const wide = await page.locator('.wide:has(> svg)').evaluateAll((all) => all.map((one) => [one.querySelector('title')?.textContent ?? '', one.scrollWidth - one.clientWidth]));
+    const cut = wide.filter(([, by]) => by > 0);
+    expect(wide.length > 0 && cut.length === 0, `none of the ${wide.length} drawings of ${name} scrolls sideways (${cut.join('; ') || 'none'})`);
+  }
+  await page.goto(`${url}/docs/architecture#the-state-machines`);
+  await shot(page, 'docs-drawing');
+}
+
 async function withoutScripts(page) {
   await page.goto(`${url}/docs/safety`);
   expect(!(await page.locator('.docs-search').isVisible()), 'there is no field');
@@ -113,5 +125,6 @@ await main([
   ['addresses', () => withPage({}, addresses)],
   ['on a phone', () => withPage({ viewport: { width: 390, height: 800 }, hasTouch: true }, onAPhone)],
   ['in the dark', () => withPage({ colorScheme: 'dark' }, looks)],
+  ['drawings', () => withPage({}, drawings)],
   ['without scripts', () => withPage({ javaScriptEnabled: false }, withoutScripts)],
 ]);
