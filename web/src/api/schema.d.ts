@@ -4668,16 +4668,16 @@ export interface components {
                 /** @description serial:/dev/serial/by-id/NAME, tcp://host:port, rfc2217://host:port, modbus-tcp://host:port/unit, dir:/folder and others (connecting.md) */
                 url: string;
                 /**
-                 * @description what the line speaks
+                 * @description what the line speaks; not given: dc-codes
                  * @enum {string|null}
                  */
                 protocol?: "dc-codes" | "remote-buffer-b" | "xmodem" | "xmodem-crc" | "xmodem-1k" | "remote-buffer-a" | "3964" | "3964r" | "ymodem" | null;
-                /** @description in bit/s */
+                /** @description in bit/s; not given: 9600 */
                 baud?: number | null;
-                /** @description data bits, parity, stop bits: "7E2", "8N1" */
+                /** @description data bits, parity, stop bits: "7E2", "8N1"; not given: 7E2, for a packet protocol 8N1 */
                 framing?: string | null;
                 /**
-                 * @description of the characters on the line
+                 * @description of the characters on the line; not given: iso, for a packet protocol ascii
                  * @enum {string|null}
                  */
                 code?: "ascii" | "iso" | "eia" | null;
@@ -4696,117 +4696,117 @@ export interface components {
                     /** @description its EIA code */
                     ":"?: number | null;
                 } | null;
-                /** @description end of block: lf, cr-lf, lf-cr-cr, cr, or up to four of lf, cr and hex codes, as cr-lf-lf */
+                /** @description end of block: lf, cr-lf, lf-cr-cr, cr, or up to four of lf, cr and hex codes, as cr-lf-lf; not given: lf */
                 eob?: string | null;
-                /** @description TV check: a blank makes the number of characters of a block even where it is odd */
+                /** @description TV check: a blank makes the number of characters of a block even where it is odd; not given: false */
                 pad_tv?: boolean | null;
                 /**
-                 * @description character of leader and trailer
+                 * @description character of leader and trailer; not given: nul
                  * @enum {string|null}
                  */
                 filler?: "nul" | "del" | null;
-                /** @description characters before the text */
+                /** @description characters before the text; not given: 0 */
                 leader?: number | null;
-                /** @description characters after the text */
+                /** @description characters after the text; not given: 0 */
                 trailer?: number | null;
                 /**
-                 * @description what starts a transfer
+                 * @description what starts a transfer; not given: dc1
                  * @enum {string|null}
                  */
                 start?: "dc1" | "at-once" | "trigger" | null;
                 /** @description of a start by trigger: what the control sends */
                 start_trigger?: string | null;
                 /**
-                 * @description what holds the sender
+                 * @description what holds the sender; not given: xonxoff, for a packet protocol none
                  * @enum {string|null}
                  */
                 flow?: "none" | "xonxoff" | "rtscts" | "dtrdsr" | "both" | null;
                 /**
-                 * @description who obeys XOFF
+                 * @description who obeys XOFF; not given: host
                  * @enum {string|null}
                  */
                 xoff_by?: "host" | "kernel" | "device" | null;
-                /** @description code of XON (DC1) */
+                /** @description code of XON (DC1); not given: 17 */
                 xon?: number | null;
-                /** @description code of XOFF (DC3) */
+                /** @description code of XOFF (DC3); not given: 19 */
                 xoff?: number | null;
-                /** @description additional, between two characters */
+                /** @description additional, between two characters; not given: 0 */
                 char_delay_ms?: number | null;
-                /** @description additional, after each EOB */
+                /** @description additional, after each EOB; not given: 0 */
                 line_delay_ms?: number | null;
-                /** @description DC3 after the last character ends the transfer */
+                /** @description DC3 after the last character ends the transfer; not given: true */
                 end_by_dc3?: boolean | null;
                 /** @description code of a character by which the control ends the transfer */
                 end_by_character?: number | null;
-                /** @description the transfer has ended when the control sent nothing for so long */
+                /** @description the transfer has ended when the control sent nothing for so long; not given: 5 */
                 end_by_quiet_s?: number | null;
-                /** @description characters that the control takes after its DC3 */
+                /** @description characters that the control takes after its DC3; not given: 10 */
                 overrun_budget?: number | null;
-                /** @description characters that may wait in the port */
+                /** @description characters that may wait in the port; not given: 4 */
                 unsent?: number | null;
-                /** @description characters that may still leave before a DC3 is obeyed */
+                /** @description characters that may still leave before a DC3 is obeyed; not given: 5 */
                 latency_chars?: number | null;
-                /** @description CTS holds the sender */
+                /** @description CTS holds the sender; not given: false */
                 watch_cts?: boolean | null;
-                /** @description DSR holds the sender */
+                /** @description DSR holds the sender; not given: false */
                 watch_dsr?: boolean | null;
                 /** @description how long an answer of a packet protocol may take; not given: without limit */
                 answer_s?: number | null;
-                /** @description bytes of the text in one packet */
+                /** @description bytes of the text in one packet; not given: 128 */
                 payload_bytes?: number | null;
-                /** @description 3964: frames carry a number */
+                /** @description 3964: frames carry a number; not given: false */
                 counted_frames?: boolean | null;
-                /** @description 3964: where both sides want to send at once, this one lets the control send first */
+                /** @description 3964: where both sides want to send at once, this one lets the control send first; not given: true */
                 gives_way?: boolean | null;
-                /** @description remote buffer: messages end with CR instead of ETX */
+                /** @description remote buffer: messages end with CR instead of ETX; not given: false */
                 messages_end_with_cr?: boolean | null;
-                /** @description until an arming ends by itself */
+                /** @description until an arming ends by itself; not given: 10 */
                 arming_minutes?: number | null;
                 /**
-                 * @description that the control takes
+                 * @description that the control takes; not given: ascii
                  * @enum {string|null}
                  */
                 character_set?: "iso-core" | "fanuc-iso" | "mitsubishi" | "mazak" | "sinumerik" | "ascii" | null;
             };
             /** @description how programs that the control punches are taken */
             receive?: {
-                /** @description they are taken at all */
+                /** @description they are taken at all; not given: true */
                 enabled?: boolean | null;
-                /** @description a program has ended when the control sent nothing for so long */
+                /** @description a program has ended when the control sent nothing for so long; not given: 5 */
                 quiet_s?: number | null;
-                /** @description the same, after the final % */
+                /** @description the same, after the final %; not given: 0.5 */
                 quiet_after_end_s?: number | null;
                 /** @description code of a character that ends it */
                 end_character?: number | null;
                 /**
-                 * @description line: as the link's; auto: it is found out from what comes
+                 * @description line: as the link's; auto: it is found out from what comes; not given: line
                  * @enum {string|null}
                  */
                 code?: "line" | "auto" | null;
                 /**
-                 * @description how the control's output is held while the server cannot keep up
+                 * @description how the control's output is held while the server cannot keep up; not given: none
                  * @enum {string|null}
                  */
                 hold?: "none" | "dc3" | "rts" | null;
-                /** @description after a memory load an operator punches the program, and the server compares it */
+                /** @description after a memory load an operator punches the program, and the server compares it; not given: false */
                 read_back?: boolean | null;
-                /** @description how long the server waits for that punch */
+                /** @description how long the server waits for that punch; not given: 30 */
                 read_back_minutes?: number | null;
-                /** @description an operator may ask for programs by punching one with the question */
+                /** @description an operator may ask for programs by punching one with the question; not given: true */
                 requests?: boolean | null;
-                /** @description O number of a request */
+                /** @description O number of a request; not given: 9999 */
                 request_number?: number | null;
                 /** @description O number of an answer; not given: the request's */
                 answer_number?: number | null;
                 /** @description or a word in the name of a request, where programs have names */
                 request_marker?: string | null;
-                /** @description how many lines of a request are searched for its verb */
+                /** @description how many lines of a request are searched for its verb; not given: 5 */
                 scan_lines?: number | null;
-                /** @description before an answer starts, where the control does not ask with DC1 */
+                /** @description before an answer starts, where the control does not ask with DC1; not given: 5 */
                 request_delay_s?: number | null;
-                /** @description an operator may queue a drip feed by a request */
+                /** @description an operator may queue a drip feed by a request; not given: false */
                 remote_drip?: boolean | null;
-                /** @description and arm it: the operator at the control is the person who arms */
+                /** @description and arm it: the operator at the control is the person who arms; not given: false */
                 remote_arm?: boolean | null;
             } | null;
         };
