@@ -64,14 +64,16 @@ async function writeDocPages({ inputs, outputs }) {
   await writeDocs({
     repository: at('..'),
     into: at('dist', 'docs'),
+    assets: at('dist', 'assets'),
     style: address((file) => /\/docs-[^/]*\.css$/.test(file)),
     icon: address((file) => file.endsWith('.svg')),
     licences: await licencesOf(root, Object.keys(inputs)),
-    script: address((file) => /\/reference-[^/]*\.js$/.test(file)),
+    reference: address((file) => /\/reference-[^/]*\.js$/.test(file)),
+    search: address((file) => /\/search-[^/]*\.js$/.test(file)),
   });
 }
 
-const kTexts = /\.(?:js|css|svg|html|webmanifest)$/;
+const kTexts = /\.(?:js|css|svg|html|json|webmanifest)$/;
 
 async function compress(folder) {
   const pack = { br: promisify(brotliCompress), gz: promisify(gzip) };
@@ -102,7 +104,7 @@ async function buildPage(watch) {
   await mkdir(at('dist', 'assets'), { recursive: true });
   const options = {
     ...common,
-    entryPoints: { app: 'src/main.tsx', live: 'src/live/worker.ts', icon: 'src/icon.svg', docs: 'src/styles/docs.css', reference: 'src/reference/main.ts' },
+    entryPoints: { app: 'src/main.tsx', live: 'src/live/worker.ts', icon: 'src/icon.svg', docs: 'src/styles/docs.css', reference: 'src/reference/main.ts', search: 'src/docs/main.ts' },
     outdir: at('dist', 'assets'),
     entryNames: '[name]-[hash]',
     chunkNames: '[name]-[hash]',

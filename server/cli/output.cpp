@@ -33,7 +33,11 @@ void print_error(std::string_view sentence) { say(sentence); }
 
 void print_error(const app::Error& error) {
   std::string text = error.text;
+  const bool is_in_sentence =  // the only one, with its place
+      error.places.size() == 1 && !error.places.front().pointer.empty() &&
+      text.ends_with(fmt::format("{} {}", error.places.front().pointer, error.places.front().text));
   for (const app::ErrorPlace& place : error.places) {
+    if (is_in_sentence) break;
     text += place.pointer.empty() ? fmt::format("\n  line {}, column {}: {}", place.line, place.column, place.text)
                                   : fmt::format("\n  {} {}", place.pointer, place.text);
   }

@@ -79,8 +79,8 @@ def stored(root, path, enum, row):
 
 
 # Columns and rows of the boxes.
-FEED = [['idle', 'armed', 'disarmed', 'next_round'], ['torn', 'sending', 'held', 'failed'], ['stopping', 'stopping_held', 'trailer', 'trailer_held'],
-        ['stopped', 'stopped_held', 'draining', 'wait_end'], ['reset_suspected', 'cancelled', 'ending', 'done'], ['cancelling', 'cancelling_held']]
+FEED = [['idle', 'armed', 'disarmed'], ['next_round', 'held', 'sending'], ['stopping_held', 'stopping', 'stopped'], ['cancelling_held', 'torn', 'stopped_held'],
+        ['cancelled', 'cancelling', 'trailer'], ['reset_suspected', 'failed', 'trailer_held'], ['wait_end', 'draining', 'ending'], ['done']]
 LINE = [['idle', 'armed', 'disconnected'], ['torn', 'feeding', 'receiving'], ['held', 'draining', 'answering']]
 JOB = [['queued', 'armed', 'failed'], ['cancelled', 'feeding', 'held'], ['interrupted', 'draining', 'done']]
 RELEASE = [['draft', 'in_review'], ['obsolete', 'proving'], ['approved']]

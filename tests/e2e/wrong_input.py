@@ -59,6 +59,11 @@ def at_the_command(folder):
         _, _, errors = command("check", "-", "--machine", machine, stdin=program)
         expect(said in errors and (bool(said) or "list" not in errors), f"{functions}: {errors}")
         expect("M15 is not" not in errors, errors)
+    expect(errors.count("/control/machine_functions") == 1, f"one fault is one line: {errors}")
+    profile.update(speed=1, weight=2)
+    machine.write_text(json.dumps(profile))
+    _, _, errors = command("check", "-", "--machine", machine, stdin=program)
+    expect(all(f"\n  /{member}" in errors for member in ("speed", "weight")), f"several are listed: {errors}")
     family = folder / "roll.family"
     for wrong, words in [
         (ROLL.replace("length 100 mm ", "length 100 "), ["family", ":"]),

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { IntlMessageFormat } from 'intl-messageformat';
 import de from '../src/i18n/de.json';
 import en from '../src/i18n/en.json';
-import { saidText } from '../src/format/said';
+import { localText } from '../src/format/local_text';
 import { t, wordOf } from '../src/i18n/i18n';
 
 const catalogues: Record<string, Record<string, string>> = { en, de };
@@ -73,9 +73,9 @@ test('each language has every sentence that the server sends by its id, with its
 
 test('a sentence is shown by its id, with the sentences in its values, else as the server wrote it', () => {
   const why = { text: 'the disk is full (ledger)', said: { id: 'store_disk_full' as const, values: { detail: { text: 'ledger', said: null } } } };
-  assert.equal(saidText({ id: 'cannot_arm', values: { machine: { text: 'lathe', said: null }, why } }, 'x'), 'lathe cannot be armed: the disk is full (ledger)');
-  assert.equal(saidText(null, 'as it came'), 'as it came');
-  assert.equal(saidText({ id: 'of_a_later_version' as never, values: {} }, 'as it came'), 'as it came');
+  assert.equal(localText({ id: 'cannot_arm', values: { machine: { text: 'lathe', said: null }, why } }, 'x'), 'lathe cannot be armed: the disk is full (ledger)');
+  assert.equal(localText(null, 'as it came'), 'as it came');
+  assert.equal(localText({ id: 'of_a_later_version' as never, values: {} }, 'as it came'), 'as it came');
 });
 
 test('what nobody knows is shown as it came', () => {

@@ -1,6 +1,6 @@
 // Requests to the server: JSON out and in, and every failure as one ApiError that has a sentence for a person. It knows
 // no route; those are in calls.ts.
-import { saidText } from '../format/said';
+import { localText } from '../format/local_text';
 import { t } from '../i18n/i18n';
 import type { Problem } from './types';
 
@@ -25,7 +25,7 @@ export class ApiError extends Error {
 
 // One sentence, and one for each place that the server names.
 export function errorOfProblem(status: number, problem: Partial<Problem> | null): ApiError {
-  const text = saidText(problem?.said, problem?.detail || problem?.title || t('error.status', { status }));
+  const text = localText(problem?.said, problem?.detail || problem?.title || t('error.status', { status }));
   const details = (problem?.errors ?? []).map((place) => {
     if (place.line) return t('error.place', { line: place.line, column: place.column ?? 1, text: place.text });
     return place.pointer ? `${place.pointer}: ${place.text}` : place.text;

@@ -3696,7 +3696,7 @@ export interface components {
         NewProgram: {
             /** @description under which the control calls it */
             name: string;
-            /** @description of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80 */
+            /** @description of the control: fanuc, haas, mazak, mitsubishi-m80 or sinumerik-840d */
             dialect: string;
             /** @description the whole text */
             text: string;
@@ -4447,7 +4447,7 @@ export interface components {
             title?: string | null;
             /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
             end_check?: string | null;
-            /** @description of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80 */
+            /** @description of the control: fanuc, haas, mazak, mitsubishi-m80 or sinumerik-840d */
             dialect: string;
             /** @description where the values are from, and what is assumed */
             notes?: string[] | null;
@@ -4471,18 +4471,18 @@ export interface components {
                 diameter?: boolean | null;
                 /** @description speed of rapid motion, mm/min or degrees/min */
                 rapid_mm_min: number;
-                /** @description of this axis alone; not given: its rapid */
+                /** @description greatest feed of this axis alone; not given: its rapid */
                 feed_limit_mm_min?: number | null;
-                /** @description of the axis */
+                /** @description of the axis, mm/s² or degrees/s² */
                 acceleration_mm_s2: number;
-                /** @description of the axis; 0: not limited */
+                /** @description of the axis, mm/s³ or degrees/s³; 0: not limited */
                 jerk_mm_s3?: number | null;
                 /** @description reference point of G28 in machine coordinates; not given: not known */
                 reference_mm?: number | null;
                 /** @description second reference point of G30 in machine coordinates; not given: not known */
                 second_reference_mm?: number | null;
             }[];
-            /** @description along the path; 0: not known */
+            /** @description greatest feed along the path; 0: not known */
             feed_limit_mm_min?: number | null;
             /** @description its limits; not given: not known */
             spindle?: {
@@ -4558,22 +4558,22 @@ export interface components {
             }[] | null;
             /** @description of the control, for programs that are fed; not given: not known */
             buffer?: {
-                /** @description that it holds; 0: not limited */
+                /** @description how many it holds; 0: not limited */
                 bytes?: number | null;
-                /** @description that it holds; 0: not limited */
+                /** @description how many it holds; 0: not limited */
                 blocks?: number | null;
             } | null;
             /** @description how fast the control works */
             timing?: {
-                /** @description of the interpolator; 0: not known */
+                /** @description cycle time of the interpolator; 0: not known */
                 sample_time_ms?: number | null;
-                /** @description 0: not limited */
+                /** @description how many blocks the control plans ahead; 0: not limited */
                 look_ahead_blocks?: number | null;
-                /** @description of one change */
+                /** @description how long one tool change takes */
                 tool_change_s?: number | null;
-                /** @description within which the control rounds corners; 0: it does not */
+                /** @description within which the control rounds corners; 0: it rounds none */
                 contour_tolerance_mm?: number | null;
-                /** @description what the control's computing costs, ms each; not given: its usual cost */
+                /** @description how long the control computes, ms for each; not given: its usual times */
                 cost?: {
                     /** @description a block */
                     block_ms: number;
@@ -4608,7 +4608,7 @@ export interface components {
                     origin?: string | null;
                 } | null;
             } | null;
-            /** @description what this machine's control does otherwise than usual */
+            /** @description in what this machine's control differs from its usual one */
             control?: {
                 /** @description of the control, for people */
                 title?: string | null;
@@ -4624,7 +4624,7 @@ export interface components {
                 decimal_mode?: "calculator" | "least-increment" | null;
                 /** @description a person looked at the machine */
                 decimal_mode_confirmed?: boolean | null;
-                /** @description of a SINUMERIK */
+                /** @description how a SINUMERIK reads ISO mode (G291) */
                 iso_mode?: {
                     /**
                      * @description what a number without a point is: millimeters, or least increments
@@ -4636,18 +4636,18 @@ export interface components {
                     /** @description G291 is in effect where a program begins */
                     from_start?: boolean | null;
                 } | null;
-                /** @description positions are rounded to it; 0: not stated */
+                /** @description least increment of the axes: positions are rounded to it; 0: not stated */
                 increment_mm?: number | null;
-                /** @description that the control takes; not given: its usual one */
+                /** @description longest block that the control takes; not given: its usual limit */
                 block_length_bytes?: number | null;
-                /** @description that the control moves in one block; not given: all */
+                /** @description how many axes one block may move; not given: all */
                 axes_at_once?: number | null;
                 /**
                  * @description what an arc without I, J, K and R is
                  * @enum {string|null}
                  */
                 arc_without_center?: "alarm" | "line" | null;
-                /** @description M numbers of the machine, as "10-19, 25"; empty: any may be */
+                /** @description M functions of the machine that move no axis and change no mode, as "10-19, 25"; empty: none is known to */
                 machine_functions?: string | null;
                 /** @description G and M codes that parameters turn into calls */
                 code_calls?: {
@@ -4658,35 +4658,35 @@ export interface components {
                     /** @description called as a macro, with arguments */
                     macro?: boolean | null;
                 }[] | null;
-                /** @description that the control takes; not given: its usual one */
+                /** @description how deeply the control takes calls and loops; not given: its usual limits */
                 nesting?: {
-                    /** @description of subprograms */
+                    /** @description levels of subprograms */
                     calls?: number | null;
-                    /** @description of macro calls */
+                    /** @description levels of macro calls */
                     macros?: number | null;
-                    /** @description of loops */
+                    /** @description levels of loops */
                     loops?: number | null;
                 } | null;
                 /** @description by how much an arc's radius may change from start to end */
                 arcs?: {
-                    /** @description how far the path may be changed by the rules lines and arcs; not given: not at all */
+                    /** @description the greatest change */
                     tolerance_mm?: number | null;
-                    /** @description or as a part of the radius, where that is more */
+                    /** @description or this part of the radius, where that is more */
                     tolerance_factor?: number | null;
                 } | null;
-                /** @description G75 FP= of it is where other controls go by G28 */
+                /** @description of a SINUMERIK: the fixed point (G75 FP=) that lies where other controls move by G28 */
                 reference_fixed_point?: number | null;
-                /** @description a person compared a spline of the machine with ours */
+                /** @description a person compared a spline of the machine with that of dripfeed */
                 splines_confirmed?: boolean | null;
                 /** @description parameters of cycles; not given: the control's usual ones */
                 cycles?: {
                     /** @description by which a drill retracts to break the chip */
                     chip_break_mm?: number | null;
-                    /** @description above the last depth */
+                    /** @description how far above the last depth the next peck begins its feed */
                     peck_clearance_mm?: number | null;
-                    /** @description of one cut, as a radius */
+                    /** @description depth of one cut of a turning cycle, as a radius */
                     turning_depth_mm?: number | null;
-                    /** @description after one cut, as a radius */
+                    /** @description retract after one cut of a turning cycle, as a radius */
                     turning_retract_mm?: number | null;
                 } | null;
                 /** @description modes at power-on; not given: the control's usual ones */
@@ -4714,19 +4714,19 @@ export interface components {
                     /** @description a person looked at the machine */
                     confirmed?: boolean | null;
                 } | null;
-                /** @description that the control has; empty: its usual ranges */
+                /** @description ranges that the control has; empty: its usual ones */
                 variables?: {
                     /**
                      * @description # or R
                      * @enum {string|null}
                      */
                     bank?: "#" | "R" | null;
-                    /** @description number */
+                    /** @description first number of the range */
                     first?: number | null;
-                    /** @description number */
+                    /** @description last number of the range */
                     last?: number | null;
                     /**
-                     * @description of this range
+                     * @description what the variables of this range are
                      * @enum {string|null}
                      */
                     use?: "local" | "common" | "permanent" | "system" | null;
@@ -4736,23 +4736,23 @@ export interface components {
             } | null;
             /** @description how the control is reached */
             link: {
-                /** @description serial:///dev/ttyUSB0, tcp://host:port, rfc2217://host:port, modbus+tcp://host:port, file:///folder and others */
+                /** @description serial:/dev/serial/by-id/NAME, tcp://host:port, rfc2217://host:port, modbus-tcp://host:port/unit, dir:/folder and others (connecting.md) */
                 url: string;
                 /**
-                 * @description what the line speaks
+                 * @description what the line speaks; not given: dc-codes
                  * @enum {string|null}
                  */
                 protocol?: "dc-codes" | "remote-buffer-b" | "xmodem" | "xmodem-crc" | "xmodem-1k" | "remote-buffer-a" | "3964" | "3964r" | "ymodem" | null;
-                /** @description in bit/s */
+                /** @description in bit/s; not given: 9600 */
                 baud?: number | null;
-                /** @description data bits, parity, stop bits: "7E2", "8N1" */
+                /** @description data bits, parity, stop bits: "7E2", "8N1"; not given: 7E2, for a packet protocol 8N1 */
                 framing?: string | null;
                 /**
-                 * @description of the characters on the line
+                 * @description of the characters on the line; not given: iso, for a packet protocol ascii
                  * @enum {string|null}
                  */
                 code?: "ascii" | "iso" | "eia" | null;
-                /** @description codes of the characters that EIA has not */
+                /** @description codes of the characters that EIA does not have */
                 eia_specials?: {
                     /** @description its EIA code */
                     "["?: number | null;
@@ -4767,117 +4767,117 @@ export interface components {
                     /** @description its EIA code */
                     ":"?: number | null;
                 } | null;
-                /** @description end of block: lf, cr-lf, lf-cr-cr, cr, or up to four of lf, cr and hex codes, as cr-lf-lf */
+                /** @description end of block: lf, cr-lf, lf-cr-cr, cr, or up to four of lf, cr and hex codes, as cr-lf-lf; not given: lf */
                 eob?: string | null;
-                /** @description a blank makes the number of characters of a block even */
+                /** @description TV check: a blank makes the number of characters of a block even where it is odd; not given: false */
                 pad_tv?: boolean | null;
                 /**
-                 * @description of leader and trailer
+                 * @description character of leader and trailer; not given: nul
                  * @enum {string|null}
                  */
                 filler?: "nul" | "del" | null;
-                /** @description characters before the text */
+                /** @description characters before the text; not given: 0 */
                 leader?: number | null;
-                /** @description characters after the text */
+                /** @description characters after the text; not given: 0 */
                 trailer?: number | null;
                 /**
-                 * @description what starts a transfer
+                 * @description what starts a transfer; not given: dc1
                  * @enum {string|null}
                  */
                 start?: "dc1" | "at-once" | "trigger" | null;
                 /** @description of a start by trigger: what the control sends */
                 start_trigger?: string | null;
                 /**
-                 * @description what holds the sender
+                 * @description what holds the sender; not given: xonxoff, for a packet protocol none
                  * @enum {string|null}
                  */
                 flow?: "none" | "xonxoff" | "rtscts" | "dtrdsr" | "both" | null;
                 /**
-                 * @description who obeys XOFF
+                 * @description who obeys XOFF; not given: host
                  * @enum {string|null}
                  */
                 xoff_by?: "host" | "kernel" | "device" | null;
-                /** @description its code */
+                /** @description code of XON (DC1); not given: 17 */
                 xon?: number | null;
-                /** @description its code */
+                /** @description code of XOFF (DC3); not given: 19 */
                 xoff?: number | null;
-                /** @description additional, between two characters */
+                /** @description additional, between two characters; not given: 0 */
                 char_delay_ms?: number | null;
-                /** @description additional, after each EOB */
+                /** @description additional, after each EOB; not given: 0 */
                 line_delay_ms?: number | null;
-                /** @description DC3 after the last character ends the transfer */
+                /** @description DC3 after the last character ends the transfer; not given: true */
                 end_by_dc3?: boolean | null;
-                /** @description that the control sends at the end */
+                /** @description code of a character by which the control ends the transfer */
                 end_by_character?: number | null;
-                /** @description without a character from the control the transfer has ended */
+                /** @description the transfer has ended when the control sent nothing for so long; not given: 5 */
                 end_by_quiet_s?: number | null;
-                /** @description characters that the control takes after its DC3 */
+                /** @description characters that the control takes after its DC3; not given: 10 */
                 overrun_budget?: number | null;
-                /** @description characters that may wait in the port */
+                /** @description characters that may wait in the port; not given: 4 */
                 unsent?: number | null;
-                /** @description characters that leave before a DC3 is obeyed */
+                /** @description characters that may still leave before a DC3 is obeyed; not given: 5 */
                 latency_chars?: number | null;
-                /** @description CTS holds the sender */
+                /** @description CTS holds the sender; not given: false */
                 watch_cts?: boolean | null;
-                /** @description DSR holds the sender */
+                /** @description DSR holds the sender; not given: false */
                 watch_dsr?: boolean | null;
                 /** @description how long an answer of a packet protocol may take; not given: without limit */
                 answer_s?: number | null;
-                /** @description of a packet */
+                /** @description bytes of the text in one packet; not given: 128 */
                 payload_bytes?: number | null;
-                /** @description 3964: frames carry a number */
+                /** @description 3964: frames carry a number; not given: false */
                 counted_frames?: boolean | null;
-                /** @description 3964: withdraws where both call at once */
+                /** @description 3964: where both sides want to send at once, this one lets the control send first; not given: true */
                 gives_way?: boolean | null;
-                /** @description remote buffer: CR instead of ETX */
+                /** @description remote buffer: messages end with CR instead of ETX; not given: false */
                 messages_end_with_cr?: boolean | null;
-                /** @description until an arming ends by itself */
+                /** @description until an arming ends by itself; not given: 10 */
                 arming_minutes?: number | null;
                 /**
-                 * @description that the control takes
+                 * @description that the control takes; not given: ascii
                  * @enum {string|null}
                  */
                 character_set?: "iso-core" | "fanuc-iso" | "mitsubishi" | "mazak" | "sinumerik" | "ascii" | null;
             };
-            /** @description how what the control punches is taken */
+            /** @description how programs that the control punches are taken */
             receive?: {
-                /** @description it is taken at all */
+                /** @description they are taken at all; not given: true */
                 enabled?: boolean | null;
-                /** @description without a character it has ended */
+                /** @description a program has ended when the control sent nothing for so long; not given: 5 */
                 quiet_s?: number | null;
-                /** @description the same, after the final % */
+                /** @description the same, after the final %; not given: 0.5 */
                 quiet_after_end_s?: number | null;
-                /** @description that ends it */
+                /** @description code of a character that ends it */
                 end_character?: number | null;
                 /**
-                 * @description line: as the link's; auto: it is found out from what comes
+                 * @description line: as the link's; auto: it is found out from what comes; not given: line
                  * @enum {string|null}
                  */
                 code?: "line" | "auto" | null;
                 /**
-                 * @description how the control's output is held while the server cannot keep up
+                 * @description how the control's output is held while the server cannot keep up; not given: none
                  * @enum {string|null}
                  */
                 hold?: "none" | "dc3" | "rts" | null;
-                /** @description a memory load is compared with what the control punches then */
+                /** @description after a memory load an operator punches the program, and the server compares it; not given: false */
                 read_back?: boolean | null;
-                /** @description for so long after the load */
+                /** @description how long the server waits for that punch; not given: 30 */
                 read_back_minutes?: number | null;
-                /** @description an operator may ask by a program */
+                /** @description an operator may ask for programs by punching one with the question; not given: true */
                 requests?: boolean | null;
-                /** @description O number of a request */
+                /** @description O number of a request; not given: 9999 */
                 request_number?: number | null;
                 /** @description O number of an answer; not given: the request's */
                 answer_number?: number | null;
-                /** @description or a word in its name, where the control has names */
+                /** @description or a word in the name of a request, where programs have names */
                 request_marker?: string | null;
-                /** @description that are looked at for the verb */
+                /** @description how many lines of a request are searched for its verb; not given: 5 */
                 scan_lines?: number | null;
-                /** @description before an answer starts, where the control does not ask with DC1 */
+                /** @description before an answer starts, where the control does not ask with DC1; not given: 5 */
                 request_delay_s?: number | null;
-                /** @description an operator may queue a drip-feed */
+                /** @description an operator may queue a drip feed by a request; not given: false */
                 remote_drip?: boolean | null;
-                /** @description and arm it: the operator at the control is the person */
+                /** @description and arm it: the operator at the control is the person who arms; not given: false */
                 remote_arm?: boolean | null;
             } | null;
         };

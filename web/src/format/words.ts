@@ -4,7 +4,7 @@ import type { Delivery, Job, JobState, OrderState, Outcome, ReceiptState, Releas
 import { t, wordOf } from '../i18n/i18n';
 import { stallRow } from '../rules/lines';
 import { kOrderTones } from '../rules/orders';
-import { saidText } from './said';
+import { localText } from './local_text';
 import { kOutcomeTones } from '../rules/verdicts';
 import type { Tone } from './tones';
 
@@ -61,7 +61,7 @@ export function reasonText(reason: string): string {
 // Why a job moved last. A sentence that no catalogue has is kept after the cause: it says what may have reached the
 // control.
 export function jobReason(job: Job): string {
-  if (job.reason_said !== null) return saidText(job.reason_said, reasonText(job.reason));
+  if (job.reason_said !== null) return localText(job.reason_said, reasonText(job.reason));
   const cause = job.reason_id === null ? '' : wordOf('cause', job.reason_id, '');
   if (cause === '') return reasonText(job.reason);
   if (job.reason === job.reason_id || job.reason === '') return cause;

@@ -131,7 +131,11 @@ inline void expect_same(const std::vector<ir::Motion>& a, const std::vector<ir::
 }
 
 inline const std::vector<std::string>& dialect_names() {
-  static const std::vector<std::string> names = {"fanuc", "haas", "mazak", "mitsubishi-m80", "sinumerik-840d"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Dialect& one : dialects()) all.emplace_back(one.name);
+    return all;
+  }();
   return names;
 }
 

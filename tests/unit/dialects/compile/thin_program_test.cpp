@@ -156,6 +156,7 @@ TEST(ThinProgram, FaultsOfAStretchHaveTheirOwnPlace) {
 // Every control to every other one: what is written without the stretches is what is written of the whole.
 TEST(ThinProgram, IsTranslatedAsTheWholeProgram) {
   std::mt19937 random(11);
+  std::size_t programs = 0;
   std::size_t thin_ones = 0;
   for (const std::string& from : dialect_names()) {
     for (const std::string& to : dialect_names()) {
@@ -170,6 +171,7 @@ TEST(ThinProgram, IsTranslatedAsTheWholeProgram) {
                                      .to = control(to, ir::MachineKind::mill)};
         const auto made = convert_thin(request, kShort);
         const ConvertResult whole = convert_whole(request);
+        ++programs;
         if (!made) continue;
         ++thin_ones;
         EXPECT_EQ(made->text, whole.text);
@@ -179,7 +181,8 @@ TEST(ThinProgram, IsTranslatedAsTheWholeProgram) {
       }
     }
   }
-  EXPECT_EQ(thin_ones, 60U) << "no program should have to be translated as a whole";
+  EXPECT_GE(programs, 60U);
+  EXPECT_EQ(thin_ones, programs) << "no program should have to be translated as a whole";
 }
 
 TEST(ThinProgram, IsTranslatedAsAWholeWhereALineIsWrittenInAnotherForm) {

@@ -58,7 +58,12 @@ TEST(Schemas, EveryMemberHasAMeaning) {
 TEST(Schemas, EveryRowOfTheGlossaryIsUsed) {
   std::set<std::string, std::less<>> sentence_of;
   walk_all([&](const Schema& schema, const std::string&) { sentence_of.insert(schema.about); });
-  for (const GlossaryRow& row : glossary()) EXPECT_TRUE(sentence_of.contains(row.about)) << row.path;
+  std::set<std::string_view> paths;
+  for (const GlossaryRow& row : glossary()) {
+    EXPECT_TRUE(sentence_of.contains(row.about)) << row.path;
+    EXPECT_TRUE(paths.insert(row.path).second)
+        << row.path << " has two rows: the first one takes the place of the other";
+  }
 }
 
 TEST(Schemas, EveryKindOfEventHasOne) {

@@ -3,7 +3,7 @@ import { useLayoutEffect, useState } from 'preact/hooks';
 import { calls } from '../../api/calls';
 import type { Alarm } from '../../api/types';
 import { shortTime } from '../../format/times';
-import { saidText } from '../../format/said';
+import { localText } from '../../format/local_text';
 import { reasonText } from '../../format/words';
 import { t, wordOf } from '../../i18n/i18n';
 import { minutes } from '../../parts/clock';
@@ -65,7 +65,7 @@ function AlarmItem({ alarm }: { alarm: Alarm }) {
   );
 }
 
-const alarmText = (alarm: Alarm): string => saidText(alarm.said, reasonText(alarm.text));
+const alarmText = (alarm: Alarm): string => localText(alarm.said, reasonText(alarm.text));
 
 // What happened to it, in a line.
 function historyOf(alarm: Alarm): string[] {

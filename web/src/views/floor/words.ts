@@ -4,7 +4,7 @@ import { computed, type ReadonlySignal } from '@preact/signals';
 import type { Job } from '../../api/types';
 import { wholePercent } from '../../format/numbers';
 import { aboutRange, countdown } from '../../format/times';
-import { saidText } from '../../format/said';
+import { localText } from '../../format/local_text';
 import { jobReason, reasonText, stallText } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { minutes, seconds } from '../../parts/clock';
@@ -107,8 +107,8 @@ function lineText(block: number, job: Job | null): string {
 function remark(machine: Machine, job: Job | null): string {
   const { core, status } = machine;
   const { needs_confirmation, link_error, link_error_said, link_note, wrong } = core.value;
-  if (needs_confirmation) return saidText(needs_confirmation.said, reasonText(needs_confirmation.text));
-  if (link_error) return t('remark.link', { text: saidText(link_error_said, link_error) });
+  if (needs_confirmation) return localText(needs_confirmation.said, reasonText(needs_confirmation.text));
+  if (link_error) return t('remark.link', { text: localText(link_error_said, link_error) });
   if (link_note) return t('remark.link', { text: link_note });
   if (wrong > 0) return t('remark.received_wrongly', { count: wrong });
   if (hasJob(core.value)) return status.value.holds > 0 ? t('remark.buffer_full', { count: status.value.holds }) : '';

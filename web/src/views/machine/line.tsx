@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import type { LineTest, MachineWhole } from '../../api/types';
 import { count } from '../../format/numbers';
-import { saidText } from '../../format/said';
+import { localText } from '../../format/local_text';
 import { settingText, settingValue } from '../../format/settings';
 import { t, wordOf } from '../../i18n/i18n';
 import { showDialog } from '../../parts/dialog';
@@ -30,7 +30,7 @@ export function LinePart({ machine, whole }: { machine: Machine; whole: MachineW
   return (
     <section class="card line-part" aria-label={t('line.title')}>
       <h2>{t('line.title')}</h2>
-      {status.link_error && <p class="notice tone-bad">{saidText(status.link_error_said, status.link_error)}</p>}
+      {status.link_error && <p class="notice tone-bad">{localText(status.link_error_said, status.link_error)}</p>}
       {status.link_note && <p class="notice tone-waiting">{status.link_note}</p>}
       <Facts
         facts={[
