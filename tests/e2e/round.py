@@ -20,7 +20,7 @@ def main():
             shop.wait_for("the demo's address", lambda: demo.stdout.readline().startswith("Arm a queued job"), 60)
             token = (data / "first-token").read_text().strip()
             for name in sys.argv[2:] or ("tour.mjs", "round.mjs", "looks.mjs"):
-                walk = subprocess.run(["node", str(ROOT / "tests/e2e/web" / name)], timeout=420,
+                walk = subprocess.run(["node", str(ROOT / "tests/e2e/web" / name)], timeout=540,
                                       env={**os.environ, "DRIPFEED_URL": f"http://127.0.0.1:{port}", "DRIPFEED_TOKEN": token})
                 expect(walk.returncode == 0, f"{name} ended with {walk.returncode}")
         finally:

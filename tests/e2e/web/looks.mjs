@@ -1,15 +1,23 @@
-// The main views of each role at a desk, on a tablet both ways up and on a phone, light and dark, of the demo shop: nothing is
-// wider than the screen, and axe finds nothing. DRIPFEED_URL and DRIPFEED_TOKEN (of an administrator) as for round.mjs.
+// The main views of each role, as that role sees them, at a desk, on a tablet in both orientations and on a phone, light and
+// dark, of the demo shop: nothing is wider than the screen, and axe finds nothing. DRIPFEED_URL and DRIPFEED_TOKEN (of an
+// administrator) as for round.mjs.
 import { accessible, expect, fits, live, main, shot, signIn, until, withPage } from './browser.mjs';
 
 const url = process.env.DRIPFEED_URL;
 const token = process.env.DRIPFEED_TOKEN;
 const kSizes = { desk: [1440, 900], landscape: [1024, 768], portrait: [768, 1024], phone: [390, 844] };
 
-async function call(path) {
-  const answer = await fetch(`${url}/api/v1${path}`, { headers: { Authorization: `Bearer ${token}` } });
-  expect(answer.ok, `GET ${path}`);
+async function call(path, body) {
+  const headers = { Authorization: `Bearer ${token}`, 'Content-Type': 'application/json' };
+  const answer = await fetch(`${url}/api/v1${path}`, { method: body ? 'POST' : 'GET', headers, body: body && JSON.stringify(body) });
+  expect(answer.ok, `${body ? 'POST' : 'GET'} ${path}`);
   return answer.json();
+}
+
+// Who does the work of a view, by the first word of its name.
+const kRoles = { programmer: 'programmer', engineer: 'programmer', approver: 'approver', administrator: 'admin', operator: 'operator', viewer: 'viewer' };
+async function tokenOf(role) {
+  return (await call('/tokens', { name: `looks ${role}`, role })).token;
 }
 
 // What each role works with, by the address of the view.
@@ -38,17 +46,30 @@ async function views() {
     ['operator-orders', 'orders'],
     ['operator-received', 'received'],
     ['operator-alarms', 'alarms'],
+    ['viewer-floor', ''],
+    ['viewer-machine', `machines/${machine}`],
+    ['viewer-program', `programs/${program}`],
+    ['viewer-files', `programs/${program}/files`],
+    ['viewer-part', 'parts'],
+    ['viewer-history', 'history'],
   ];
 }
 
 async function walk(page, size, scheme, all) {
-  await signIn(page, url, token);
+  let who = '';
   for (const [name, address] of all) {
+    const [role] = name.split('-');
+    if (role !== who) {
+      who = role;
+      await page.context().clearCookies();
+      await page.goto('about:blank');
+      await signIn(page, url, tokens[kRoles[role]]);
+    }
     await page.goto(`${url}/#/${address}`);
     await live(page);
     await page.locator('h1, main h2, article').first().waitFor();
     await until(async () => (await page.locator('[aria-busy="true"], [role="status"]:text-matches("Loading|Rendering|running")').count()) === 0, `${address} is there`).catch(() => undefined);
-    await page.waitForTimeout(300);
+    await page.waitForTimeout(100);
     await fits(page, `${name}, ${size}, ${scheme}`);
     await accessible(page, `${name}, ${size}, ${scheme}`);
     await shot(page, `looks-${size}-${scheme}-${name}`);
@@ -56,6 +77,7 @@ async function walk(page, size, scheme, all) {
 }
 
 const all = await views();
+const tokens = Object.fromEntries(await Promise.all([...new Set(Object.values(kRoles))].map(async (role) => [role, await tokenOf(role)])));
 await main(
   Object.entries(kSizes).flatMap(([size, [width, height]]) =>
     ['light', 'dark'].map((colorScheme) => [
