@@ -131,7 +131,27 @@ async function translatesLong() {
   });
 }
 
+// A line is gone to by keys alone, and the keyboard stays in the text: what is typed next is typed there.
+async function goesToALine() {
+  await withPage(kDesk, async (page) => {
+    await open(page, 'O0803', kText.replace('O0800', 'O0803'));
+    await editor(page).click();
+    const field = page.getByRole('textbox', { name: 'Go to line' });
+    for (const close of ['Enter', 'Escape']) {
+      await page.keyboard.press('Control+Alt+g');
+      await field.waitFor();
+      await page.keyboard.type('3');
+      await page.keyboard.press(close);
+      await field.waitFor({ state: 'detached' });
+      await until(() => editor(page).evaluate((one) => one.getRootNode().activeElement === one), `the keyboard is in the text after ${close}`);
+    }
+    await page.keyboard.press('Control+f');
+    await page.getByRole('textbox', { name: 'Find' }).waitFor();
+  });
+}
+
 await main([
+  ['a line is gone to by keys', goesToALine],
   ['a text is laid out anew', laysOut],
   ['figures of a text', figuresOfText],
   ['a long text is translated when it is asked for', translatesLong],

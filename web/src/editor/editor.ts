@@ -4,7 +4,7 @@ import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirr
 import { lintGutter, lintKeymap, nextDiagnostic, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from '@codemirror/search';
 import { Compartment, EditorSelection, EditorState } from '@codemirror/state';
-import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
+import { drawSelection, getDialog, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
 import type { DialectWords, Fault } from '../api/types';
 import { columnOffset } from '../rules/program_files';
 
@@ -105,6 +105,13 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
       options.cursorMoved(update.state.doc.lineAt(head).number, word ? `${word.word}: ${word.about}` : '', byPerson);
     }
   });
+  // The field for a line number gives the keyboard back only outside of a shadow root: what closes it does so here.
+  let asksForLine = false;
+  const afterLine = EditorView.updateListener.of(({ view: of }) => {
+    const asks = getDialog(of, 'cm-goto-line') !== null;
+    if (asksForLine && !asks && root.activeElement === null) of.focus();
+    asksForLine = asks;
+  });
   const view = new EditorView({
     root,
     parent: root,
@@ -127,6 +134,7 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
         EditorView.contentAttributes.of({ tabindex: '0', 'aria-label': options.label, spellcheck: 'false', autocapitalize: 'off', autocorrect: 'off' }),
         writable.of(readOnly(options.readOnly)),
         listener,
+        afterLine,
       ],
     }),
   });
