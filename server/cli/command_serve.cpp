@@ -233,7 +233,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   const json::JsonDocuments documents;
   const auto links = io::start_link_thread();
   links->run([] { spdlog::info("the lines are served {}", io::how_scheduled()); });
-  app::DiskReserve disk_reserve(fs::path(options.data) / "ballast");
+  app::DiskReserve disk_reserve(fs::path(options.data) / "disk-reserve");
   io::WorkerDesk desk(desk_settings(options));
   json::DocumentWorkers workers(desk, options.check_seconds, app::CalledPrograms(store, books.library));
   const auto sender = io::make_http_sender(sender_settings(options));

@@ -161,7 +161,7 @@ def a_server_that_is_killed(folder):
 
 
 def a_full_disk(folder):
-    """The data folder on a disk of 340 MB, of which 64 are the ballast and 128 are kept for what feeds book."""
+    """The data folder on a disk of 340 MB, of which 64 are the reserve and 128 are kept for what feeds book."""
     data = folder / "data"
     data.mkdir()
     if os.geteuid() != 0 or subprocess.run(["mount", "-t", "tmpfs", "-o", "size=340m", "tmpfs", str(data)], capture_output=True).returncode != 0:

@@ -60,6 +60,12 @@ test('all words must be found, the page counts as well', () => {
   assert.deepEqual(addresses('torn G84'), []);
 });
 
+test('a question is searched by the words that tell what it is about', () => {
+  assert.deepEqual(addresses('How is the control reset?'), addresses('control reset'));
+  assert.equal(addresses('control reset')[0], '/docs/lines#torn-blocks');
+  assert.ok(addresses('is').includes('/docs/lines#lines'), 'alone, a small word is looked for');
+});
+
 test('what is found is marked in the text, and nothing of the text is lost at its places', () => {
   const [hit] = search('control reset').hits;
   assert.equal(hit!.text.map(({ text }) => text).join(''), 'A person confirms that the control was reset. G54 & more.');

@@ -1,5 +1,5 @@
 // Finds words in the documentation's index. A word finds what begins with it; all words must be found in one entry: in its heading, its
-// text or the name of its page.
+// text or the name of its page. Small words of a question are left out.
 
 export interface DocsIndex {
   pages: [address: string, label: string][];
@@ -26,6 +26,15 @@ export interface Found {
 const kMost = 30;
 const kBefore = 50; // characters of the text before the first word that is found
 const kShown = 190;
+
+// Words of a question that say nothing of where its answer stands.
+const kSmallWords = new Set(['a', 'an', 'and', 'are', 'can', 'do', 'does', 'for', 'how', 'i', 'in', 'is', 'it', 'my', 'of', 'or', 'the', 'to', 'what', 'where', 'why', 'with']);
+
+function wordsOf(query: string): string[] {
+  const all = query.toLowerCase().split(/[\s?]+/).filter(Boolean);
+  const others = all.filter((word) => !kSmallWords.has(word));
+  return others.length > 0 ? others : all;
+}
 
 const isWordCharacter = (c: string | undefined): boolean => c !== undefined && /[\p{L}\p{N}]/u.test(c);
 
@@ -86,7 +95,7 @@ export function searchOf(index: DocsIndex): (query: string) => Found {
   const pages = index.pages.map(([, label]) => label.toLowerCase());
   const small = index.entries.map(([page, , heading, text]) => ({ page: pages[page] ?? '', heading: heading.toLowerCase(), text: text.toLowerCase() }));
   return (query) => {
-    const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = wordsOf(query);
     if (words.length === 0) return { count: 0, hits: [] };
     const weighed = small.flatMap(({ page, heading, text }, entry) => {
       const weights = words.map((word) => weightOf(word, page, heading, text));

@@ -19,7 +19,7 @@ constexpr std::uint64_t kSmall = std::uint64_t{1} << 20U;
 
 class DiskReserveTest : public ShopTest {
  protected:
-  [[nodiscard]] std::string path() const { return folder_.file("ballast"); }
+  [[nodiscard]] std::string path() const { return folder_.file("disk-reserve"); }
   [[nodiscard]] bool is_there() const { return std::filesystem::exists(path()); }
 };
 
