@@ -162,11 +162,12 @@ app::Result<std::string> Provider::redeem(const Known& known, const Returned& re
   }
   const auto answer = ask(call, until);
   if (!answer) return std::unexpected(answer.error());
-  TokenAnswer said = read_token_answer(answer->body);
+  TokenAnswer answered = read_token_answer(answer->body);
   if (answer->status != kOk)
-    return refused_there(said.error.empty() ? fmt::format("it answered {}", answer->status) : shown(said.error));
-  if (said.id_token.empty()) return token_refused("there is none in the answer");
-  return std::move(said.id_token);
+    return refused_there(answered.error.empty() ? fmt::format("it answered {}", answer->status)
+                                                : shown(answered.error));
+  if (answered.id_token.empty()) return token_refused("there is none in the answer");
+  return std::move(answered.id_token);
 }
 
 // Those that are kept, or what the provider has now: it changes its keys now and then.

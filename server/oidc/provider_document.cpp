@@ -51,7 +51,7 @@ std::string why_no_endpoint(std::string_view url) {
 
 std::string why_no_page(std::string_view url, bool insecure) {
   const std::size_t scheme = url.find("://");
-  const std::string why = why_no_endpoint(url);
+  std::string why = why_no_endpoint(url);
   if (!why.empty() && !(insecure && url.starts_with("http://"))) return why;
   const std::string_view host = url.substr(scheme + 3);
   const bool is_host = !host.empty() && host.find_first_of("/?#@ ") == std::string_view::npos;

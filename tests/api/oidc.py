@@ -4,6 +4,7 @@ each refused with its code, nothing stored, and no other sign-in waits."""
 import hashlib
 import hmac
 import json
+import subprocess
 import sys
 import threading
 import time
@@ -22,10 +23,10 @@ PAGE = {"Sec-Fetch-Site": "same-origin"}
 
 
 class Shop:
-    def __init__(self, folder, *options, issuer=None, seconds=2):
-        self.liar = Liar()
+    def __init__(self, folder, *options, liar=None, seconds=2):
+        self.liar = liar or Liar()
         (folder / "secret").write_text(SECRET + "\n")
-        self.client = Client(folder, "--oidc", issuer or self.liar.issuer, "--oidc-client-id", CLIENT, "--oidc-client-secret-file", str(folder / "secret"),
+        self.client = Client(folder, "--oidc", self.liar.issuer, "--oidc-client-id", CLIENT, "--oidc-client-secret-file", str(folder / "secret"),
                              "--oidc-page", "http://127.0.0.1:1", "--oidc-title", "Shop login", "--oidc-local", "--oidc-seconds", str(seconds), *options).start()
 
     def begin(self):
@@ -312,6 +313,24 @@ def its_document_leads_nowhere_else(folder):
     shop_.close()
 
 
+def its_certificate_is_verified(folder):
+    names = {name: (str(folder / f"{name}.pem"), str(folder / f"{name}.key")) for name in ("right", "other_name", "unknown")}
+    for name, (certificate, key) in names.items():
+        host = "IP:127.0.0.2" if name == "other_name" else "IP:127.0.0.1"
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=login", "-addext", f"subjectAltName={host}", "-out", certificate, "-keyout", key],
+                       check=True, capture_output=True)
+    for name in names:
+        (folder / name).mkdir()
+        believed = names["right" if name == "unknown" else name][0]
+        shop_ = Shop(folder / name, "--oidc-group", "dnc=viewer", "--oidc-ca", believed, liar=Liar(names[name]))
+        if name == "right":
+            shop_.signed_in()
+        else:
+            shop_.refused(shop_.client.call("POST", BEGIN, role=None, headers=PAGE), "provider_unanswered", status=503)
+            expect(shop_.liar.asked == [], "it was asked all the same")
+        shop_.close()
+
+
 def a_provider_that_is_slow_or_away_holds_no_one_up(folder):
     shop_ = Shop(folder, "--oidc-group", "dnc=viewer", seconds=2)
     client, liar = shop_.client, shop_.liar
@@ -352,7 +371,7 @@ def a_provider_that_is_slow_or_away_holds_no_one_up(folder):
 
 if __name__ == "__main__":
     for test in (what_is_asked, without_a_provider, a_new_person_waits_for_an_administrator, no_account_is_taken_over, groups_give_the_roles_at_each_sign_in, no_lie_is_believed,
-                 keys_change, a_sign_in_belongs_to_its_browser, its_document_leads_nowhere_else, a_provider_that_is_slow_or_away_holds_no_one_up):
+                 keys_change, a_sign_in_belongs_to_its_browser, its_document_leads_nowhere_else, its_certificate_is_verified, a_provider_that_is_slow_or_away_holds_no_one_up):
         if len(sys.argv) < 3 or sys.argv[2] in test.__name__:
             in_folder(test)
     sys.exit(0)

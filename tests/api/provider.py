@@ -9,6 +9,7 @@ import json
 import pathlib
 import shutil
 import sqlite3
+import ssl
 import subprocess
 import threading
 import time
@@ -123,9 +124,10 @@ def part(value):
 
 
 class Liar:
-    """A provider by the book, whose parts a test replaces: `document`, `keys`, `claims`, `sign`, `answer` of the token endpoint."""
+    """A provider by the book, whose parts a test replaces: `document`, `keys`, `claims`, `sign`, `answer` of the token endpoint. With a certificate
+    and its key it speaks TLS."""
 
-    def __init__(self):
+    def __init__(self, certificate=None):
         self.keys, self.asked, self.codes, self.let_go = [key_pair()], [], {}, threading.Event()
         self.person = {"sub": "s-1", "preferred_username": "olga", "groups": ["dnc"]}
         self.claims = lambda claims: claims
@@ -168,7 +170,11 @@ class Liar:
 
         self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
         self.server.daemon_threads = True
-        self.issuer = f"http://127.0.0.1:{self.server.server_address[1]}"
+        if certificate:
+            tls = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+            tls.load_cert_chain(*certificate)
+            self.server.socket = tls.wrap_socket(self.server.socket, server_side=True)
+        self.issuer = f"{'https' if certificate else 'http'}://127.0.0.1:{self.server.server_address[1]}"
         threading.Thread(target=self.server.serve_forever, kwargs={"poll_interval": 0.02}, daemon=True).start()
 
     def own_document(self):
