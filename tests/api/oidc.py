@@ -15,7 +15,7 @@ from cryptography.hazmat.primitives import hashes
 from cryptography.hazmat.primitives import serialization as form
 from cryptography.hazmat.primitives.asymmetric import padding, rsa
 
-from client import Client, expect, in_folder, shop
+from client import DC1, Client, HandControl, expect, hand_profile, in_folder, shop
 from provider import CLIENT, SECRET, Liar, key_pair, part
 
 BEGIN, END = "/session/provider/begin", "/session/provider"
@@ -336,6 +336,14 @@ def a_provider_that_is_slow_or_away_holds_no_one_up(folder):
     client, liar = shop_.client, shop_.liar
     client.post("/users", {"name": "bert", "role": "operator"})
     client.must("PUT", "/users/bert/password", {"secret": "a long enough one"})
+    control = HandControl()
+    client.post("/machines", hand_profile(control, "lathe"))
+    release = client.release(client.add_program(400)["id"], "lathe")["id"]
+    client.wait_line("lathe", "idle")
+    job = client.queue(release)
+    client.post(f"/jobs/{job}/arm")
+    control.say(DC1)
+    client.wait_job(job, "feeding")
     liar.answer = "hang"
     begun = [shop_.begin() for _ in range(8)]
     took, refused = [], []
@@ -352,8 +360,11 @@ def a_provider_that_is_slow_or_away_holds_no_one_up(folder):
     began = time.monotonic()
     expect(client.call("POST", "/session", {"name": "bert", "password": "a long enough one"}, role=None).status == 204, "a password")
     client.post("/users", {"name": "carl", "role": "viewer"})
+    client.post(f"/jobs/{job}/stop")
     held = time.monotonic() - began
     expect(held < 1.5 and any(thread.is_alive() for thread in threads), f"others waited {held:.2f} s")
+    client.post(f"/jobs/{job}/cancel")
+    client.wait_job(job, "cancelled")
     for thread in threads:
         thread.join(20)
     expect(max(took) < 6 and all(answer.status == 503 for answer in refused), f"{took} {[str(one) for one in refused]}")
@@ -367,6 +378,7 @@ def a_provider_that_is_slow_or_away_holds_no_one_up(folder):
     shop_.refused(client.call("POST", BEGIN, role=None, headers=PAGE), "provider_unanswered", status=503)
     expect(client.call("POST", "/session", {"name": "bert", "password": "a long enough one"}, role=None).status == 204, "a password while it is away")
     client.server.stop()
+    control.close()
 
 
 if __name__ == "__main__":
