@@ -1,5 +1,6 @@
-// Sessions of browsers: a cookie that was given for a token, or for a user's password or PIN. Only the hash of the
-// cookie is kept. They are no record: what ended is deleted, and nothing of them is in the audit.
+// Sessions of browsers: a cookie that was given for a token, for a user's password or PIN, or for a user whom an OpenID
+// Connect provider vouched for. Only the hash of the cookie is kept. They are no record: what ended is deleted, and
+// nothing of them is in the audit.
 #pragma once
 
 #include "store/tokens.h"
@@ -12,6 +13,7 @@ struct SessionOwner {
   std::string token_hash{};  // "": the user
   std::string user{};
   SecretKind secret = SecretKind::password;  // of the user
+  bool by_provider = false;                  // one vouched for the user: it counts as a password
 };
 
 struct BrowserSession {
@@ -19,6 +21,7 @@ struct BrowserSession {
   std::string token_hash;
   Id user_id = 0;  // without a token; not disabled
   SecretKind secret = SecretKind::password;
+  bool by_provider = false;
   std::int64_t opened_at_ms = 0;
   std::int64_t used_at_ms = 0;  // as the last note of a use says
 };

@@ -29,9 +29,16 @@ struct UserRoles {
   std::vector<Grant> grants{};  // by group
 };
 
+// A person as an OpenID Connect provider knows them: the subject is never given to another one.
+struct ProviderIdentity {
+  std::string issuer;
+  std::string subject;
+};
+
 struct User {
   Id id = 0;
   std::string name;
+  std::string issuer;  // of the provider that vouches for this user; "": an account of this shop alone
   UserRoles roles;
   bool has_password = false;
   bool has_pin = false;
@@ -66,6 +73,14 @@ class Users : public Repository {
  public:
   // Errors: exists (the name), invalid_value (empty name), broken_reference (a group that is not there).
   virtual Result<User> add(std::string_view name, const UserRoles& roles, const Stamp& by) = 0;
+  // The same without a secret, for whom a provider vouches; `disabled`: an administrator has to let them in first.
+  // Errors: exists (the name, or this identity), invalid_value (an empty part).
+  virtual Result<User> add_of_provider(std::string_view name, const ProviderIdentity& identity, const UserRoles& roles,
+                                       bool disabled, const Stamp& by) = 0;
+  // Errors: not_found.
+  virtual Result<User> of_provider(const ProviderIdentity& identity) = 0;
+  // Each session of the user. Errors: not_found.
+  virtual Result<void> end_sessions(std::string_view name) = 0;
   // Disabling ends the sessions of the user. Errors: not_found, stale_revision, broken_reference.
   virtual Result<User> change(std::string_view name, Revision expected, const UserChange& change, const Stamp& by) = 0;
   // "" takes the secret away. The user's sessions end, and a lock with them. Errors: not_found.

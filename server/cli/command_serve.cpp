@@ -19,6 +19,7 @@
 #include "server/app/application.h"
 #include "server/app/mqtt.h"
 #include "server/app/out/status_registers.h"
+#include "server/app/shop/provider_people.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/inputs.h"
@@ -29,6 +30,7 @@
 #include "server/cli/serve_reload.h"
 #include "server/cli/signals.h"
 #include "server/http/api.h"
+#include "server/http/provider_sign_in.h"
 #include "server/http/server.h"
 #include "server/io/http_sender.h"
 #include "server/io/io.h"
@@ -200,6 +202,45 @@ app::Result<app::HookSettings> arming_hook(const ServerOptions& options, const a
   return hook;
 }
 
+// Nothing where no provider is configured. Errors: invalid (the issuer's URL, the secret, the certificates).
+app::Result<std::unique_ptr<http::ProviderSignIn>> provider_sign_in(const ServerOptions& options,
+                                                                    const app::Clock& clock) {
+  if (options.oidc.empty()) return nullptr;
+  io::HttpSenderSettings sending = sender_settings(options);
+  sending.ca_file = options.oidc_ca;
+  const auto sender = io::make_http_sender(sending);
+  if (!sender) return app::fail(app::ErrorCode::invalid, "--oidc-ca: " + sender.error());
+  if (const std::string why = (*sender)->why_no_target(options.oidc, options.oidc_local); !why.empty())
+    return app::fail(app::ErrorCode::invalid, fmt::format("--oidc: the URL {}", why));
+  auto secret = password_in(options.oidc_client_secret_file);
+  if (!secret) return app::fail(app::ErrorCode::invalid, "--oidc-client-secret-file: " + secret.error().text);
+  if (secret->empty() && !options.oidc_client_secret_file.empty())
+    return app::fail(app::ErrorCode::invalid, "--oidc-client-secret-file: its first line is empty");
+  std::vector<app::GroupRole> mapping;
+  for (const std::string& one : options.oidc_group) {
+    auto row = app::read_group_role(one);
+    if (!row) return std::unexpected(row.error());
+    mapping.push_back(std::move(*row));
+  }
+  return std::make_unique<http::ProviderSignIn>(
+      oidc::ProviderSettings{.issuer = options.oidc,
+                             .client_id = options.oidc_client_id,
+                             .client_secret = std::move(*secret),
+                             .scope = options.oidc_scope,
+                             .claims = {.name = options.oidc_name_claim, .groups = options.oidc_groups_claim},
+                             .title = options.oidc_title,
+                             .redirect_url = options.oidc_page + std::string(oidc::Provider::kPage),
+                             .local = options.oidc_local,
+                             .at_most = std::chrono::seconds(options.oidc_seconds),
+                             .make_sender =
+                                 [sending] {
+                                   auto made = io::make_http_sender(sending);
+                                   return made ? std::move(*made) : nullptr;
+                                 },
+                             .now_ms = [&clock] { return clock.wall_ms(); }},
+      std::move(mapping));
+}
+
 struct Books {
   store::Store& store;
   store::Library* library;
@@ -244,6 +285,11 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   auto hook = arming_hook(options, **sender);
   if (!hook) {
     print_error(hook.error());
+    return kWrongUse;
+  }
+  const auto provider = provider_sign_in(options, clock);
+  if (!provider) {
+    print_error(provider.error());
     return kWrongUse;
   }
   io::StoreMaintenance maintenance({.program = "/proc/self/exe",
@@ -301,7 +347,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
     mqtt.emplace(application, *broker,
                  app::MqttSettings{.prefix = options.mqtt_prefix, .write = write_event, .state = state});
   }
-  http::Api api(application, workers, web_root(options), kVersion, stop);
+  http::Api api(application, workers, web_root(options), kVersion, stop, provider->get());
   auto server = http::Server::start({.address = plan.address,
                                      .spool_folder = fs::path(options.data) / "uploads",
                                      .tls_certificate = options.tls_cert,

@@ -9,9 +9,11 @@
 
 #include "server/app/jobs/stop_reasons.h"
 #include "server/app/mqtt.h"
+#include "server/app/shop/provider_people.h"
 #include "server/cli/inputs.h"
 #include "server/http/tls.h"
 #include "server/io/mqtt_broker.h"
+#include "server/oidc/provider_document.h"
 
 namespace dripfeed::cli {
 
@@ -61,6 +63,20 @@ constexpr Row<std::string> kTexts[] = {
     {"--mqtt-client-id", &ServerOptions::mqtt_client_id, "dripfeed-HOSTNAME by default"},
     {"--mqtt-prefix", &ServerOptions::mqtt_prefix, "what all topics begin with, as enterprise/site/area"},
     {"--mqtt-ca", &ServerOptions::mqtt_ca, "certificates that the broker is believed by, PEM; the system's by default"},
+    {"--oidc", &ServerOptions::oidc,
+     "issuer of an OpenID Connect provider, https://…: people sign in there, by authorization code with PKCE"},
+    {"--oidc-client-id", &ServerOptions::oidc_client_id, "what the provider knows this server as"},
+    {"--oidc-client-secret-file", &ServerOptions::oidc_client_secret_file,
+     "file whose first line is the secret for the provider; without it this is a public client"},
+    {"--oidc-page", &ServerOptions::oidc_page,
+     "where browsers find this server's page, as https://dnc.shop; register this with /sign-in at the provider"},
+    {"--oidc-title", &ServerOptions::oidc_title, "name of the provider on the button"},
+    {"--oidc-scope", &ServerOptions::oidc_scope, "scopes to ask for besides openid, with blanks between"},
+    {"--oidc-name-claim", &ServerOptions::oidc_name_claim,
+     "claim of the ID token with the name of a new user; best one that people cannot change"},
+    {"--oidc-groups-claim", &ServerOptions::oidc_groups_claim, "claim of the ID token with the groups of a person"},
+    {"--oidc-ca", &ServerOptions::oidc_ca,
+     "certificates that the provider is believed by, PEM; the system's by default"},
 };
 constexpr Row<std::vector<std::string>> kLists[] = {
     {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
@@ -72,6 +88,9 @@ constexpr Row<std::vector<std::string>> kLists[] = {
      "a reason that people choose from when a transfer has stopped, one for each; by default the usual ones"},
     {"--proxy", &ServerOptions::proxy,
      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed", true},
+    {"--oidc-group", &ServerOptions::oidc_group,
+     "GROUP=ROLE or GROUP=ROLE@MACHINES: the role of who is in this group at the provider, on all machines or on those "
+     "of a group; without any an administrator gives the roles"},
 };
 constexpr Row<std::vector<double>> kDelays[] = {
     {"--webhook-retry-s", &ServerOptions::webhook_retry_s,
@@ -87,6 +106,9 @@ constexpr NumberRow kNumbers[] = {
     {{"--arming-hook-seconds", &ServerOptions::arming_hook_seconds, "how long its answer may take"},
      1,
      json::kMostHookSeconds},
+    {{"--oidc-seconds", &ServerOptions::oidc_seconds, "how long the provider's answers to one sign-in may take"},
+     1,
+     json::kMostOidcSeconds},
     {{"--check-seconds", &ServerOptions::check_seconds, "budget of time of one check; a sweep has ten times it", true},
      1,
      json::kMostCheckSeconds},
@@ -103,9 +125,11 @@ constexpr NumberRow kNumbers[] = {
      0,
      json::kMostDeleteAfter_days},
 };
-constexpr Row<bool> kFlags[] = {{"--insecure", &ServerOptions::insecure, "listen beyond loopback without TLS"},
-                                {"--arming-hook-local", &ServerOptions::arming_hook_local,
-                                 "the hook may be this computer or in a private network, by HTTP too"}};
+constexpr Row<bool> kFlags[] = {
+    {"--insecure", &ServerOptions::insecure, "listen beyond loopback without TLS"},
+    {"--arming-hook-local", &ServerOptions::arming_hook_local,
+     "the hook may be this computer or in a private network, by HTTP too"},
+    {"--oidc-local", &ServerOptions::oidc_local, "the provider may be this computer or in a private network"}};
 
 template <class Visit>
 void for_each_option(const Visit& visit) {
@@ -206,6 +230,23 @@ app::Result<void> check_hook(const ServerOptions& options) {
   return app::fail(app::ErrorCode::invalid, "--arming-hook and --arming-hook-secret-file go together: give both");
 }
 
+app::Result<void> check_oidc(const ServerOptions& options) {
+  const auto refuse = [](std::string why) { return app::fail(app::ErrorCode::invalid, std::move(why)); };
+  for (const std::string& one : options.oidc_group)
+    if (const auto row = app::read_group_role(one); !row) return refuse("--oidc-group " + row.error().text);
+  if (options.oidc.empty()) {
+    return options.oidc_client_id.empty() && options.oidc_page.empty()
+               ? app::Result<void>()
+               : refuse("--oidc-client-id and --oidc-page belong to a provider: give --oidc, too");
+  }
+  if (options.oidc_client_id.empty() || options.oidc_page.empty())
+    return refuse("--oidc needs --oidc-client-id and --oidc-page");
+  if (const std::string why = oidc::why_no_endpoint(options.oidc); !why.empty()) return refuse("--oidc " + why);
+  if (const std::string why = oidc::why_no_page(options.oidc_page, options.insecure); !why.empty())
+    return refuse("--oidc-page " + why);
+  return {};
+}
+
 }  // namespace
 
 void add_serve_options(CLI::App& command, GivenOptions& given) {
@@ -261,6 +302,7 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
   if (const auto node = check_node(options); !node) return std::unexpected(node.error());
   if (const auto mqtt = check_mqtt(options); !mqtt) return std::unexpected(mqtt.error());
   if (const auto hook = check_hook(options); !hook) return std::unexpected(hook.error());
+  if (const auto oidc = check_oidc(options); !oidc) return std::unexpected(oidc.error());
   if (const auto proxies = check_addresses("--proxy", options.proxy); !proxies) return std::unexpected(proxies.error());
   if (const auto readers = check_addresses("--modbus-allow", options.modbus_allow); !readers)
     return std::unexpected(readers.error());

@@ -146,12 +146,13 @@ std::expected<store::Id, Response> id_of(std::string_view text) {
 }
 
 Api::Api(app::Application& application, json::DocumentWorkers& workers, std::filesystem::path web_root,
-         std::string version, std::stop_token stop)
+         std::string version, std::stop_token stop, ProviderSignIn* provider)
     : application_(application),
       workers_(workers),
       web_root_(std::move(web_root)),
       version_(std::move(version)),
       stop_(std::move(stop)),
+      provider_(provider),
       sessions_(application.store().tokens(), application.store().users(), application.store().browser_sessions(),
                 [&application] { return application.clock().wall_ms(); }),
       live_(
@@ -173,6 +174,7 @@ Lane lane_of(const Route& route) {
     case Weight::setup: return Lane::bulk;
     case Weight::heavy: return Lane::heavy;
     case Weight::secret: return Lane::secret;
+    case Weight::provider: return Lane::provider;
   }
   return Lane::here;
 }
@@ -312,7 +314,7 @@ Response Api::answer_route(const Request& request, const Match& match) {
   call.caller = &*caller;
   if (call.right < route.right) return too_low(route, *caller, call.right);
   if (route.weight == Weight::stored) return answer_stored(call, route);
-  const bool is_kept = request.method != Method::get && route.weight != Weight::secret;
+  const bool is_kept = request.method != Method::get && !opens_session(route.weight);
   if (is_kept && !request.idempotency_key.empty()) return answer_once(request, route, call);
   return route.weight == Weight::staged ? answer_staged(call, route, nullptr) : route.handler(call);
 }

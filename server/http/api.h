@@ -26,11 +26,14 @@
 
 namespace dripfeed::http {
 
+struct ProviderSignIn;
+
 class Api {
  public:
   // `web_root`: the built page (web/dist); empty: no page is served. `stop`: the server ends, and long work gives up.
+  // `provider`: people may sign in by it; nullptr: there is none.
   Api(app::Application& application, json::DocumentWorkers& workers, std::filesystem::path web_root,
-      std::string version, std::stop_token stop = {});
+      std::string version, std::stop_token stop = {}, ProviderSignIn* provider = nullptr);
 
   // From the head of a request: where it is answered, and how long its body may be.
   [[nodiscard]] static Plan plan(const Request& head);
@@ -42,6 +45,7 @@ class Api {
   app::Application& application() { return application_; }
   json::DocumentWorkers& workers() { return workers_; }
   Sessions& sessions() { return sessions_; }
+  [[nodiscard]] ProviderSignIn* provider() const { return provider_; }
   LiveHub& live() { return live_; }
   Titles& titles() { return titles_; }
   MachineList& machine_list() { return machine_list_; }
@@ -72,6 +76,7 @@ class Api {
   std::filesystem::path web_root_;
   std::string version_;
   std::stop_token stop_;
+  ProviderSignIn* provider_;
   Sessions sessions_;
   LiveHub live_;
   Titles titles_;

@@ -21,6 +21,7 @@ namespace dripfeed::http {
 // for the HTTP thread.
 struct ConnectionShared {
   SignIns sign_ins{};
+  SignIns provider_sign_ins{};  // of their own: a provider that hangs keeps no password out
   Answerer answerer;
   Lanes* lanes = nullptr;
   const Spool* spool = nullptr;

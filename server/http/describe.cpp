@@ -21,7 +21,7 @@ std::string describe_api(std::string_view version) {
                          .open = route.right == Right::anybody,
                          .paged = route.takes == Takes::page,
                          .if_match = route.takes == Takes::if_match,
-                         .once = is_change && route.weight != Weight::secret,
+                         .once = is_change && !opens_session(route.weight),
                          .query = own_query(route),
                          .body = route.body.schema,
                          .needs_body = route.body.needed,

@@ -19,6 +19,9 @@ Response get_docs(const Call& call);
 Response get_docs_page(const Call& call);
 Response get_session(const Call& call);
 Response open_session(const Call& call);
+Response get_sign_in_provider(const Call& call);
+Response begin_provider_sign_in(const Call& call);
+Response open_provider_session(const Call& call);
 Response close_session(const Call& call);
 Response get_events(const Call& call);
 

@@ -8,6 +8,7 @@
 #include "server/http/api.h"
 #include "server/http/describe.h"
 #include "server/http/handlers.h"
+#include "server/http/provider_sign_in.h"
 #include "server/json/people.h"
 
 namespace dripfeed::http {
@@ -15,6 +16,7 @@ namespace dripfeed::http {
 namespace {
 
 constexpr std::size_t kSignInLimit = 4096;  // bytes that anyone may have read as JSON
+constexpr std::size_t kProviderAnswerLimit = 8192;
 
 Response no_file() { return problem_response(404, "there is no such file of the page; is web/dist built?"); }
 
@@ -112,6 +114,72 @@ Response open_session(const Call& call) {
   if (!value) return value.error();
   Response response = no_content();
   response.headers.emplace_back("Set-Cookie", cookie(call.request, *value, ""));
+  return response;
+}
+
+namespace {
+
+constexpr std::string_view kSignInCookie = "dripfeed_sign_in";
+
+// Only the routes of this sign-in get it, from our own page.
+std::string sign_in_cookie(const Request& request, std::string_view value, std::int64_t seconds) {
+  return fmt::format("{}={}; Path=/api/v1/session/provider; HttpOnly; SameSite=Strict; Max-Age={}{}", kSignInCookie,
+                     value, seconds, request.is_encrypted ? "; Secure" : "");
+}
+
+Response no_provider() { return problem_response(404, "no provider is configured here"); }
+
+// No one begins or ends a sign-in of a browser from another site.
+bool is_of_other_site(const Request& request) {
+  const bool names_site = !request.origin.empty() || !request.fetch_site.empty();
+  return names_site && !same_origin(request);
+}
+
+// The cookie of a new session, or why there is none.
+app::Result<std::string> sign_in_by_provider(const Call& call, const json::ProviderAnswerBody& body) {
+  ProviderSignIn& by = *call.api.provider();
+  app::Application& app = call.api.application();
+  const auto identity =
+      by.provider.finish({.code = body.code, .state = body.state, .issuer = body.iss, .error = body.error},
+                         cookie_value(call.request.cookie, kSignInCookie));
+  if (!identity) return std::unexpected(identity.error());
+  const app::VouchedPerson person{.identity = {by.provider.settings().issuer, identity->subject},
+                                  .name = identity->name,
+                                  .groups = identity->groups};
+  const auto name = app::admit(app.store(), person, by.mapping, app.clock().wall_ms());
+  if (!name) return std::unexpected(name.error());
+  return app::lift(call.api.sessions().open_by_provider(*name));
+}
+
+}  // namespace
+
+Response get_sign_in_provider(const Call& call) {
+  const ProviderSignIn* const by = call.api.provider();
+  return json_response(200, json::sign_in_provider(by == nullptr ? std::string() : by->provider.settings().title));
+}
+
+Response begin_provider_sign_in(const Call& call) {
+  if (is_of_other_site(call.request)) return problem_response(403, "a sign-in must come from this server's own page");
+  if (call.api.provider() == nullptr) return no_provider();
+  const auto begun = call.api.provider()->provider.begin();
+  if (!begun) return problem_response(begun.error());
+  Response response = json_response(200, json::provider_sign_in(begun->url));
+  response.headers.emplace_back("Cache-Control", "no-store");
+  response.headers.emplace_back("Set-Cookie",
+                                sign_in_cookie(call.request, begun->cookie, oidc::Tickets::kLast_ms / 1000));
+  return response;
+}
+
+Response open_provider_session(const Call& call) {
+  if (is_of_other_site(call.request)) return problem_response(403, "a sign-in must come from this server's own page");
+  if (call.api.provider() == nullptr) return no_provider();
+  if (call.request.body.size() > kProviderAnswerLimit) return problem_response(413, "this is longer than any answer");
+  const auto body = json::read_provider_answer_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const auto value = sign_in_by_provider(call, *body);
+  Response response = value ? no_content() : problem_response(value.error());
+  response.headers.emplace_back("Set-Cookie", sign_in_cookie(call.request, "", 0));
+  if (value) response.headers.emplace_back("Set-Cookie", cookie(call.request, *value, ""));
   return response;
 }
 

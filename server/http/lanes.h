@@ -8,6 +8,7 @@
 //   bulk     texts: uploads, long answers, files
 //   heavy    checks, rendering, sweeps: they wait for worker processes
 //   secret   signing in: a hash of a password takes a tenth of a second and 64 MiB, one at a time
+//   provider signing in by another system, which is asked meanwhile and may not answer
 //   spool    files of long bodies on their way here: it waits for the disk (see spool.h)
 //
 // Each lane has a queue with an end: who comes later is asked to come again.
@@ -20,7 +21,7 @@
 
 namespace dripfeed::http {
 
-enum class Lane : std::uint8_t { here, command, arm, write, bulk, heavy, secret, spool };
+enum class Lane : std::uint8_t { here, command, arm, write, bulk, heavy, secret, provider, spool };
 
 class Lanes {
  public:
@@ -42,7 +43,7 @@ class Lanes {
  private:
   class One;
   One& at(Lane lane);
-  std::unique_ptr<One> lanes_[7];
+  std::unique_ptr<One> lanes_[8];
 };
 
 }  // namespace dripfeed::http

@@ -33,7 +33,9 @@ std::string_view name_of(Right right);
 //   heavy    lane `heavy`: rendering, checks
 //   secret   lane `secret`: passwords, PINs, tokens; no answer is kept under an idempotency key, as it may hold a
 //   secret
-enum class Weight : std::uint8_t { stored, light, staged, command, arming, bulk, setup, heavy, secret };
+//   provider lane `provider`: a sign-in that asks another system; as `secret` otherwise
+enum class Weight : std::uint8_t { stored, light, staged, command, arming, bulk, setup, heavy, secret, provider };
+constexpr bool opens_session(Weight weight) { return weight == Weight::secret || weight == Weight::provider; }
 
 // What a body may carry: a document, a text in one, or the bytes of a file, which the handler reads in pieces.
 enum class Carries : std::uint8_t { document, text, file };

@@ -71,6 +71,7 @@ store::Result<Sessions::Known> Sessions::ask(const std::string& hash, bool is_se
              .user = std::nullopt,
              .owner = std::move(found->token_hash),
              .secret = found->secret,
+             .by_provider = found->by_provider,
              .opened_at_ms = found->opened_at_ms,
              .used_at_ms = found->used_at_ms};
     user = found->user_id;
@@ -130,7 +131,7 @@ Caller Sessions::caller_of(const Known& known) {
     caller.signed_in_by = "token";
   } else {
     if (known.secret == store::SecretKind::pin) most = kPinRight;
-    caller.signed_in_by = store::name_of(known.secret);
+    caller.signed_in_by = known.by_provider ? "provider" : store::name_of(known.secret);
   }
   caller.right = most;
   if (known.user) {
@@ -219,6 +220,7 @@ bool Sessions::is_valid_session(const Credential& credential) {
                         .user = std::nullopt,
                         .owner = {},
                         .secret = found->secret,
+                        .by_provider = found->by_provider,
                         .opened_at_ms = found->opened_at_ms,
                         .used_at_ms = found->used_at_ms};
     if (has_expired(session, credential.session)) return false;
@@ -239,6 +241,10 @@ store::Result<std::string> Sessions::open(std::string_view token) {
 
 store::Result<std::string> Sessions::open(std::string_view user, store::SecretKind secret) {
   return open_for({.user = std::string(user), .secret = secret});
+}
+
+store::Result<std::string> Sessions::open_by_provider(std::string_view user) {
+  return open_for({.user = std::string(user), .by_provider = true});
 }
 
 // What has expired goes with the next sign-in; no one ends the session of another by signing in often.

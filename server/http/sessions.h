@@ -1,6 +1,6 @@
 // Who calls: API tokens in the Authorization header, or a browser's cookie that was given for a token or for a user's
-// password or PIN. Sessions of browsers live in the store, so a restart of the server ends no session. A revoked token
-// and a disabled user end their sessions with the next request.
+// password or PIN, or for a user whom a provider vouched for. Sessions of browsers live in the store, so a restart of
+// the server ends no session. A revoked token and a disabled user end their sessions with the next request.
 #pragma once
 
 #include <compare>
@@ -31,7 +31,7 @@ struct Caller {
   Right right = Right::anybody;                             // for all that belongs to no machine of `on_machines`
   std::map<std::string, Right, std::less<>> on_machines{};  // instead of `right`
   std::string scope{};                                      // what it may change, see rights.h; "": all that it may
-  std::string signed_in_by{};                               // "token", "password", "pin"
+  std::string signed_in_by{};                               // "token", "password", "pin", "provider"
   bool by_cookie = false;
   Credential credential{};
 };
@@ -60,6 +60,8 @@ class Sessions {
   store::Result<std::string> open(std::string_view token);
   // The same for a user whose password or PIN was right. Errors: not_found (disabled).
   store::Result<std::string> open(std::string_view user, store::SecretKind secret);
+  // The same for a user whom a provider vouched for.
+  store::Result<std::string> open_by_provider(std::string_view user);
   store::Result<void> close(const Request& request);
   // Whether the token or the user, and the session where there is one, is valid now. Does not count as a use. It may
   // write: the uses of this session that were not noted in the store yet.
@@ -72,7 +74,8 @@ class Sessions {
     std::optional<store::Rights> user;  // of the session, or whose token it is
     std::string owner;
     store::SecretKind secret = store::SecretKind::password;  // without a token
-    std::int64_t opened_at_ms = 0;                           // 0: no session
+    bool by_provider = false;
+    std::int64_t opened_at_ms = 0;  // 0: no session
     std::int64_t used_at_ms = 0;
   };
 

@@ -13,7 +13,7 @@
 
 namespace dripfeed::http {
 
-inline constexpr std::size_t kLanesAndHere = 8;
+inline constexpr std::size_t kLanesAndHere = 9;
 
 class Traffic {
  public:

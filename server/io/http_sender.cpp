@@ -25,7 +25,6 @@ namespace ip = boost::asio::ip;
 
 constexpr long kAtMost_ms = 20'000;
 constexpr long kConnect_ms = 10'000;
-constexpr std::size_t kMostOfAnswer_bytes = std::size_t{64} * 1024;
 
 struct Close {
   void operator()(CURL* handle) const { curl_easy_cleanup(handle); }
@@ -36,13 +35,13 @@ using Easy = std::unique_ptr<CURL, Close>;
 using HeaderList = std::unique_ptr<curl_slist, Close>;
 using Url = std::unique_ptr<CURLU, Close>;
 
-// One post that is on. It does not move: libcurl knows its address.
+// One call that is on. It does not move: libcurl knows its address.
 struct Transfer {
   std::uint64_t ticket = 0;
   bool local = false;
   std::string refused;  // the address that it may not go to
   std::size_t answered_bytes = 0;
-  bool keeps_answer = false;
+  std::size_t keeps_bytes = 0;
   std::string answer;
   std::array<char, CURL_ERROR_SIZE> error{};
   HeaderList headers;
@@ -81,9 +80,8 @@ curl_socket_t open_socket(void* user, curlsocktype purpose, curl_sockaddr* targe
 std::size_t take_answer(char* bytes, std::size_t size, std::size_t count, void* user) {
   auto& transfer = *static_cast<Transfer*>(user);
   transfer.answered_bytes += size * count;
-  if (transfer.keeps_answer)
-    transfer.answer.append(bytes, std::min(size * count, app::kKeptAnswer_bytes - transfer.answer.size()));
-  return transfer.answered_bytes > kMostOfAnswer_bytes ? 0 : size * count;
+  transfer.answer.append(bytes, std::min(size * count, transfer.keeps_bytes - transfer.answer.size()));
+  return transfer.answered_bytes > app::kMostOfAnswer_bytes ? 0 : size * count;
 }
 
 std::string part_of(CURLU* url, CURLUPart part) {
@@ -104,12 +102,12 @@ class CurlSender final : public app::HttpSender {
   }
 
   [[nodiscard]] std::string why_no_target(const std::string& text, bool local) const override;
-  void begin(std::uint64_t ticket, const app::HttpPost& post) override;
+  void begin(std::uint64_t ticket, const app::HttpCall& call) override;
   std::vector<app::HttpOutcome> work(std::chrono::milliseconds at_most) override;
   void wake() override { curl_multi_wakeup(multi_); }
 
  private:
-  void set_up(Transfer& transfer, const app::HttpPost& post) const;
+  void set_up(Transfer& transfer, const app::HttpCall& call) const;
 
   HttpSenderSettings settings_;
   CURLM* multi_;
@@ -136,20 +134,20 @@ std::string CurlSender::why_no_target(const std::string& text, bool local) const
                                            : "is an address that nothing is sent to";
 }
 
-void CurlSender::set_up(Transfer& transfer, const app::HttpPost& post) const {
+void CurlSender::set_up(Transfer& transfer, const app::HttpCall& call) const {
   CURL* const easy = transfer.easy.get();
   const auto set = [easy](CURLoption option, auto value) { curl_easy_setopt(easy, option, value); };
-  for (const auto& [name, value] : post.headers) {
+  for (const auto& [name, value] : call.headers) {
     curl_slist* const longer = curl_slist_append(transfer.headers.get(), fmt::format("{}: {}", name, value).c_str());
     static_cast<void>(transfer.headers.release());
     transfer.headers.reset(longer);
   }
-  set(CURLOPT_URL, post.url.c_str());
+  set(CURLOPT_URL, call.url.c_str());
   set(CURLOPT_PROTOCOLS_STR, "http,https");
   set(CURLOPT_FOLLOWLOCATION, 0L);
   set(CURLOPT_PROXY, "");
   set(CURLOPT_NOSIGNAL, 1L);
-  const long at_most_ms = std::clamp<long>(post.at_most.count(), 1, kAtMost_ms);
+  const long at_most_ms = std::clamp<long>(call.at_most.count(), 1, kAtMost_ms);
   set(CURLOPT_TIMEOUT_MS, at_most_ms);
   set(CURLOPT_CONNECTTIMEOUT_MS, std::min(kConnect_ms, at_most_ms));
   set(CURLOPT_FORBID_REUSE, 1L);
@@ -157,8 +155,10 @@ void CurlSender::set_up(Transfer& transfer, const app::HttpPost& post) const {
   set(CURLOPT_USERAGENT, settings_.user_agent.c_str());
   if (!settings_.ca_file.empty()) set(CURLOPT_CAINFO, settings_.ca_file.c_str());
   set(CURLOPT_HTTPHEADER, transfer.headers.get());
-  set(CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(post.body.size()));
-  set(CURLOPT_COPYPOSTFIELDS, post.body.c_str());
+  if (call.verb == app::HttpVerb::post) {
+    set(CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(call.body.size()));
+    set(CURLOPT_COPYPOSTFIELDS, call.body.c_str());
+  }
   set(CURLOPT_OPENSOCKETFUNCTION, &open_socket);
   set(CURLOPT_OPENSOCKETDATA, &transfer);
   set(CURLOPT_WRITEFUNCTION, &take_answer);
@@ -166,18 +166,18 @@ void CurlSender::set_up(Transfer& transfer, const app::HttpPost& post) const {
   set(CURLOPT_ERRORBUFFER, transfer.error.data());
 }
 
-void CurlSender::begin(std::uint64_t ticket, const app::HttpPost& post) {
+void CurlSender::begin(std::uint64_t ticket, const app::HttpCall& call) {
   auto transfer = std::make_unique<Transfer>();
   transfer->ticket = ticket;
-  transfer->local = post.local;
-  transfer->keeps_answer = post.keeps_answer;
+  transfer->local = call.local;
+  transfer->keeps_bytes = std::min(call.keeps_bytes, app::kMostOfAnswer_bytes);
   transfer->easy.reset(curl_easy_init());
   // Who is allowed less than before is refused here, too.
-  if (const std::string why = why_no_target(post.url, post.local); !why.empty()) {
+  if (const std::string why = why_no_target(call.url, call.local); !why.empty()) {
     not_begun_.push_back({.ticket = ticket, .error = "the URL " + why});
     return;
   }
-  set_up(*transfer, post);
+  set_up(*transfer, call);
   CURL* const easy = transfer->easy.get();
   if (curl_multi_add_handle(multi_, easy) != CURLM_OK) {
     not_begun_.push_back({.ticket = ticket, .error = "libcurl takes no request"});
@@ -205,7 +205,7 @@ std::vector<app::HttpOutcome> CurlSender::work(std::chrono::milliseconds at_most
       outcome.status = static_cast<std::uint32_t>(status);
       outcome.body = std::move(transfer.answer);
     } else if (!transfer.refused.empty()) {
-      outcome.error = fmt::format("nothing is sent to {}: it is not open to this webhook", transfer.refused);
+      outcome.error = fmt::format("nothing is sent to {}: it is not open to this call", transfer.refused);
     } else {
       const bool has_words = transfer.error.front() != '\0';
       outcome.error = has_words ? transfer.error.data() : curl_easy_strerror(message->data.result);

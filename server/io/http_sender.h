@@ -1,4 +1,4 @@
-// The HTTP client for webhooks, on libcurl.
+// The HTTP client for webhooks, the arming hook and the sign-in's provider, on libcurl.
 #pragma once
 
 #include <expected>

@@ -1,4 +1,5 @@
-// Columns of numbers in JSON: their bytes, little-endian, in base64 (RFC 4648). Only files of this folder include this.
+// Columns of numbers in JSON: their bytes, little-endian, in base64 (RFC 4648). Only files of this
+// folder and of server/oidc include this.
 #pragma once
 
 #include <bit>

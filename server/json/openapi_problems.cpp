@@ -43,15 +43,16 @@ std::set<unsigned> statuses_of(const OpenApiRoute& route) {
   const auto add = [&](bool if_so, std::initializer_list<unsigned> some) {
     if (if_so) all.insert(some);
   };
-  add(!route.open || has_body, {401, 403});
+  const bool signs_in = route.open && !is_read;
+  add(!route.open || signs_in, {401, 403});
   if (has_type(route, "application/xml")) return all;  // all else as MTConnect has it
-  add(route.path.contains('{') || has_body, {404});
-  add(!is_read && !route.open, {409, 413, 415});
+  add(route.path.contains('{') || has_body || signs_in, {404});
+  add(!is_read, {409, 413, 415});
   add(has_body, {413, 415, 507});
   add(has_body || route.once || route.paged || !route.query.empty() || has_type(route, "text/event-stream"), {422});
   add(route.if_match, {412, 428});
   add(route.body == kNamesRevision, {412});
-  add((route.open && has_body) || has_type(route, "text/event-stream"), {429});
+  add(signs_in || has_type(route, "text/event-stream"), {429});
   return all;
 }
 

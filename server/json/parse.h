@@ -1,6 +1,6 @@
 // A text as a JSON document, and back. Stricter than the parser: a member that is given twice and nesting that no
-// document has are refused, too, and every fault has its place. Only files of this folder and of server/lsp include
-// this.
+// document has are refused, too, and every fault has its place. Only files of this folder, of server/lsp and of
+// server/oidc include this.
 #pragma once
 
 #include <cstdint>

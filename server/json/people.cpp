@@ -35,6 +35,13 @@ void read_members(ObjectReader& o, SessionBody& into) {
   into.secret = pin.empty() ? std::move(password) : std::move(pin);
 }
 
+void read_members(ObjectReader& o, ProviderAnswerBody& into) {
+  o.text("code", into.code);
+  o.text("state", into.state, true);
+  o.text("iss", into.iss);
+  o.text("error", into.error);
+}
+
 void read_role(ObjectReader& o, store::Role& into) {
   if (const auto role = o.choice("role", store::kNames<store::Role>, true)) into = static_cast<store::Role>(*role);
 }
@@ -115,6 +122,9 @@ void read_members(ObjectReader& o, store::AuditRow& into) {
 }  // namespace
 
 app::Result<SessionBody> read_session_body(std::string_view body) { return read_by<SessionBody>(read_members, body); }
+app::Result<ProviderAnswerBody> read_provider_answer_body(std::string_view body) {
+  return read_by<ProviderAnswerBody>(read_members, body);
+}
 app::Result<UserBody> read_user_body(std::string_view body) { return read_by<UserBody>(read_members, body); }
 app::Result<store::UserChange> read_user_change_body(std::string_view body) {
   return read_by<store::UserChange>(read_members, body);
@@ -136,6 +146,8 @@ app::Result<store::AuditRow> read_audit_row(std::string_view text) {
 Schemas people_request_schemas() {
   return {
       described<SessionBody>("NewSession", read_members, "who signs in: a token, or a name with a password or PIN"),
+      described<ProviderAnswerBody>("ProviderAnswer", read_members,
+                                    "what the provider added to the address at which the browser came back"),
       described<UserBody>("NewUser", read_members, "a person"),
       described<store::UserChange>("UserChange", read_members, "all roles of a user, and whether the user is disabled"),
       described<SecretBody>("NewSecret", read_members, "a new password or PIN"),
@@ -189,8 +201,13 @@ std::string session(const SessionView& session) {
                {"machines", std::move(machines)}});
 }
 
+std::string sign_in_provider(std::string_view title) { return dump({{"title", text_or_null(title)}}); }
+
+std::string provider_sign_in(std::string_view url) { return dump({{"url", url}}); }
+
 std::string user(const store::User& user) {
   return dump({{"name", user.name},
+               {"provider", text_or_null(user.issuer)},
                {"role", store::name_of(user.roles.role)},
                {"grants", grants_document(user.roles)},
                {"has_password", user.has_password},

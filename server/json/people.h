@@ -21,6 +21,15 @@ struct SessionBody {
 };
 app::Result<SessionBody> read_session_body(std::string_view body);
 
+// What an OpenID Connect provider sent back with the browser.
+struct ProviderAnswerBody {
+  std::string code;
+  std::string state;
+  std::string iss;
+  std::string error;
+};
+app::Result<ProviderAnswerBody> read_provider_answer_body(std::string_view body);
+
 struct UserBody {
   std::string name;
   store::UserRoles roles;
@@ -52,11 +61,13 @@ Schemas people_schemas();
 struct SessionView {
   std::string_view name;
   std::string_view role;
-  std::string_view by;                               // "token", "password", "pin"
+  std::string_view by;                               // "token", "password", "pin", "provider"
   std::string_view scope;                            // "": everything
   std::map<std::string, std::string_view> machines;  // roles that differ, by machine
 };
 std::string session(const SessionView& session);
+std::string sign_in_provider(std::string_view title);  // "": there is none
+std::string provider_sign_in(std::string_view url);
 std::string user(const store::User& user);
 std::string token(const store::Token& token);
 // With its secret, which is shown this once.

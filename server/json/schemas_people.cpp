@@ -23,7 +23,7 @@ Members token_members() {
 }  // namespace
 
 Schemas people_schemas() {
-  static constexpr std::string_view kBy[] = {"token", "password", "pin"};
+  static constexpr std::string_view kBy[] = {"token", "password", "pin", "provider"};
   return {
       {"Session",
        object("who calls",
@@ -32,8 +32,13 @@ Schemas people_schemas() {
                {"by", one_of(kBy, "what the caller signed in with")},
                {"scope", list_of(text("a word of a token's scope"), "what it may change; empty: all")},
                {"machines", map_of(role_of("on this machine"), "roles by machine, where they differ from \"role\"")}})},
+      {"SignInProvider", object("an OpenID Connect provider that people may sign in by",
+                                {{"title", or_null(text("its name for people; null: none is configured"))}})},
+      {"ProviderSignIn", object("a sign-in that has begun", {{"url", text("of the provider: the browser opens it")}})},
       {"User",
        object("a person", {{"name", text("with which the person signs in")},
+                           {"provider", or_null(text("issuer of the OpenID Connect provider that vouches for the "
+                                                     "person; null: an account of this shop alone"))},
                            {"role", role_of("on machines of no granted group, and for all that belongs to no machine")},
                            {"grants", list_of(object("a role on the machines of a group",
                                                      {{"group", text("its name")}, {"role", role_of("there")}}),

@@ -96,6 +96,18 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("arming_hook_unanswered", into.arming_hook_unanswered);
   o.flag("arming_hook_local", into.arming_hook_local);
   o.integer("arming_hook_seconds", into.arming_hook_seconds, 1, kMostHookSeconds);
+  o.text("oidc", into.oidc);
+  o.text("oidc_client_id", into.oidc_client_id);
+  o.text("oidc_client_secret_file", into.oidc_client_secret_file);
+  o.text("oidc_page", into.oidc_page);
+  o.text("oidc_title", into.oidc_title);
+  o.text("oidc_scope", into.oidc_scope);
+  o.text("oidc_name_claim", into.oidc_name_claim);
+  o.text("oidc_groups_claim", into.oidc_groups_claim);
+  read_texts(o, "oidc_group", "GROUP=ROLE or GROUP=ROLE@MACHINES", into.oidc_group);
+  o.text("oidc_ca", into.oidc_ca);
+  o.flag("oidc_local", into.oidc_local);
+  o.integer("oidc_seconds", into.oidc_seconds, 1, kMostOidcSeconds);
   o.integer("check_seconds", into.check_seconds, 1, kMostCheckSeconds);
   o.integer("check_memory", into.check_memory, kLeastCheckMemory_mb, kMostCheckMemory_mb);
   o.integer("program_mb", into.program_mb, 1, kMostUpload_mb);

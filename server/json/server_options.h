@@ -41,6 +41,18 @@ struct ServerOptions {
   std::string arming_hook_unanswered = "refuse";  // or "warn"
   bool arming_hook_local = false;
   std::uint32_t arming_hook_seconds = 5;
+  std::string oidc{};                         // issuer of an OpenID Connect provider that signs people in; "": none
+  std::string oidc_client_id{};               // of this server, as it is registered there
+  std::string oidc_client_secret_file{};      // "": a public client
+  std::string oidc_page{};                    // "https://dnc.shop": where browsers find the page
+  std::string oidc_title = "OpenID Connect";  // on the button
+  std::string oidc_scope = "profile";         // besides openid
+  std::string oidc_name_claim = "preferred_username";
+  std::string oidc_groups_claim = "groups";
+  std::vector<std::string> oidc_group{};  // GROUP=ROLE[@MACHINES]; empty: an administrator gives the roles
+  std::string oidc_ca{};                  // PEM; "": whom the system believes
+  bool oidc_local = false;
+  std::uint32_t oidc_seconds = 5;
   std::uint32_t check_seconds = 60;
   std::uint32_t check_memory = 2048;     // MB
   std::uint32_t program_mb = 64;         // of one text
@@ -52,6 +64,7 @@ struct ServerOptions {
 inline constexpr double kMostRetry_s = 604'800.0;  // a week
 inline constexpr std::size_t kMostRetries = 20;
 inline constexpr std::uint32_t kMostHookSeconds = 15;
+inline constexpr std::uint32_t kMostOidcSeconds = 15;
 inline constexpr std::uint32_t kMostCheckSeconds = 86'400;
 inline constexpr std::uint32_t kMostUpload_mb = 64;
 inline constexpr std::uint32_t kMostStore_mb = 1'073'741'824;

@@ -12,6 +12,10 @@ namespace dripfeed::hash {
 std::string random_token();
 // What the store keeps and looks for.
 std::string token_hash(std::string_view token);
+// A token that only who has the key can make of the text again: 43 characters of base64url (HMAC-SHA256).
+std::string derived_token(std::string_view key, std::string_view text);
+// SHA-256 as 43 characters of base64url: what RFC 7636 asks for as the challenge of a verifier.
+std::string challenge_of(std::string_view verifier);
 // In constant time for equal lengths.
 bool same_secret(std::string_view a, std::string_view b);
 

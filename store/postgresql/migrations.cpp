@@ -9,6 +9,7 @@
 #include "store/postgresql/schema_v4.h"
 #include "store/postgresql/schema_v5.h"
 #include "store/postgresql/schema_v6.h"
+#include "store/postgresql/schema_v7.h"
 #include "store/sql/session.h"
 
 namespace dripfeed::postgresql {
@@ -53,7 +54,8 @@ std::span<const sql::Migration> migrations() {
                                       sql::Migration{3, "nodes", kSchemaV3},
                                       sql::Migration{4, "attachments", kSchemaV4},
                                       sql::Migration{5, "deleted programs", kSchemaV5},
-                                      sql::Migration{6, "plans and ends of jobs", kSchemaV6}};
+                                      sql::Migration{6, "plans and ends of jobs", kSchemaV6},
+                                      sql::Migration{7, "users of a provider", kSchemaV7}};
   return kMigrations;
 }
 

@@ -12,7 +12,8 @@ using store::SessionOwner;
 
 constexpr std::string_view kFind =
     "SELECT t.id, t.name, t.role, t.created_by, t.created_at_ms, t.account, t.scope, t.expires_at_ms, t.hash,"
-    " s.account, s.secret, s.opened_at_ms, s.used_at_ms FROM browser_session s LEFT JOIN token t ON t.id = s.token"
+    " s.account, s.secret, s.by_provider, s.opened_at_ms, s.used_at_ms FROM browser_session s LEFT JOIN token t ON "
+    "t.id = s.token"
     " LEFT JOIN account a ON a.id = s.account"
     " WHERE s.hash = ? AND (t.revoked_at_ms = 0 OR (s.token IS NULL AND a.disabled_at_ms = 0))";
 // All of one owner but the newest ones: a million of them at once.
@@ -35,6 +36,7 @@ BrowserSession read_session(Query& query) {
   found.token_hash = query.text();
   found.user_id = query.number();
   found.secret = store::named<store::SecretKind>(query.text()).value_or(store::SecretKind::password);
+  found.by_provider = query.flag();
   found.opened_at_ms = query.signed_number();
   found.used_at_ms = query.signed_number();
   if (token.id != 0) {
@@ -66,9 +68,10 @@ Result<void> BrowserSessionTable::open(std::string_view session_hash, const Sess
     const NumberOrNull user{is_token ? 0 : id};
     session.run(kTrim, token, user, most - 1);
     session.run(
-        "INSERT INTO browser_session (hash, token, account, secret, opened_at_ms, used_at_ms)"
-        " VALUES (?, ?, ?, ?, ?, ?)",
-        session_hash, token, user, is_token ? std::string_view() : store::name_of(owner.secret), at_ms, at_ms);
+        "INSERT INTO browser_session (hash, token, account, secret, by_provider, opened_at_ms, used_at_ms)"
+        " VALUES (?, ?, ?, ?, ?, ?, ?)",
+        session_hash, token, user, is_token ? std::string_view() : store::name_of(owner.secret),
+        std::uint64_t{owner.by_provider ? 1U : 0U}, at_ms, at_ms);
     return {};
   });
 }

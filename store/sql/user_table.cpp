@@ -23,10 +23,13 @@ using store::UserRoles;
 
 constexpr std::string_view kOne =
     "SELECT id, name, role, password <> '', pin <> '', failures, locked_until_ms, disabled_at_ms, revision, created_by,"
-    " created_at_ms FROM account WHERE name = ?";
+    " created_at_ms, provider FROM account WHERE name = ?";
+// The last condition is that of the index, and an account of this shop has no identity.
+constexpr std::string_view kOfProvider =
+    "SELECT name FROM account WHERE provider = ? AND provider_subject = ? AND provider <> ''";
 constexpr std::string_view kList =
     "SELECT id, name, role, password <> '', pin <> '', failures, locked_until_ms, disabled_at_ms, revision, created_by,"
-    " created_at_ms FROM account WHERE name > ? ORDER BY name LIMIT ?";
+    " created_at_ms, provider FROM account WHERE name > ? ORDER BY name LIMIT ?";
 
 User read_user(Query& query) {
   User user;
@@ -41,6 +44,7 @@ User read_user(Query& query) {
   user.revision = query.number();
   user.created_by = query.text();
   user.created_at_ms = query.signed_number();
+  user.issuer = query.text();
   return user;
 }
 
@@ -70,7 +74,7 @@ void write_grants(Session& session, Id user, const UserRoles& roles) {
                 grant.role);
 }
 
-void end_sessions(Session& session, Id user) { session.run("DELETE FROM browser_session WHERE account = ?", user); }
+void delete_sessions(Session& session, Id user) { session.run("DELETE FROM browser_session WHERE account = ?", user); }
 
 std::string_view update_of(SecretKind kind) {
   return kind == SecretKind::password
@@ -92,6 +96,48 @@ Result<User> UserTable::add(std::string_view name, const UserRoles& roles, const
   });
 }
 
+Result<User> UserTable::add_of_provider(std::string_view name, const store::ProviderIdentity& identity,
+                                        const UserRoles& roles, bool disabled, const Stamp& by) {
+  return database_.write(subject_of(name), [&](Session& session) -> Result<User> {
+    if (name.empty() || identity.issuer.empty() || identity.subject.empty())
+      return session.refuse(ErrorCode::invalid_value, "a user of a provider needs a name, an issuer and a subject");
+    session.run(
+        "INSERT INTO account (name, role, revision, created_by, created_at_ms, disabled_at_ms, provider,"
+        " provider_subject) VALUES (?, ?, 1, ?, ?, ?, ?, ?)",
+        name, roles.role, by.actor, by.at_ms, disabled ? by.at_ms : std::int64_t{0}, identity.issuer, identity.subject);
+    write_grants(session, session.last_id(), roles);
+    add_audit_row(
+        session,
+        {.action = "user.add",
+         .subject = subject_of(name),
+         .detail = fmt::format("{}, of {}{}", words_of(roles), identity.issuer, disabled ? ", disabled" : "")},
+        by);
+    if (!session.ok()) return std::unexpected(session.error());
+    return get(name);
+  });
+}
+
+Result<User> UserTable::of_provider(const store::ProviderIdentity& identity) {
+  return database_.read("user of a provider", [&](Session& session) -> Result<User> {
+    std::string name;
+    {
+      Query query(session, kOfProvider, identity.issuer, identity.subject);
+      if (!query.next()) return session.refuse(ErrorCode::not_found);
+      name = query.text();
+    }
+    return get(name);
+  });
+}
+
+Result<void> UserTable::end_sessions(std::string_view name) {
+  return database_.write(subject_of(name), [&](Session& session) -> Result<void> {
+    const auto user = get(name);
+    if (!user) return std::unexpected(user.error());
+    delete_sessions(session, user->id);
+    return {};
+  });
+}
+
 Result<User> UserTable::change(std::string_view name, store::Revision expected, const store::UserChange& change,
                                const Stamp& by) {
   return database_.write(subject_of(name), [&](Session& session) -> Result<User> {
@@ -102,7 +148,7 @@ Result<User> UserTable::change(std::string_view name, store::Revision expected, 
     session.run("UPDATE account SET role = ?, disabled_at_ms = ?, revision = revision + 1 WHERE id = ?",
                 change.roles.role, change.disabled ? since_ms : std::int64_t{0}, user->id);
     write_grants(session, user->id, change.roles);
-    if (change.disabled) end_sessions(session, user->id);
+    if (change.disabled) delete_sessions(session, user->id);
     add_audit_row(session,
                   {.action = "user.change",
                    .subject = subject_of(name),
@@ -119,7 +165,7 @@ Result<User> UserTable::set_secret(std::string_view name, SecretKind kind, std::
     const auto user = get(name);
     if (!user) return user;
     session.run(update_of(kind), secret_hash, user->id);
-    end_sessions(session, user->id);
+    delete_sessions(session, user->id);
     add_audit_row(session,
                   {.action = "user.secret",
                    .subject = subject_of(name),

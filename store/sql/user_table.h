@@ -10,6 +10,11 @@ class UserTable final : public store::Users {
  public:
   explicit UserTable(Database& database) : database_(database) {}
   store::Result<store::User> add(std::string_view name, const store::UserRoles& roles, const store::Stamp& by) override;
+  store::Result<store::User> add_of_provider(std::string_view name, const store::ProviderIdentity& identity,
+                                             const store::UserRoles& roles, bool disabled,
+                                             const store::Stamp& by) override;
+  store::Result<store::User> of_provider(const store::ProviderIdentity& identity) override;
+  store::Result<void> end_sessions(std::string_view name) override;
   store::Result<store::User> change(std::string_view name, store::Revision expected, const store::UserChange& change,
                                     const store::Stamp& by) override;
   store::Result<store::User> set_secret(std::string_view name, store::SecretKind kind, std::string_view secret_hash,

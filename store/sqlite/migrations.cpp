@@ -13,6 +13,7 @@
 #include "store/sqlite/schema_v15.h"
 #include "store/sqlite/schema_v16.h"
 #include "store/sqlite/schema_v17.h"
+#include "store/sqlite/schema_v18.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -75,7 +76,8 @@ std::span<const Migration> migrations() {
                                       Migration{14, "waivers of points", kSchemaV14},
                                       Migration{15, "attachments", kSchemaV15},
                                       Migration{16, "deleted programs", kSchemaV16},
-                                      Migration{17, "plans and ends of jobs", kSchemaV17}};
+                                      Migration{17, "plans and ends of jobs", kSchemaV17},
+                                      Migration{18, "users of a provider", kSchemaV18}};
   return kMigrations;
 }
 

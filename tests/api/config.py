@@ -46,6 +46,11 @@ def what_it_says(folder):
     expect("same time" in check(folder, {"shift": ["06:00", "06:00"]}, code=2), "a shift twice")
     expect("go together" in check(folder, {"arming_hook": "https://erp.shop/may-i"}, code=2), "a hook without its secret")
     expect("refuse or warn" in check(folder, {"arming_hook_unanswered": "arm"}, code=2), "no word for it")
+    for part, words in [({"oidc": "https://login.shop"}, "needs --oidc-client-id"), ({"oidc_client_id": "dnc"}, "give --oidc"), ({"oidc": "http://login.shop", "oidc_client_id": "dnc", "oidc_page": "https://dnc.shop"}, "--oidc must be https"),
+                        ({"oidc": "https://login.shop", "oidc_client_id": "dnc", "oidc_page": "https://dnc.shop/"}, "--oidc-page must be scheme and host"),
+                        ({"oidc": "https://login.shop", "oidc_client_id": "dnc", "oidc_page": "http://dnc.shop"}, "--oidc-page must be https"), ({"oidc_group": ["dnc=boss"]}, "use GROUP=ROLE"),
+                        ({"oidc_group": ["=admin"]}, "use GROUP=ROLE"), ({"oidc_group": ["dnc=admin@"]}, "use GROUP=ROLE")]:
+        expect(words in check(folder, part, code=2), f"{part}: {words}")
     serve("--config", folder / "none.json", "--check", code=2)
 
 
@@ -57,7 +62,9 @@ def the_schema(folder):
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
              "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "shift": ["05:30", "17:30"], "stop_reason": ["tool broken", "no material"],
              "arming_hook": "https://erp.shop/may-i", "arming_hook_secret_file": "/etc/dripfeed/hook", "arming_hook_unanswered": "warn", "arming_hook_local": True,
-             "arming_hook_seconds": 2, "check_seconds": 1, "check_memory": 64,
+             "arming_hook_seconds": 2, "oidc": "https://login.shop", "oidc_client_id": "dnc", "oidc_client_secret_file": "", "oidc_page": "https://dnc.shop", "oidc_title": "the shop",
+             "oidc_scope": "profile groups", "oidc_name_claim": "upn", "oidc_groups_claim": "roles", "oidc_group": ["dnc=admin", "cn=heads,ou=shop=operator@mills"], "oidc_ca": "", "oidc_local": True,
+             "oidc_seconds": 2, "check_seconds": 1, "check_memory": 64,
              "program_mb": 1, "attachment_mb": 64, "store_mb": 0, "delete_after_days": 0}
     expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")
     options = subprocess.run([str(binary()), "serve", "--help"], capture_output=True, text=True, timeout=30).stdout
@@ -66,7 +73,7 @@ def the_schema(folder):
     for good in (whole, {}):
         expect(not list(validator.iter_errors(good)), f"the schema refuses {good}")
         check(folder, good)
-    for bad in ({"dat": ""}, {"check_seconds": 0}, {"proxy": "::1"}, {"proxy": [""]}, {"modbus_unit": {"a": 248}}, {"insecure": 1}, {"webhook_retry_s": [0]}, {"webhook_retry_s": ["5"]}, {"arming_hook_seconds": 16}, {"shift": "06:00"}, []):
+    for bad in ({"dat": ""}, {"check_seconds": 0}, {"proxy": "::1"}, {"proxy": [""]}, {"modbus_unit": {"a": 248}}, {"insecure": 1}, {"webhook_retry_s": [0]}, {"webhook_retry_s": ["5"]}, {"arming_hook_seconds": 16}, {"oidc_seconds": 16}, {"oidc_group": "dnc=admin"}, {"shift": "06:00"}, []):
         expect(list(validator.iter_errors(bad)), f"the schema takes {bad}")
         check(folder, bad, code=2)
 

@@ -28,6 +28,9 @@ def rows(made):
         ("POST", "/api/v1/session", None, {}, lambda: {"token": made["token"]}, {}),
         ("GET", "/api/v1/session", "viewer", {}, None, {}),
         ("DELETE", "/api/v1/session", "viewer", {}, None, {}),
+        ("GET", "/api/v1/session/provider", None, {}, None, {}),
+        ("POST", "/api/v1/session/provider/begin", None, {}, None, {"refused": "no provider", "status": 404}),
+        ("POST", "/api/v1/session/provider", None, {}, {"state": "x"}, {"refused": "no provider", "status": 404}),
         ("GET", "/api/v1/events", "viewer", {}, None, {}),
         ("GET", "/api/v1/machines", "viewer", {}, None, {}),
         ("POST", "/api/v1/machines", "admin", {}, lambda: made["mill_profile"], {}),
@@ -295,7 +298,7 @@ def try_row(client, stage, made, row):
             expect_problem(client.call(method, path, body, below, headers), 403, f"{what} as {below}", [role, below])
     answer = client.call(method, path, body, by_group(client, row, path, body, headers) or role, headers)
     if "refused" in more:  # to all, for a reason that is no right
-        expect_problem(answer, 409, f"{what} as {role}", [more["refused"]])
+        expect_problem(answer, more.get("status", 409), f"{what} as {role or 'anybody'}", [more["refused"]])
         return
     expect(200 <= answer.status < 300, f"{what} as {role or 'anybody'}: {answer}")
     if "note" in more:

@@ -233,7 +233,7 @@ def only_where_it_was_meant(folder):
 
     expect("certificate" in error(hooks[bad]), error(hooks[bad]))
     expect(not bad.all(), "a receiver with another certificate got it")
-    expect("is not open to this webhook" in error(hidden) and len(good.all()) == 1, error(hidden))
+    expect("is not open to this call" in error(hidden) and len(good.all()) == 1, error(hidden))
     for url, word in [("http://mes.shop/in", "https"), ("https://127.0.0.1/in", "local"), ("https://10.1.2.3/in", "local"), ("https://[::1]/in", "local"),
                       ("https://[::ffff:192.168.1.1]/in", "local"), ("ftp://mes.shop/in", "https"), ("file:///etc/passwd", "https"), ("mes", "url"), ("", "url"),
                       ("https://user:word@mes.shop/in", "password"), ("https://mes.shop/in#top", "fragment"), ("https://2130706433/in", "local"), ("https://0x7f.1/in", "local")]:

@@ -21,9 +21,9 @@ CODES = {"dc1": DC1, "dc3": DC3, "dc4": b"\x14", "dc2": b"\x12"}
 class Shop:
     """What a test may ask for: each method is a word of the rig."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, client=None):
         self.folder = folder
-        self.client = Client(folder)
+        self.client = client or Client(folder)
         self.client.start()
         self.controls = {}
         self.releases = {}
@@ -166,8 +166,8 @@ class Answering(http.server.BaseHTTPRequestHandler):
         pass
 
 
-def run(folder):
-    Answering.shop = Shop(folder)
+def run(folder, make=Shop):
+    Answering.shop = make(folder)
     rig = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Answering)
     threading.Thread(target=rig.serve_forever, daemon=True).start()
     try:

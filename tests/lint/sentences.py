@@ -6,7 +6,7 @@ import re
 import sys
 
 LITERAL = r'"(?:[^"\\]|\\.)*"'
-FOLDERS = ["server/app", "server/http", "server/io", "server/json", "store", "protocol/feed"]
+FOLDERS = ["server/app", "server/http", "server/io", "server/json", "server/oidc", "store", "protocol/feed"]
 FILES = ["server/cli/command_maintenance.cpp"]  # a process of the server: its sentences are answers
 # Files whose refusals people at machines meet. What only programmers of clients meet stays as it is written.
 WORDED = ["out/alarms.cpp", "application.cpp", "jobs/job_follower.cpp", "jobs/jobs.cpp", "lines/lines.cpp", "lines/kept_link.cpp", "lines/feed_line.cpp"]

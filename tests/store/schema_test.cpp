@@ -62,6 +62,8 @@ void write_newest(Store& store, const std::string& path) {
   must(store.users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("tester")));
   must(store.users().add("olga", {.role = Role::viewer, .grants = {{"mills", Role::operator_}}}, by("tester")));
   must(store.users().set_secret("olga", SecretKind::pin, "pin's hash", by("tester")));
+  must(store.users().add_of_provider("dora", {"https://login.shop", "s-3"}, {.role = Role::operator_}, false,
+                                     by("dripfeed")));
   must(store.orders().add({.number = "A-1", .operation = "20", .plan = {.part = "R-1", .quantity = 5}}, by("tester")));
   must(store.orders().report(1, {.good = 2}, by("tester")));
   must(store.tokens().add({.name = "mes", .role = Role::operator_, .hash = "hash"}, by("tester")));
@@ -90,6 +92,7 @@ void write_newest(Store& store, const std::string& path) {
       {.machine = "mill-1", .kind = "torn_block", .text = "a block is torn", .lasts = true, .job = job.id}, 7));
   must(store.alarms().acknowledge(raised.id, by("olga", 8)));
   must(store.browser_sessions().open("cookie", {.token_hash = "hash"}, 8, 9));
+  must(store.browser_sessions().open("of dora", {.user = "dora", .by_provider = true}, 8, 9));
   must(store.programs().label(job.program, {.tags = {{"pump"}}, .folder = "acme"}, by("tester")));
   const Program old = add_program(store, "%\nO9\nM30\n%\n", "O9");
   must(store.releases().add(
@@ -146,6 +149,9 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     must(store_->alarms().raise({.machine = "mill-1", .kind = "torn_block", .text = "a block is torn"}, 9));
     EXPECT_EQ(must(store_->alarms().list({})).items.size(), 1U) << "folded, or the first of a store that had no table";
     EXPECT_EQ(store_->browser_sessions().find("cookie").has_value(), migration.version >= 7);
+    const bool has_providers = migration.version >= 18;
+    EXPECT_EQ(store_->users().of_provider({"https://login.shop", "s-3"}).has_value(), has_providers);
+    EXPECT_EQ(store_->browser_sessions().find("of dora").has_value(), has_providers);
     must(store_->browser_sessions().open("another", {.token_hash = "hash"}, 8, 10));
     const Program program = must(store_->programs().get(job.program));
     EXPECT_EQ(program.tags.size(), migration.version >= 9 ? 1U : 0U);

@@ -60,6 +60,35 @@ TEST_F(UserTest, DisablingEndsSessionsAndRights) {
   EXPECT_EQ(must(users().rights(olga.id)).name, "olga");
 }
 
+TEST_F(UserTest, OfAProviderAreFoundByTheirSubjectAndKeepIt) {
+  const ProviderIdentity olga{"https://login.shop", "s-1"};
+  add("bert");
+  const User added = must(users().add_of_provider("olga", olga, {.role = Role::operator_}, false, by("dripfeed")));
+  EXPECT_EQ(added.issuer, "https://login.shop");
+  EXPECT_FALSE(added.has_password);
+  EXPECT_EQ(must(users().get("bert")).issuer, "");
+  EXPECT_EQ(must(users().of_provider(olga)).name, "olga");
+  EXPECT_EQ(refusal(users().of_provider({"https://login.shop", "s-2"})), ErrorCode::not_found);
+  EXPECT_EQ(refusal(users().of_provider({"https://other.shop", "s-1"})), ErrorCode::not_found);
+  EXPECT_EQ(refusal(users().of_provider({"", ""})), ErrorCode::not_found) << "an account of the shop";
+  EXPECT_EQ(refusal(users().add_of_provider("carl", olga, {}, false, by("dripfeed"))), ErrorCode::exists);
+  EXPECT_EQ(refusal(users().add_of_provider("bert", {"https://login.shop", "s-2"}, {}, false, by("dripfeed"))),
+            ErrorCode::exists);
+  EXPECT_EQ(refusal(users().add_of_provider("carl", {"https://login.shop", ""}, {}, false, by("dripfeed"))),
+            ErrorCode::invalid_value);
+  const User waits = must(users().add_of_provider("dora", {"https://login.shop", "s-3"}, {}, true, by("dripfeed", 70)));
+  EXPECT_EQ(waits.disabled_at_ms, 70);
+  must(store_->browser_sessions().open("s", {.user = "olga", .by_provider = true}, 8, 50));
+  EXPECT_TRUE(must(store_->browser_sessions().find("s")).by_provider);
+  must(users().end_sessions("olga"));
+  EXPECT_FALSE(is_there("s"));
+  EXPECT_EQ(refusal(users().end_sessions("carl")), ErrorCode::not_found);
+  must(users().change("olga", 1, {.roles = {.role = Role::viewer}}, by("anna")));
+  EXPECT_EQ(must(users().of_provider(olga)).name, "olga");
+  EXPECT_EQ(must(store_->audit().list({}, {.subject = "user/olga"})).items.back().entry.detail,
+            "operator, of https://login.shop");
+}
+
 TEST_F(UserTest, ASecretIsKeptAndANewOneEndsSessions) {
   add("olga");
   add("bert");

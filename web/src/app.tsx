@@ -82,6 +82,7 @@ function View({ here }: { here: Route }) {
   switch (here.view) {
     case 'floor':
     case 'badge':
+    case 'sign_in':
       return <FloorView />;
     case 'machine':
       return <MachineView name={first} />;
@@ -103,6 +104,7 @@ function View({ here }: { here: Route }) {
 function useBadge(here: Route): void {
   const [badge] = here.parameters;
   useEffect(() => {
+    if (here.view === 'sign_in') forgetAddress(); // another tab has signed in meanwhile
     if (here.view !== 'badge' || badge === undefined) return;
     forgetAddress();
     loader.signIn({ token: badge }).catch((error: unknown) =>

@@ -2,7 +2,7 @@
 // and what its parameters are; an address that no row has is "not found", never another view.
 import { signal } from '@preact/signals';
 
-export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'badge' | DeskView | 'not_found';
+export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'badge' | 'sign_in' | DeskView | 'not_found';
 // The half of the page for who does not stand at a machine; its code is loaded when it is asked for.
 export const kDeskViews = ['received', 'orders', 'order', 'history', 'review', 'reviewed', 'library', 'program', 'families', 'family', 'part', 'people', 'profile'] as const;
 export type DeskView = (typeof kDeskViews)[number];
@@ -43,6 +43,7 @@ const kRows: Row[] = [
   { view: 'profile', pattern: /^\/machines\/([^/]+)\/profile$/ },
   { view: 'profile', pattern: /^\/new-machine$/ },
   { view: 'badge', pattern: /^\/badge\/([^/]+)$/ },
+  { view: 'sign_in', pattern: /^\/sign-in$/ },
 ];
 
 export function routeOf(hash: string): Route {

@@ -16,6 +16,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
+constexpr std::size_t kKeptAnswer_bytes = 4096;
+
 HookAnswer no_answer(std::string why) { return {.kind = HookAnswer::Kind::none, .why = std::move(why)}; }
 
 }  // namespace
@@ -24,12 +26,12 @@ HookAnswer no_answer(std::string why) { return {.kind = HookAnswer::Kind::none, 
 HookAnswer ArmingHook::post(const ArmingQuestion& question) const {
   const auto sender = settings_.make_sender();
   if (!sender) return no_answer("no request can be made");
-  HttpPost post{.url = settings_.url,
+  HttpCall post{.url = settings_.url,
                 .headers = {},
                 .body = settings_.write(question),
                 .local = settings_.local,
                 .at_most = settings_.at_most,
-                .keeps_answer = true};
+                .keeps_bytes = kKeptAnswer_bytes};
   const hash::WebhookMessage message{.id = question.id, .at_s = question.at_ms / 1000, .body = post.body};
   post.headers = {{"Content-Type", "application/json; charset=utf-8"},
                   {"webhook-id", question.id},

@@ -140,7 +140,7 @@ void Webhooks::begin_due() {
 // The time of a try is the time of its signature: a receiver refuses an old one.
 void Webhooks::send(const store::Webhook& webhook, const store::WebhookDelivery& delivery) {
   const std::int64_t now_ms = clock_.wall_ms();
-  HttpPost post{
+  HttpCall post{
       .url = webhook.of.url, .headers = {}, .body = settings_.write(delivery.event), .local = webhook.of.local};
   const std::string id = store::id_of(delivery.event);
   const hash::WebhookMessage message{.id = id, .at_s = now_ms / 1000, .body = post.body};

@@ -64,7 +64,7 @@ export async function shot(page, name) {
 export async function signIn(page, url, token) {
   await page.goto(url);
   await page.getByLabel('Token').fill(token);
-  await page.getByRole('button', { name: 'Sign in' }).click();
+  await page.getByRole('button', { name: 'Sign in', exact: true }).click();
   await live(page);
 }
 

@@ -34,5 +34,8 @@ export const rig = {
   revoke: (name) => ask('revoke', [name]),
   watchGaps: (machine) => ask('watch_gaps', [machine]),
   gaps: (machine) => ask('gaps', [machine]),
+  login: () => ask('login', []),
+  setGroups: (name, groups) => ask('set_groups', [name, groups]),
+  providerEnds: () => ask('provider_ends', []),
   cpu_s: () => ask('cpu_s', []),
 };

@@ -11,10 +11,13 @@ import type {
   Page,
   Program,
   ProgramLines,
+  ProviderAnswer,
+  ProviderSignIn,
   Receipt,
   Release,
   NewSession,
   Session,
+  SignInProvider,
   StoredLikeness,
   Utilisation,
 } from './types';
@@ -50,6 +53,9 @@ export async function everything<T>(path: string, query: Record<string, string> 
 export const calls = {
   session: () => request<Session>('GET', '/session'),
   signIn: (who: NewSession) => request<null>('POST', '/session', { body: who }),
+  signInProvider: () => request<SignInProvider>('GET', '/session/provider'),
+  beginByProvider: () => request<ProviderSignIn>('POST', '/session/provider/begin'),
+  signInByProvider: (answer: ProviderAnswer) => request<null>('POST', '/session/provider', { body: answer }),
   signOut: () => request<null>('DELETE', '/session'),
 
   machines: () => everything<MachineItem>('/machines'),

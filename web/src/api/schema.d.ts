@@ -188,6 +188,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/session/provider": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * the OpenID Connect provider that people may sign in by, as its button has it
+         * @description Needs no token.
+         */
+        get: operations["get_session_provider"];
+        put?: never;
+        /**
+         * sign in by what the provider sent back with the browser that began it; get a cookie
+         * @description Needs no token.
+         */
+        post: operations["post_session_provider"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/session/provider/begin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * begin to sign in by the provider: the address that the browser opens, and a cookie that it keeps meanwhile
+         * @description Needs no token.
+         */
+        post: operations["post_session_provider_begin"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/events": {
         parameters: {
             query?: never;
@@ -3530,7 +3574,7 @@ export interface components {
              * @description what it is, for programs; a code keeps its name, status and meaning
              * @enum {string}
              */
-            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "no_machine_of_group" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "too_early" | "end_not_confirmed" | "hook_refused" | "hook_unanswered" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "overloaded" | "disk_full" | "no_room" | "over_quota";
+            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "no_machine_of_group" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "too_early" | "end_not_confirmed" | "hook_refused" | "hook_unanswered" | "sign_in_not_begun" | "provider_refused" | "id_token_refused" | "name_taken" | "account_waits" | "no_role" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "provider_unanswered" | "overloaded" | "disk_full" | "no_room" | "over_quota";
             /** @description one sentence for a person */
             detail: string;
             said?: components["schemas"]["Said"] | null;
@@ -3552,7 +3596,7 @@ export interface components {
              * @description of the sentence, the same in every version
              * @enum {string}
              */
-            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "withdrawn" | "early_by_approver" | "none_of_group" | "hook_refuses" | "hook_silent" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_too_early" | "store_end_not_confirmed" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "withdrawn" | "early_by_approver" | "none_of_group" | "hook_refuses" | "hook_silent" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "sign_in_other" | "sign_in_late" | "sign_in_used" | "no_provider" | "provider_silent" | "provider_unusable" | "provider_refuses" | "id_token_refused" | "provider_no_name" | "provider_name_taken" | "provider_no_group" | "account_not_enabled" | "account_locked" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_too_early" | "store_end_not_confirmed" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
             /** @description by name; `detail`: what is added in brackets */
             values: {
                 [key: string]: {
@@ -4197,6 +4241,17 @@ export interface components {
             password?: string | null;
             /** @description of the user, for the shop floor: it gives no more than the role operator, and a short session */
             pin?: string | null;
+        };
+        /** @description what the provider added to the address at which the browser came back */
+        ProviderAnswer: {
+            /** @description as it came; not given: the provider refused */
+            code?: string | null;
+            /** @description as it came */
+            state: string;
+            /** @description as it came; not given: it did not come */
+            iss?: string | null;
+            /** @description as it came; not given: there was none */
+            error?: string | null;
         };
         /** @description a person */
         NewUser: {
@@ -7862,7 +7917,7 @@ export interface components {
              * @description what the caller signed in with
              * @enum {string}
              */
-            by: "token" | "password" | "pin";
+            by: "token" | "password" | "pin" | "provider";
             /** @description what it may change; empty: all */
             scope: string[];
             /** @description roles by machine, where they differ from "role" */
@@ -7870,10 +7925,22 @@ export interface components {
                 [key: string]: "viewer" | "operator" | "programmer" | "approver" | "admin";
             };
         };
+        /** @description an OpenID Connect provider that people may sign in by */
+        SignInProvider: {
+            /** @description its name for people; null: none is configured */
+            title: string | null;
+        };
+        /** @description a sign-in that has begun */
+        ProviderSignIn: {
+            /** @description of the provider: the browser opens it */
+            url: string;
+        };
         /** @description a person */
         User: {
             /** @description with which the person signs in */
             name: string;
+            /** @description issuer of the OpenID Connect provider that vouches for the person; null: an account of this shop alone */
+            provider: string | null;
             /**
              * @description on machines of no granted group, and for all that belongs to no machine
              * @enum {string}
@@ -8834,7 +8901,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
+        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `sign_in_not_begun`: this browser did not begin this sign-in by the provider, or it took too long, or was used; `provider_refused`: the OpenID Connect provider refuses the sign-in; `id_token_refused`: what the provider signed is not taken: the detail names the rule; `name_taken`: the provider's name for the person belongs to another account here, or is no name; `account_waits`: an administrator has to enable the account, or it is locked; `no_role`: no group of the person at the provider gives a role here; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
         Problem409: {
             headers: {
                 [name: string]: unknown;
@@ -8908,7 +8975,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `unavailable`: the server cannot do it for now; `overloaded`: too many requests wait: send it again; `disk_full`: the disk is full: running work is finished, nothing new begins */
+        /** @description `unavailable`: the server cannot do it for now; `provider_unanswered`: the OpenID Connect provider gives no answer, or none that can be used; passwords and PINs go on; `overloaded`: too many requests wait: send it again; `disk_full`: the disk is full: running work is finished, nothing new begins */
         Problem503: {
             headers: {
                 /** @description seconds after which asking again may help */
@@ -9237,6 +9304,7 @@ export interface operations {
             401: components["responses"]["Problem401"];
             403: components["responses"]["Problem403"];
             404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
             413: components["responses"]["Problem413"];
             415: components["responses"]["Problem415"];
             422: components["responses"]["Problem422"];
@@ -9325,6 +9393,120 @@ export interface operations {
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
             507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_session_provider: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the OpenID Connect provider that people may sign in by, as its button has it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SignInProvider"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_session_provider: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ProviderAnswer"];
+            };
+        };
+        responses: {
+            /** @description sign in by what the provider sent back with the browser that began it; get a cookie */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            429: components["responses"]["Problem429"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_session_provider_begin: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description begin to sign in by the provider: the address that the browser opens, and a cookie that it keeps meanwhile */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProviderSignIn"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            429: components["responses"]["Problem429"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
             /** @description another problem */
             default: {
                 headers: {

@@ -6,6 +6,9 @@ type Schemas = components['schemas'];
 
 export type Session = Schemas['Session'];
 export type NewSession = Schemas['NewSession'];
+export type SignInProvider = Schemas['SignInProvider'];
+export type ProviderSignIn = Schemas['ProviderSignIn'];
+export type ProviderAnswer = Schemas['ProviderAnswer'];
 export type Role = Session['role'];
 
 export type MachineStatus = Schemas['MachineStatus'];

@@ -3,7 +3,7 @@
 // that was restarted counts its events from the beginning. News is applied once a frame, whatever came.
 import { calls, summaryOf } from '../api/calls';
 import { ApiError, setShownUser } from '../api/client';
-import type { Alarm, Job, NewSession, Progress, Session } from '../api/types';
+import type { Alarm, Job, NewSession, Progress, ProviderAnswer, Session } from '../api/types';
 import { t } from '../i18n/i18n';
 import type { Heard } from '../live/distributor';
 import { openLive, type LiveLink, type LiveListener } from '../live/hub';
@@ -44,7 +44,15 @@ export class Loader implements LiveListener {
   }
 
   async signIn(who: NewSession): Promise<void> {
-    await calls.signIn(who);
+    await this.signInBy(calls.signIn(who));
+  }
+
+  async signInByProvider(answer: ProviderAnswer): Promise<void> {
+    await this.signInBy(calls.signInByProvider(answer));
+  }
+
+  private async signInBy(opened: Promise<null>): Promise<void> {
+    await opened;
     this.enter(await calls.session());
     this.tabs.postMessage('in');
   }

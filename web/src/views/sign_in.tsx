@@ -8,6 +8,7 @@ import { Failure } from '../parts/failure';
 import { forgetAddress, route } from '../router';
 import { loader } from '../state/loader';
 import { signedOutBecause } from '../state/shop';
+import { ProviderSignIn } from './provider_sign_in';
 
 const kKinds = ['badge', 'pin', 'password'] as const;
 type Kind = (typeof kKinds)[number];
@@ -59,12 +60,12 @@ export function SignIn() {
   const [busy, setBusy] = useState(false);
   const [error, setError] = useState<unknown>(null);
   const because = signedOutBecause.value;
-  const enter = async (who: NewSession) => {
+  const enter = async (open: () => Promise<void>) => {
     if (busy) return;
     setBusy(true);
     setError(null);
     try {
-      await loader.signIn(who);
+      await open();
     } catch (failure) {
       setError(failure);
       setSecret('');
@@ -81,7 +82,7 @@ export function SignIn() {
   useEffect(() => {
     if (badge === undefined || badge === '') return;
     forgetAddress();
-    void enter({ token: badge });
+    void enter(() => loader.signIn({ token: badge }));
   }, [badge]);
   const isFilled = secret.trim() !== '' && (kind === 'badge' || name.trim() !== '');
   return (
@@ -90,7 +91,7 @@ export function SignIn() {
         class="card"
         onSubmit={(event) => {
           event.preventDefault();
-          if (isFilled) void enter(whoOf(kind, name, secret));
+          if (isFilled) void enter(() => loader.signIn(whoOf(kind, name, secret)));
         }}
       >
         <h1>dripfeed</h1>
@@ -130,6 +131,7 @@ export function SignIn() {
         <button type="submit" class="button button-main" disabled={busy || !isFilled}>
           {t(busy ? 'sign_in.busy' : 'sign_in.enter')}
         </button>
+        <ProviderSignIn busy={busy} enter={(answer) => void enter(() => loader.signInByProvider(answer))} failed={setError} />
       </form>
     </main>
   );

@@ -51,5 +51,14 @@ TEST(Token, HashShowsNothingOfItAndComparingIsExact) {
   EXPECT_TRUE(same_secret("", ""));
 }
 
+TEST(Token, IsDerivedAsRfc4231AndRfc7636HaveIt) {
+  // RFC 4231, test case 2, in base64url.
+  EXPECT_EQ(derived_token("Jefe", "what do ya want for nothing?"), "W9zBRr9gdU5qBCQmCJV1x1oAPwidJzmDnexYuWTsOEM");
+  EXPECT_NE(derived_token("Jefe", "what do ya want for nothing"),
+            derived_token("Jefe", "what do ya want for nothing?"));
+  // RFC 7636, appendix B.
+  EXPECT_EQ(challenge_of("dBjftJeZ4CVP-mB92K27uhbUJU1p1r_wW1gFWFOEjXk"), "E9Melhoa2OwvFrEMTJguCHaoeK1t8URWbuGJSstw-cM");
+}
+
 }  // namespace
 }  // namespace dripfeed::hash

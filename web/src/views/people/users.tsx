@@ -55,8 +55,8 @@ export function Users() {
 const rolesText = ({ role, grants }: User) =>
   [t(`role.${role}`), ...grants.map((grant) => t('people.role_in', { role: t(`role.${grant.role}`), group: grant.group }))].join(', ');
 
-const secretsText = ({ has_password, has_pin }: User) =>
-  [has_password && t('sign_in.password_kind'), has_pin && t('sign_in.pin_kind')].filter(Boolean).join(', ') || t('people.nothing');
+const secretsText = ({ has_password, has_pin, provider }: User) =>
+  [has_password && t('sign_in.password_kind'), has_pin && t('sign_in.pin_kind'), provider && t('people.by_provider', { provider })].filter(Boolean).join(', ') || t('people.nothing');
 
 function stateText(user: User): string {
   if (user.disabled_at_ms !== null) return t('people.disabled');
