@@ -191,8 +191,11 @@ void Connection::on_read(Error error) {
   SignIns* const sign_ins = plan_.lane == Lane::secret     ? &shared_.sign_ins
                             : plan_.lane == Lane::provider ? &shared_.provider_sign_ins
                                                            : nullptr;
-  if (sign_ins != nullptr && !is_proxy() && !(sign_in_ = sign_ins->take(peer_)))
-    return respond_unread(plain_problem(503, "too many sign-ins from this address are waiting: send this one again"));
+  if (sign_ins != nullptr && !is_proxy()) {
+    sign_in_ = sign_ins->take(peer_);
+    if (!sign_in_)
+      return respond_unread(plain_problem(503, "too many sign-ins from this address are waiting: send this one again"));
+  }
   if (plan_.lane != Lane::here) return answer_in(plan_.lane);
   respond(shared_.answerer.answer(request_));
 }
