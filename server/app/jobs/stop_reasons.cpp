@@ -101,6 +101,7 @@ Result<std::vector<StopReason>> StopReasons::of_job(store::Id id) {
                                              {.subject = subject_of(id), .action = std::string(kAction)}));
   if (!rows) return std::unexpected(rows.error());
   std::vector<StopReason> reasons;
+  reasons.reserve(rows->items.size());
   for (const store::AuditRow& row : rows->items) reasons.push_back(read(row));
   return reasons;
 }
@@ -123,8 +124,11 @@ Result<std::vector<StopReasonCount>> StopReasons::counts(std::int64_t from_ms, s
   if (const auto done = for_each_row(store_.audit(), {.from_ms = from_ms, .to_ms = to_ms}, take); !done)
     return std::unexpected(done.error());
   std::vector<StopReasonCount> all;
+  all.reserve(counts.size());
   for (const auto& [of, count] : counts) all.push_back({of.first, of.second, count});
-  std::ranges::sort(all, std::ranges::greater{}, &StopReasonCount::count);
+  // Equal ones stay by machine and reason.
+  std::stable_sort(all.begin(), all.end(),
+                   [](const StopReasonCount& a, const StopReasonCount& b) { return a.count > b.count; });
   return all;
 }
 
