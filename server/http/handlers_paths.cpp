@@ -87,7 +87,7 @@ Response path_response(const Call& call, const TextOf& of) {
   return done ? json_response(200, *done) : problem_response(done.error());
 }
 
-// Of a longer text no picture is made: it would take a worker's time for a sign in a list.
+// Of a longer text no picture is made: it would take too much of a worker for a small drawing.
 constexpr std::size_t kMostPictured_bytes = std::size_t{1} << 20U;
 
 Response picture_response(const Call& call, const TextOf& of) {

@@ -326,6 +326,14 @@ async function part(page) {
   await page.getByRole('button', { name: 'Make the part' }).click();
   await at(page, '#/parts/R-7');
   expect((await rig.call('GET', '/parts/R-7')).body.values.angle_step === '1 deg', 'a plain number is in the unit of its field');
+  await page.getByRole('button', { name: 'Add an order for this part…' }).click();
+  expect((await dialog(page).getByLabel('Part', { exact: true }).inputValue()) === 'R-7', 'an order of the part');
+  await dialog(page).getByLabel('Number of the planner').fill('A-R7');
+  await dialog(page).getByRole('button', { name: 'Add an order' }).click();
+  await page.getByRole('heading', { name: 'Order A-R7' }).waitFor();
+  expect((await rig.call('GET', '/orders?number=A-R7')).body.items[0].part === 'R-7', 'is there');
+  await page.goBack();
+  await at(page, '#/parts/R-7');
   const region = page.getByRole('region', { name: 'Feasible region' });
   await region.getByRole('button', { name: 'Compute it' }).click();
   await region.getByText(/The defaults pass on/).waitFor({ timeout: 120_000 });

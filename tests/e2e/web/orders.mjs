@@ -222,6 +222,24 @@ async function planned(page) {
   expect(made[0].choice !== null && made[0].choice === made[1].choice && new Date(made[0].not_before_ms).getFullYear() === 2031, 'they are one choice, not before its time');
 }
 
+// Jobs of a state and of a machine; the choice stands in the address.
+async function filtered(page) {
+  await signIn(page, url, tokens.operator);
+  await page.goto(`${url}/#/jobs`);
+  const states = async () => [...new Set(await page.locator('[data-job]').evaluateAll((rows) => rows.map((row) => row.dataset.state)))];
+  await page.locator('[data-job]').first().waitFor();
+  expect((await states()).length > 1, `jobs of several states: ${await states()}`);
+  await page.getByRole('search').getByLabel('State').selectOption('cancelled');
+  await until(async () => (await states()).join() === 'cancelled', 'those of one state');
+  await page.reload();
+  await live(page);
+  await page.locator('[data-job]').first().waitFor();
+  expect((await states()).join() === 'cancelled', 'the choice is in the address');
+  await page.getByRole('search').getByLabel('State').selectOption('armed');
+  await page.getByText('No job like this among those that are loaded.').waitFor();
+  await accessible(page, 'jobs of a state that none has');
+}
+
 // Why a transfer was stopped: stated at the machine by one touch, seen at the job, counted in the history.
 async function stops(page) {
   const [job] = await rig.machine('stops', { jobs: 1, blocks: 600, baud: 9600 });
@@ -287,6 +305,7 @@ await main([
   ['transfers of the past', () => withPage(kDesk, history)],
   ['plans of jobs', () => withPage(kDesk, plans)],
   ['a job that is planned from the page', () => withPage(kDesk, planned)],
+  ['jobs by state and machine', () => withPage(kDesk, filtered)],
   ['why transfers were stopped', () => withPage(kDesk, stops)],
   ['every look', () => withPage(kDesk, looks)],
 ]);

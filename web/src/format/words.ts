@@ -32,6 +32,7 @@ const kReceiptTones: Record<ReceiptState, Tone> = {
   discarded: 'quiet',
 };
 
+export const kJobStates = Object.keys(kJobTones) as JobState[];
 export const jobWording = (state: JobState): Wording => ({ text: wordOf('job_state', state), tone: kJobTones[state] ?? 'waiting' });
 export const receiptWording = (state: ReceiptState): Wording => ({ text: wordOf('receipt_state', state), tone: kReceiptTones[state] ?? 'waiting' });
 export const wordingOfOutcome = (outcome: Outcome): Wording => ({ text: wordOf('outcome', outcome), tone: kOutcomeTones[outcome] ?? 'waiting' });

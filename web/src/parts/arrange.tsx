@@ -3,6 +3,7 @@ import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { t } from '../i18n/i18n';
 import { arranged, moved, toggled, type Arrangement, type PartOfView } from '../rules/arrangement';
+import { keepAs, keptAs } from '../state/kept';
 import { Icon } from './icon';
 
 export interface DrawnPart extends PartOfView {
@@ -10,24 +11,7 @@ export interface DrawnPart extends PartOfView {
   draw: () => ComponentChildren;
 }
 
-const keyOf = (name: string): string => `dripfeed.arrangement.${name}`;
-
-function kept(name: string): unknown {
-  try {
-    return JSON.parse(localStorage.getItem(keyOf(name)) ?? 'null');
-  } catch {
-    return null;
-  }
-}
-
-function keep(name: string, arrangement: Arrangement | null): void {
-  try {
-    if (arrangement) localStorage.setItem(keyOf(name), JSON.stringify(arrangement));
-    else localStorage.removeItem(keyOf(name));
-  } catch {
-    // A browser that keeps nothing shows it until the view is left.
-  }
-}
+const keptName = (name: string): string => `arrangement.${name}`;
 
 interface Props {
   name: string; // under which the arrangement is kept
@@ -37,11 +21,11 @@ interface Props {
 }
 
 export function Arranged({ name, class: look, parts, isBound }: Props) {
-  const [wish, setWish] = useState(() => kept(name));
+  const [wish, setWish] = useState(() => keptAs(keptName(name)));
   const now = arranged(parts, wish);
   const set = (next: Arrangement | null) => {
     setWish(next);
-    keep(name, next);
+    keepAs(keptName(name), next);
   };
   const partOf = (id: string) => parts.find((part) => part.id === id);
   return (

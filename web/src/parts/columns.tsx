@@ -1,6 +1,7 @@
 // Which columns of a table a person wants to see: kept in the browser, by the table's name.
 import { useState } from 'preact/hooks';
 import { t } from '../i18n/i18n';
+import { keepAs, keptAs } from '../state/kept';
 
 interface Choosable {
   id: string;
@@ -10,29 +11,19 @@ interface Choosable {
 }
 type Chosen = Record<string, boolean>; // by the id of a column; without a row: as the table has it
 
-const keyOf = (name: string): string => `dripfeed.columns.${name}`;
+const keptName = (name: string): string => `columns.${name}`;
 
-// What another version of the page kept may be anything.
-function kept(name: string | undefined): Chosen {
-  if (name === undefined) return {};
-  try {
-    const value: unknown = JSON.parse(localStorage.getItem(keyOf(name)) ?? '{}');
-    return Object.fromEntries(Object.entries(value ?? {}).filter((one): one is [string, boolean] => typeof one[1] === 'boolean'));
-  } catch {
-    return {};
-  }
+function chosenBefore(name: string | undefined): Chosen {
+  const kept = name === undefined ? null : keptAs(keptName(name));
+  return Object.fromEntries(Object.entries(kept ?? {}).filter((one): one is [string, boolean] => typeof one[1] === 'boolean'));
 }
 
 export function useColumns<Column extends Choosable>(name: string | undefined, columns: readonly Column[]): [Column[], (id: string, isShown: boolean) => void] {
-  const [chosen, setChosen] = useState(() => kept(name));
+  const [chosen, setChosen] = useState(() => chosenBefore(name));
   const choose = (id: string, isShown: boolean) => {
     const now = { ...chosen, [id]: isShown };
     setChosen(now);
-    try {
-      localStorage.setItem(keyOf(name ?? ''), JSON.stringify(now));
-    } catch {
-      // A browser that keeps nothing shows it until the view is left.
-    }
+    if (name !== undefined) keepAs(keptName(name), now);
   };
   return [columns.filter(({ id, isExtra, isFixed }) => isFixed || (chosen[id] ?? !isExtra)), choose];
 }

@@ -1,11 +1,12 @@
 // The transfers, newest first, with what each takes now.
 import { useState } from 'preact/hooks';
-import type { Job } from '../api/types';
+import type { Job, JobState } from '../api/types';
 import { countdown, clockTime, shortTime } from '../format/times';
-import { jobWording, jobReason } from '../format/words';
+import { jobWording, jobReason, kJobStates } from '../format/words';
 import { t } from '../i18n/i18n';
 import { CancelDialog, programText } from '../orders/dialogs';
 import { Badge } from '../parts/badge';
+import { Choice, MachineField } from '../parts/choice';
 import { minutes, seconds } from '../parts/clock';
 import { CsvButton } from '../parts/csv_button';
 import { showDialog } from '../parts/dialog';
@@ -14,14 +15,15 @@ import { Failure } from '../parts/failure';
 import { Table } from '../parts/table';
 import { isoTime, type CsvColumn } from '../rules/csv';
 import { atLeast } from '../rules/roles';
-import { hrefs } from '../router';
+import { changeQuery, hrefs, route } from '../router';
 import { bestRole, isLive, isLost, jobsNewestFirst, olderJobs } from '../state/shop';
 import { loader } from '../state/loader';
 
 export function JobsView() {
   const may = atLeast(bestRole(), 'operator');
   const [error, setError] = useState<unknown>(null);
-  const jobs = jobsNewestFirst.value;
+  const { state, machine } = filterIn(route.value.query);
+  const jobs = jobsNewestFirst.value.filter((job) => (state === '' || job.state === state) && (machine === '' || job.machine === machine));
   const older = () => {
     setError(null);
     loader.order(loader.loadOlderJobs()).catch(setError);
@@ -32,6 +34,16 @@ export function JobsView() {
       <p class="lead">
         <a href={hrefs.history}>{t('jobs.history')}</a> <CsvButton name="jobs" columns={kCsv} rows={jobs} />
       </p>
+      <div class="search-line" role="search">
+        <Choice
+          label={t('column.state')}
+          value={state}
+          options={kJobStates.map((one) => [one, jobWording(one).text] as const)}
+          empty={t('list.all')}
+          change={(one) => changeQuery('state', one || null)}
+        />
+        <MachineField label={t('column.machine')} value={machine} empty={t('list.all')} change={(one) => changeQuery('machine', one || null)} />
+      </div>
       {jobs.length === 0 ? (
         <Empty
           action={
@@ -40,7 +52,7 @@ export function JobsView() {
             </a>
           }
         >
-          {t('jobs.empty')}
+          {t(jobsNewestFirst.value.length === 0 ? 'jobs.empty' : 'jobs.none_like')}
         </Empty>
       ) : (
         <Table
@@ -88,6 +100,10 @@ export function JobsView() {
       )}
     </>
   );
+}
+
+function filterIn(query: URLSearchParams): { state: JobState | ''; machine: string } {
+  return { state: kJobStates.find((one) => one === query.get('state')) ?? '', machine: query.get('machine') ?? '' };
 }
 
 const kCsv: CsvColumn<Job>[] = [

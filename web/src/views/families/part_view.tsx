@@ -7,14 +7,16 @@ import { count } from '../../format/numbers';
 import { dateTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { AttachedFiles } from '../../parts/attached_files';
+import { showDialog } from '../../parts/dialog';
 import { Failure } from '../../parts/failure';
 import { TargetForm, type Fits } from '../../parts/target';
 import { useLoaded } from '../../parts/use_loaded';
-import { hrefs } from '../../router';
+import { goUnlessLeft, hrefs } from '../../router';
 import { isMadeOn, wantedBy } from '../../rules/part_values';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
 import { bestRole, person } from '../../state/shop';
+import { NewOrderDialog } from '../orders/dialogs';
 import { ValuesForm } from './values_form';
 
 export function PartView({ number }: { number: string }) {
@@ -63,10 +65,26 @@ export function PartView({ number }: { number: string }) {
               ))}
             </ul>
           </section>
+          <OrderIt part={number} />
           <AttachedFiles owner={{ part: number }} may={may} />
         </>
       )}
     </>
+  );
+}
+
+function OrderIt({ part }: { part: string }) {
+  if (!atLeast(bestRole(), 'operator')) return null;
+  const ask = () => {
+    const follow = goUnlessLeft();
+    showDialog(<NewOrderDialog part={part} made={(order) => follow(hrefs.order(order.id))} />);
+  };
+  return (
+    <p>
+      <button type="button" class="button" onClick={ask}>
+        {t('parts.order')}
+      </button>
+    </p>
   );
 }
 

@@ -61,10 +61,10 @@ function PlanFields({ plan, set }: { plan: Plan; set: (plan: Plan) => void }) {
   );
 }
 
-export function NewOrderDialog({ made }: { made: (order: Order) => void }) {
+export function NewOrderDialog({ made, part = '' }: { made: (order: Order) => void; part?: string }) {
   const [number, setNumber] = useState('');
   const [operation, setOperation] = useState('');
-  const [plan, setPlan] = useState(planOf(null));
+  const [plan, setPlan] = useState({ ...planOf(null), part });
   return (
     <OrderDialog
       title={t('orders_view.add_title')}
