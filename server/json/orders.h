@@ -1,4 +1,5 @@
-// Orders as the API takes and shows them, and the bodies about jobs: how one is queued, planned, armed and confirmed.
+// Orders as the API takes and shows them, and the bodies about jobs: how one is queued, planned, armed and
+// confirmed, and why it stopped.
 #pragma once
 
 #include <optional>

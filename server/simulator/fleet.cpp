@@ -109,8 +109,8 @@ class Fleet::Station {
  private:
   [[nodiscard]] bool listens() const { return !cut_ && !plug_in_at_ && !deaf_; }
 
-  // The operator at the control after so many seconds of silence. Inside a program he waits longer, as its rest may
-  // still come, unless the host left meanwhile.
+  // The operator at the control after so many seconds of silence. Inside a program RESET is pressed later, as the
+  // rest may still come, unless the host left meanwhile.
   void operate(double quiet_s, Time_ns now) {
     if (settings_.operator_s <= 0) return;
     const bool may_go_on = control_->is_inside_program() && !host_left_;

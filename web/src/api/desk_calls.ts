@@ -1,6 +1,7 @@
 // The calls of the desk: the library, a program's text, its revisions and checks, families and parts.
 import { everything } from './calls';
 import { request, requestBytes, requestText, sendFile } from './client';
+import { queryOf } from './query';
 import type {
   Attachment,
   AuditRow,
@@ -40,14 +41,6 @@ const enc = encodeURIComponent;
 const kWorkMs = 120_000; // a check may wait for others
 const kSweepMs = 10 * kWorkMs; // as many checks as the server lets it make
 const kTextMs = 300_000;
-
-// What is empty is not asked for.
-function queryOf(values: Record<string, string | number | null | undefined>): string {
-  const asked = new URLSearchParams();
-  for (const [name, value] of Object.entries(values)) if (value !== null && value !== undefined && value !== '') asked.set(name, String(value));
-  const text = asked.toString();
-  return text ? `?${text}` : '';
-}
 
 export interface LibraryFilter {
   folder?: string;

@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../api/calls';
 import { newOrderKey } from '../api/client';
-import type { Job, TornBlock } from '../api/types';
+import type { Job, MachineStatus } from '../api/types';
 import { t } from '../i18n/i18n';
 import { minutes } from '../parts/clock';
 import { showDialog } from '../parts/dialog';
@@ -62,10 +62,9 @@ export function OrderBar({ machine }: { machine: Machine }) {
   useEffect(() => {
     if (!canStop && id !== undefined && stopping.peek().has(id)) setStopping(id, false);
   }, [canStop, id]);
-  const torn = isTorn(core);
   const places = [
     stopPlace(onLine, offer.actions, core.stop_wanted, (id) => void now(id, calls.stop, true), (id) => void now(id, calls.cancel, false)),
-    confirmPlace(machine.name, torn ? core.needs_confirmation : null, ended, (failure) => setError(textOf(failure))) ?? mainPlace(job, offer.actions, offer.because),
+    confirmPlace(machine.name, core, ended, (failure) => setError(textOf(failure))) ?? mainPlace(job, offer.actions, offer.because),
     cancelPlace(job, offer.actions),
   ];
   return (
@@ -108,9 +107,9 @@ function stopPlace(job: Job | null, actions: JobAction[], wanted: boolean, stop:
 }
 
 // What a person confirms before anything is armed there: the reset after a torn block, or what the last job's end asks for.
-function confirmPlace(machine: string, torn: TornBlock | null, ended: Job | null, failed: (error: unknown) => void): Place | null {
+function confirmPlace(machine: string, core: Pick<MachineStatus, 'line' | 'needs_confirmation'>, ended: Job | null, failed: (error: unknown) => void): Place | null {
   const confirm = (words: Pick<Place, 'label' | 'name' | 'kind'>, press: () => void): Place => ({ ...words, press: isLive.value ? press : null, why: t('because.not_live') });
-  if (torn) return confirm({ label: t('order.reset'), name: t('order.reset_of', { machine }), kind: 'danger' }, () => showDialog(<ResetDialog machine={machine} torn={torn} />));
+  if (isTorn(core)) return confirm({ label: t('order.reset'), name: t('order.reset_of', { machine }), kind: 'danger' }, () => showDialog(<ResetDialog machine={machine} torn={core.needs_confirmation} />));
   if (!ended) return null;
   // Its dialog is loaded with what else is planned of jobs.
   const show = () => void showLazyDialog(() => import('../views/orders/plans'), ({ EndDialog }) => <EndDialog job={ended} />).catch(failed);

@@ -42,6 +42,7 @@ export function StopReasons({ job }: { job: Job }) {
   );
 }
 
+// Of the list alone: from now on nothing is counted.
 function StateReason({ job, stated }: { job: Job; stated: () => void }) {
   const offered = useLoaded('offered', () => orderCalls.stopReasons({ machine: job.machine, from_ms: Date.now() }));
   const [note, setNote] = useState('');
