@@ -33,6 +33,20 @@ struct MachineAxis {
   std::optional<double> second_reference = {};  // … G30, and G30 P2
 };
 
+// The shank and holder of a mill above its edges: from a height above the tip on it is this wide, up to the next step
+// or the spindle.
+struct HolderStep {
+  double from_mm = 0.0;
+  double diameter_mm = 0.0;
+};
+
+// The insert of a turning tool around its nose (ISO 3002): for pictures; no check counts it.
+struct Insert {
+  double angle_deg = 0.0;           // between its two edges at the nose
+  double entering_angle_deg = 0.0;  // of the leading edge against the direction of feed, as tip 1 to 4 has it
+  double edge_mm = 0.0;             // length of an edge
+};
+
 // Where the imaginary tip, which the program moves, lies as seen from the centre of the nose, with +X up and +Z right;
 // numbered as Fanuc and SINUMERIK do. 3 is the usual tool for outside turning towards the chuck.
 //
@@ -50,6 +64,8 @@ struct Tool {
   // Lathes: how far the slide's position lies beyond that of the tip, as radius in X.
   std::optional<double> length_x_mm = {};
   std::optional<double> length_z_mm = {};
+  std::optional<Insert> insert = {};
+  std::vector<HolderStep> holder = {};  // mills, from below; empty: not known
 };
 
 // Where a work offset puts its zero, in machine coordinates: slide positions, halved already where programs give

@@ -174,6 +174,23 @@ HeightMap::Touch HeightMap::touch(const Cutter& cutter, const Point3& from, cons
   return deepest;
 }
 
+Depth HeightMap::touch_ahead(const Cutter& cutter, const checks::HolderStep& step, const Point3& from, const Point3& to,
+                             double slack) const {
+  Depth deepest;
+  const double above = step.from_mm + slack;
+  if (std::min(from.z, to.z) + above >= top_) return deepest;
+  const Sweep wide(Cutter{0.5 * step.diameter_mm, 0.0}.shrunk(slack), {from.x, from.y, from.z + above},
+                   {to.x, to.y, to.z + above});
+  const Sweep narrow(cutter, from, to);
+  pass(wide, false, [&](std::size_t place, double x, double y, double) {
+    const std::optional<double> cut_at = narrow.share_until(x, y);
+    if (cut_at && wide.share_until(x, y).value_or(0.0) >= *cut_at) return;  // the cutter is there first
+    const double depth = heights_[place] - wide.lowest_before(x, y, cut_at.value_or(1.0));
+    if (depth > 0.0 && depth + slack > deepest.mm) deepest = {depth + slack, x, y};
+  });
+  return deepest;
+}
+
 bool HeightMap::lower(std::size_t place, double x, double y, double z, Depth& deepest) {
   if (!(z < heights_[place])) return false;
   heights_[place] = z <= bottom_ ? kNothing : z;

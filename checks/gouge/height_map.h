@@ -10,6 +10,7 @@
 
 #include "checks/gouge/removal.h"
 #include "checks/gouge/sweep.h"
+#include "checks/machine.h"
 #include "checks/plot/plot.h"
 #include "dialects/curves/height_field.h"
 #include "dialects/curves/point.h"
@@ -50,6 +51,10 @@ class HeightMap {
     Depth nominal;  // the same below the nominal
   };
   [[nodiscard]] Touch touch(const Cutter& cutter, const Point3& from, const Point3& to, double slack) const;
+  // How deep the shank or holder enters what is left while the cutter is led along the line, deeper than `slack`: ahead
+  // of the cutter, with the map as it is before cut().
+  [[nodiscard]] Depth touch_ahead(const Cutter& cutter, const checks::HolderStep& step, const Point3& from,
+                                  const Point3& to, double slack) const;
   // Takes away what the cutter passes. Deepest place below the nominal by more than its tolerance that was newly cut;
   // the depth is from the nominal.
   Depth cut(const Cutter& cutter, const Point3& from, const Point3& to);

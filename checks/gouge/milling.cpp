@@ -21,6 +21,10 @@ constexpr std::size_t kPictureColumns = 240;
 
 Point3 point_of(const checks::AxisValues& at) { return {at[0], at[1], at[2]}; }
 
+std::string place_text(const Depth& depth) {
+  return fmt::format("x {} y {}", text::format_fixed(depth.x, 3), text::format_fixed(depth.y, 3));
+}
+
 }  // namespace
 
 Milling::Milling(MillingSettings settings)
@@ -43,6 +47,7 @@ Milling::Milling(MillingSettings settings)
 
 void Milling::follow_tool(const ir::Motion& motion) {
   cutter_.reset();
+  holder_ = {};
   tool_ = motion.number;
   const auto tool = std::ranges::find(settings_.tools, motion.number, &checks::Tool::number);
   if (tool == settings_.tools.end() || !(tool->diameter_mm > 0.0)) {
@@ -53,6 +58,7 @@ void Milling::follow_tool(const ir::Motion& motion) {
   }
   const double radius = 0.5 * tool->diameter_mm;
   cutter_ = Cutter{radius, std::clamp(tool->corner_radius_mm, 0.0, radius)};
+  holder_ = Holder(tool->holder);
 }
 
 // Stock and nominal are given in the work offset. A program that changes it cuts several parts or turns the part over.
@@ -163,7 +169,7 @@ void Milling::log_part(const ir::Motion& motion, double from, double to) {
 
 // A flat cutter on a level circle leaves a ring, which takes no chords. The log has a time for each part of an arc.
 bool Milling::is_ring(const ir::Motion& motion) const {
-  return settings_.log == nullptr && cutter_->corner == 0.0 && motion.plane == ir::Plane::xy &&
+  return settings_.log == nullptr && !holder_.is_known() && cutter_->corner == 0.0 && motion.plane == ir::Plane::xy &&
          motion.start[2] == motion.end[2] && checks::is_full_circle(motion);
 }
 
@@ -183,18 +189,28 @@ void Milling::check_arc(const ir::Motion& motion) {
 }
 
 void Milling::add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth) {
-  report_.findings.add(id, motion.place, depth.mm, 0.0, [&] {
-    return std::vector<std::string>{
-        text::format_fixed(depth.mm, 3),
-        fmt::format("x {} y {}", text::format_fixed(depth.x, 3), text::format_fixed(depth.y, 3))};
+  report_.findings.add(id, motion.place, depth.mm, 0.0,
+                       [&] { return std::vector<std::string>{text::format_fixed(depth.mm, 3), place_text(depth)}; });
+  note(motion, depth);
+}
+
+void Milling::note(const ir::Motion& motion, const Depth& depth) {
+  if (notes_.size() < kMostNotes) notes_.push_back({{depth.x, depth.y}, fmt::format("line {}", motion.place.line)});
+}
+
+void Milling::check_holder(const ir::Motion& motion, const HolderTouch& touch) {
+  if (!(touch.depth.mm > 0.0) || !knows_stock_) return;
+  report_.findings.add(text::DiagnosticId::holder_in_workpiece, motion.place, touch.depth.mm, 0.0, [&] {
+    return std::vector<std::string>{fmt::to_string(tool_), text::format_fixed(touch.depth.mm, 3),
+                                    place_text(touch.depth), text::format_shortest(touch.step.diameter_mm),
+                                    text::format_shortest(touch.step.from_mm)};
   });
-  if (notes_.size() < kMostNotes) {
-    notes_.push_back({{depth.x, depth.y}, fmt::format("line {}", motion.place.line)});
-  }
+  note(motion, touch.depth);
 }
 
 void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to) {
   ++report_.rapids;
+  if (holder_.is_known()) check_holder(motion, holder_.touch(*map_, from, to, settings_.depth_mm));
   const HeightMap::Touch touch = map_->touch(*cutter_, from, to, settings_.depth_mm);
   const bool is_nominal = touch.nominal.mm > 0.0;
   if (!knows_stock_ && !is_nominal)
@@ -226,7 +242,11 @@ void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Po
 }
 
 void Milling::check_cut(const ir::Motion& motion, const Point3& from, const Point3& to) {
+  if (!holder_.is_known()) return judge_cut(motion, map_->cut(*cutter_, from, to));
+  const HolderTouch ahead = holder_.touch_ahead(*map_, *cutter_, from, to, settings_.depth_mm);
   judge_cut(motion, map_->cut(*cutter_, from, to));
+  const HolderTouch after = holder_.touch(*map_, from, to, settings_.depth_mm);
+  check_holder(motion, ahead.depth.mm >= after.depth.mm ? ahead : after);
 }
 
 void Milling::judge_cut(const ir::Motion& motion, const Depth& depth) {
@@ -237,14 +257,10 @@ void Milling::judge_cut(const ir::Motion& motion, const Depth& depth) {
   const auto place = curves::surface_at(settings_.nominal, depth.x, depth.y);
   const double tolerance = place ? place->tolerance : 0.0;
   report_.findings.add(text::DiagnosticId::cut_below_nominal, motion.place, depth.mm, tolerance, [&] {
-    return std::vector<std::string>{
-        text::format_fixed(depth.mm, 3),
-        fmt::format("x {} y {}", text::format_fixed(depth.x, 3), text::format_fixed(depth.y, 3)),
-        text::format_shortest(tolerance)};
+    return std::vector<std::string>{text::format_fixed(depth.mm, 3), place_text(depth),
+                                    text::format_shortest(tolerance)};
   });
-  if (notes_.size() < kMostNotes) {
-    notes_.push_back({{depth.x, depth.y}, fmt::format("line {}", motion.place.line)});
-  }
+  note(motion, depth);
 }
 
 Report Milling::finish() {

@@ -1,6 +1,7 @@
 // Gouges in milling from above, on a height map: a rapid that enters the stock as it is left at that moment, or the
-// finished part, and a cut below the nominal beyond its tolerance. Flat, ball and bull-nose cutters; the shank, the
-// holder and undercuts do not count. Under cutter compensation the axis is led as the control leads it.
+// finished part, a cut below the nominal beyond its tolerance, and a shank or holder that meets material. Flat, ball
+// and bull-nose cutters; shank and holder count as far as the tool has them, undercuts do not. Under cutter
+// compensation the axis is led as the control leads it.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 #include "checks/gouge/cutter.h"
 #include "checks/gouge/gouge.h"
 #include "checks/gouge/height_map.h"
+#include "checks/gouge/holder.h"
 #include "checks/machine.h"
 #include "checks/plot/plot.h"
 #include "dialects/curves/height_field.h"
@@ -62,12 +64,15 @@ class Milling final : public ir::MotionSink {
   [[nodiscard]] bool is_ring(const ir::Motion& motion) const;
   void judge_cut(const ir::Motion& motion, const Depth& depth);
   void check_cut(const ir::Motion& motion, const Point3& from, const Point3& to);
+  void check_holder(const ir::Motion& motion, const HolderTouch& touch);
   void add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth);
+  void note(const ir::Motion& motion, const Depth& depth);
 
   MillingSettings settings_;
   Report report_;
   std::optional<HeightMap> map_;
   std::optional<Cutter> cutter_;
+  Holder holder_;  // of the same tool
   std::int32_t tool_ = 0;
   Compensation compensation_;
   bool knows_speeds_ = false;

@@ -81,6 +81,25 @@ double Sweep::share_before(double x, double y) const {
   return std::clamp((along - half) / length_, 0.0, 1.0);
 }
 
+std::optional<double> Sweep::share_until(double x, double y) const {
+  const double along = (x - from_.x) * dir_x_ + (y - from_.y) * dir_y_;
+  const double across = (y - from_.y) * dir_x_ - (x - from_.x) * dir_y_;
+  const double room = cutter_.radius * cutter_.radius - across * across;
+  if (room < 0.0) return std::nullopt;
+  const double half = std::sqrt(room);
+  const double first = std::max(0.0, along - half);
+  if (first > std::min(length_, along + half)) return std::nullopt;
+  return length_ > 0.0 ? first / length_ : 0.0;
+}
+
+double Sweep::lowest_before(double x, double y, double share) const {
+  const double along = (x - from_.x) * dir_x_ + (y - from_.y) * dir_y_;
+  const double across = (y - from_.y) * dir_x_ - (x - from_.x) * dir_y_;
+  const double half = std::sqrt(std::max(0.0, cutter_.radius * cutter_.radius - across * across));
+  const double at = slope_ >= 0.0 ? std::max(0.0, along - half) : std::min({length_, along + half, share * length_});
+  return from_.z + slope_ * at;
+}
+
 double Sweep::lowest(double x, double y) const {
   const double infinity = std::numeric_limits<double>::infinity();
   const double away_x = x - from_.x;

@@ -29,7 +29,12 @@ class Sweep {
   // The lowest height over (x, y), which the row holds; infinity outside it.
   [[nodiscard]] double lowest(double x, double y) const;
 
-  // How much of the line lies before the place is reached, 0 to 1.
+  // As lowest(), of a flat cutter that has covered no more of the line than this share of it.
+  [[nodiscard]] double lowest_before(double x, double y, double share) const;
+
+  // How much of the line lies before the cutter reaches the place, 0 to 1; nothing: it never does.
+  [[nodiscard]] std::optional<double> share_until(double x, double y) const;
+  // The same for a place that it does reach; a plunge takes all of it at its end.
   [[nodiscard]] double share_before(double x, double y) const;
 
   [[nodiscard]] double y_low() const;

@@ -190,6 +190,7 @@ enum class DiagnosticId : std::uint16_t {
   rapid_into_stock,
   rapid_into_nominal,
   rapid_may_enter_stock,
+  holder_in_workpiece,
   cut_below_nominal,
   deviation_beyond_tolerance,
   nominal_not_covered,

@@ -373,6 +373,8 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "The tool runs through the finished part. Retract farther, or approach from another side."},
   {rapid_may_enter_stock, "rapid-may-enter-stock", warning, "a rapid move may enter the stock by {} mm at {} if the axes do not move in a line",
    "Many controls let each axis run at its own rapid speed, and the tool leaves the straight line. Move one axis at a time."},
+  {holder_in_workpiece, "holder-in-workpiece", error, "the shank or holder of tool {} enters the workpiece by {} mm at {}; it is {} mm wide from {} mm above the tip on",
+   "Shank and holder cut nothing, and the tool breaks. Clamp the tool longer, take a longer or slimmer one, or cut less deep there."},
   {cut_below_nominal, "cut-below-nominal", error, "the cut is {} mm below the nominal at {}, the tolerance is {}",
    "Too much material is removed. Check the tool's nose radius, its compensation and the points of the path."},
   {deviation_beyond_tolerance, "deviation-beyond-tolerance", error, "the surface is {} mm off the nominal at {}, the tolerance is {}",

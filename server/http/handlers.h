@@ -91,6 +91,7 @@ Response list_revisions(const Call& call);
 Response add_revision(const Call& call);
 Response render(const Call& call);
 Response preview(const Call& call);
+Response preview_verdict(const Call& call);
 Response list_checks(const Call& call);
 Response add_check(const Call& call);
 Response get_check(const Call& call);

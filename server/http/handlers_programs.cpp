@@ -177,6 +177,14 @@ Response preview(const Call& call) {
   return json_response(200, json::preview(*previewed));
 }
 
+Response preview_verdict(const Call& call) {
+  const auto order = json::read_render_body(call.request.body);
+  if (!order) return problem_response(order.error());
+  const auto done = call.api.application().programs().judge(*order, waiter_of_render(call, *order));
+  if (!done) return problem_response(done.error());
+  return json_response(200, json::preview_verdict(*done));
+}
+
 Response list_checks(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();

@@ -54,6 +54,24 @@ void read_axis(ObjectReader& object, machine::Profile& profile) {
   profile.machine.axes.push_back(axis);
 }
 
+// [{"from_mm": 40, "diameter_mm": 50}, ...], from below; the lowest begins above the tip.
+void read_holder(ObjectReader& object, std::vector<checks::HolderStep>& holder) {
+  checks::HolderStep step;
+  object.number("from_mm", step.from_mm, 0.001, 10'000.0, true);
+  object.number("diameter_mm", step.diameter_mm, 0.001, 10'000.0, true);
+  if (!holder.empty() && !(step.from_mm > holder.back().from_mm) && step.from_mm > 0.0)
+    object.fault("from_mm", "must be above that of the step before");
+  holder.push_back(step);
+}
+
+checks::Insert read_insert(ObjectReader& object) {
+  checks::Insert insert;
+  object.number("angle_deg", insert.angle_deg, 10.0, 170.0, true);
+  object.number("entering_angle_deg", insert.entering_angle_deg, 0.0, 180.0, true);
+  object.number("edge_mm", insert.edge_mm, 0.1, 100.0, true);
+  return insert;
+}
+
 void read_tool(ObjectReader& object, machine::Profile& profile) {
   checks::Tool tool;
   object.integer("number", tool.number, 1, 99'999'999, true);
@@ -68,6 +86,10 @@ void read_tool(ObjectReader& object, machine::Profile& profile) {
   if (tool.diameter_mm > 0.0 && tool.corner_radius_mm > 0.5 * tool.diameter_mm)
     object.fault("corner_radius_mm", fmt::format("must not be above half the diameter, and is {}",
                                                  text::format_shortest(tool.corner_radius_mm)));
+  object.object("insert", [&](ObjectReader& o) { tool.insert = read_insert(o); });
+  object.objects("holder", [&](ObjectReader& o) { read_holder(o, tool.holder); });
+  if (!tool.holder.empty() && tool.length_mm && tool.holder.back().from_mm >= *tool.length_mm)
+    object.fault("holder", "must begin below the gauge line, which `length_mm` gives");
   // One tool may have several offsets: the edges of a turning tool.
   const bool twice = std::ranges::any_of(profile.machine.tools, [&](const checks::Tool& one) {
     return one.number == tool.number && one.offset == tool.offset;

@@ -204,6 +204,11 @@ Schemas check_schemas() {
   return {
       {"VerdictSummary", object("what the checks found in a program, without their report",
                                 verdict_head() + Members{{"calls", calls()}} + waivers())},
+      {"PreviewVerdict",
+       object("what a check of a rendered program would find; it is stored nowhere, and releases nothing",
+              Members{{"verdict", verdict_word("pass needs everything that moves, shifts or writes to be understood")},
+                      {"points", list_of(text("one sentence"), "what stands between it and a pass")}} +
+                  report())},
       {"Verdict", object("what the checks found in a program",
                          verdict_head() + report() + Members{{"calls", calls()}} + waivers())},
       {"EventVerdict", object("a program was checked", {{"id", integer("of the verdict")},

@@ -62,13 +62,23 @@ Members path_members() {
 
 Members path_of_machine_members() {
   const auto notes = [] { return list_of(text("one sentence"), "what they leave out"); };
+  const Schema step = object("from a height on it is this wide",
+                             {{"from_mm", number("above the tip")}, {"diameter_mm", number("up to the next step")}});
+  const Schema insert = object("of a turning tool; null: not known",
+                               {{"angle_deg", number("between its two edges")},
+                                {"entering_angle_deg", number("of the leading edge against the direction of feed")},
+                                {"edge_mm", number("length of an edge")}});
   const Schema shape = or_null(object("its shape, as the machine's profile or the family has it; null: not known",
                                       {{"diameter_mm", or_null(number("of a mill; null: not known"))},
                                        {"corner_radius_mm", number("of a mill: 0 is flat")},
                                        {"nose_radius_mm", number("of a turning tool")},
                                        {"tip", integer("of a turning tool, 0 to 9; 0 of others")},
                                        {"length_mm", or_null(number("from the gauge line to the tip; null: not "
-                                                                    "known"))}}));
+                                                                    "known"))},
+                                       {"insert", or_null(insert)},
+                                       {"holder", list_of(step,
+                                                          "shank and holder of a mill, from below; empty: not "
+                                                          "known")}}));
   return {{"time", or_null(object("when the points are reached on the machine; null: not known",
                                   {{"cycle_s", number("of the whole program, all waiting included")},
                                    {"is_fed", flag("it is fed over the machine's line while it runs")},

@@ -58,13 +58,29 @@ Document head_document(const app::ToolPath& path) {
 // What is not known is 0 in a profile: null here.
 Document above_zero_or_null(double value) { return value > 0.0 ? Document(value) : Document(nullptr); }
 
+Document holder_document(const std::vector<checks::HolderStep>& holder) {
+  Document steps = Document::array();
+  for (const checks::HolderStep& step : holder)
+    steps.push_back({{"from_mm", step.from_mm}, {"diameter_mm", step.diameter_mm}});
+  return steps;
+}
+
+Document insert_document(const std::optional<checks::Insert>& insert) {
+  if (!insert) return nullptr;
+  return {{"angle_deg", insert->angle_deg},
+          {"entering_angle_deg", insert->entering_angle_deg},
+          {"edge_mm", insert->edge_mm}};
+}
+
 Document shape_document(const std::optional<checks::Tool>& tool) {
   if (!tool) return nullptr;
   return {{"diameter_mm", above_zero_or_null(tool->diameter_mm)},
           {"corner_radius_mm", tool->corner_radius_mm},
           {"nose_radius_mm", tool->nose_radius_mm},
           {"tip", tool->tip},
-          {"length_mm", tool->length_mm ? Document(*tool->length_mm) : Document(nullptr)}};
+          {"length_mm", tool->length_mm ? Document(*tool->length_mm) : Document(nullptr)},
+          {"insert", insert_document(tool->insert)},
+          {"holder", holder_document(tool->holder)}};
 }
 
 Document path_tools_document(const app::ToolPath& path) {

@@ -49,14 +49,26 @@ std::string verdict_summary(const store::Verdict& verdict) {
   return dump(document);
 }
 
+namespace {
+
+void add_report(Document& document, std::string_view text) {
+  const Document report = embedded(text);
+  if (!report.is_object()) return;
+  for (const auto& [name, value] : report.items())
+    if (!document.contains(name)) document[name] = value;
+}
+
+}  // namespace
+
+std::string preview_verdict(const app::CheckDone& done) {
+  Document document = {{"verdict", store::name_of(done.outcome)}, {"points", done.points}};
+  add_report(document, done.report);
+  return dump(document);
+}
+
 std::string verdict(const store::Verdict& verdict) {
   Document document = verdict_document(verdict);
-  const Document report = embedded(verdict.of.report);
-  if (report.is_object()) {
-    for (const auto& [name, value] : report.items()) {
-      if (!document.contains(name)) document[name] = value;
-    }
-  }
+  add_report(document, verdict.of.report);
   document["calls"] = calls_document(verdict);
   document["points"] = verdict.of.points;
   document["waivers"] = waivers_document(verdict);

@@ -19,6 +19,9 @@ std::optional<double> cycle_s_of(std::string_view report);
 // A stored verdict: the report's members with the verdict's own.
 std::string verdict(const store::Verdict& verdict);
 // Of a list: without the report.
+// Of a check that was stored nowhere.
+std::string preview_verdict(const app::CheckDone& done);
+
 std::string verdict_summary(const store::Verdict& verdict);
 
 }  // namespace dripfeed::json

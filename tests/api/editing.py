@@ -149,6 +149,12 @@ def a_preview(client):
     made = client.post("/render", order)
     text = client.call("GET", f"/programs/{made['program']}/text").body.decode()
     expect(seen["text"] == text and {name: seen[name] for name in ("mode", "blocks", "bytes", "variables")} == {name: made[name] for name in ("mode", "blocks", "bytes", "variables")}, seen)
+    judged = client.must("POST", "/preview/verdict", order, role="programmer")
+    expect(not client.get(f"/checks?program={made['program']}")["items"], "the verdict of a preview is stored")
+    checked = client.post("/checks", {"program": made["program"], "machine": "turning"})
+    different = [name for name in judged if judged[name] != checked[name]]
+    expect(not different and judged["timing"] and judged["accuracy"], (different, judged))
+    client.refuse(422, "POST", "/preview/verdict", order | {"values": {"angle_step": "99 deg"}})
     problem = client.refuse(422, "POST", "/preview", order | {"values": {"angle_step": "99 deg"}})
     expect("angle_step" in problem["errors"][0]["text"], problem)
     client.refuse(404, "POST", "/preview", order | {"machine": "nobody"})

@@ -96,6 +96,7 @@ def rows(made):
         ("POST", "/api/v1/path", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/stock", "programmer", {}, {"text": "G17 G90\nM30", "dialect": "fanuc", "stock": "box 0 1 0 1 0 1"}, {}),
         ("POST", "/api/v1/preview", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
+        ("POST", "/api/v1/preview/verdict", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/diagnose", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/split", "programmer", {}, {"text": "%\nO1\nM30\nO2\nM30\n%\n"}, {}),
         ("POST", "/api/v1/programs/{id}/compare", "programmer", {"id": "program"}, {"text": "M30"}, {}),
@@ -184,7 +185,7 @@ def rows(made):
 ON_ONE_MACHINE = {
     ("PUT", "/api/v1/machines/{name}"), ("POST", "/api/v1/machines/{name}/line-test"), ("POST", "/api/v1/machines/{name}/confirm-reset"),
     ("POST", "/api/v1/machines/{name}/hand-over"), ("POST", "/api/v1/machines/{name}/take-over"),
-    ("POST", "/api/v1/render"), ("POST", "/api/v1/preview"), ("POST", "/api/v1/checks"), ("POST", "/api/v1/checks/{id}/waivers"),
+    ("POST", "/api/v1/render"), ("POST", "/api/v1/preview"), ("POST", "/api/v1/preview/verdict"), ("POST", "/api/v1/checks"), ("POST", "/api/v1/checks/{id}/waivers"),
     ("POST", "/api/v1/accuracy"), ("POST", "/api/v1/gouge"), ("POST", "/api/v1/timing"), ("POST", "/api/v1/sweep"),
     ("POST", "/api/v1/releases"), ("POST", "/api/v1/releases/{id}/transitions"), ("POST", "/api/v1/releases/{id}/restart-preview"),
     ("POST", "/api/v1/releases/{id}/restarts"), ("POST", "/api/v1/receipts/{id}/accept"), ("POST", "/api/v1/receipts/{id}/discard"), ("POST", "/api/v1/receipts/{id}/explain"),

@@ -168,6 +168,27 @@ Result<Preview> Programs::preview(const RenderOrder& order, const Waiter& waiter
                  .drawing = std::move(done->drawing)};
 }
 
+Result<CheckDone> Programs::judge(const RenderOrder& order, const Waiter& waiter) {
+  auto loaded = load(order);
+  if (!loaded) return std::unexpected(loaded.error());
+  auto done = carry_out(loaded->work, waiter);
+  if (!done) return std::unexpected(done.error());
+  CaseOrder rendered{.machine = std::move(loaded->machine.name),
+                     .name = loaded->work.name.empty() ? loaded->work.family : loaded->work.name,
+                     .dialect = std::move(loaded->dialect),
+                     .text = std::move(done->result.text),
+                     .profile = std::move(loaded->work.profile),
+                     .delivery = order.delivery,
+                     .nominal = NominalCase{.family = std::move(loaded->work.family),
+                                            .revision = loaded->origin.family_revision,
+                                            .text = std::move(loaded->work.text),
+                                            .values = std::move(loaded->work.values)},
+                     .profile_lines = std::move(done->result.profile_lines)};
+  CalledBy none;
+  return workers_ != nullptr ? workers_->check(rendered, waiter)
+                             : check_case(std::move(rendered), documents_, {}, none);
+}
+
 Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor, const Waiter& waiter) {
   auto loaded = load(order);
   if (!loaded) return std::unexpected(loaded.error());

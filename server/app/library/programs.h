@@ -67,6 +67,8 @@ class Programs {
   Result<Rendered> render(const RenderOrder& order, std::string_view actor, const Waiter& waiter = {});
   // The same, and nothing is stored.
   Result<Preview> preview(const RenderOrder& order, const Waiter& waiter = {});
+  // What a check of that program would find for the machine; nothing is stored. Errors: as render and Workers::check.
+  Result<CheckDone> judge(const RenderOrder& order, const Waiter& waiter = {});
 
  private:
   struct RenderCase;  // what an order names, read from the store

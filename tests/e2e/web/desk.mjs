@@ -298,6 +298,26 @@ async function day(page) {
   await failing(page);
 }
 
+// The verdict beside a preview is that of a check, follows the values, and is stored nowhere.
+async function judged(page) {
+  const summary = page.locator('.judged:not([aria-busy=true]) > summary');
+  const shown = async (values) => {
+    const { body } = await rig.call('POST', '/preview/verdict', { family: 'hyperbolic-roll', values, machine: await page.locator('.preview').getByLabel('Machine').inputValue(), delivery: 'drip' });
+    await until(async () => (await summary.count()) === 1 && new RegExp(`${body.verdict}.*cycle time`, 'is').test(await summary.innerText()), `the verdict on it is ${body.verdict}`);
+    return { verdict: body.verdict, words: await summary.innerText() };
+  };
+  const fast = await shown({ speed_rpm: '777 rpm' });
+  await page.getByLabel(/spindle speed/).fill('77');
+  await page.locator('.judged[aria-busy=true]').waitFor();
+  await until(async () => (await summary.count()) === 1 && (await summary.innerText()) !== fast.words, 'and another one for other values');
+  await summary.click();
+  await page.locator('.judged').getByText('Blocks').waitFor();
+  await page.locator('.preview').scrollIntoViewIfNeeded();
+  await accessible(page, 'the verdict on a preview');
+  await shot(page, 'desk-preview-verdict');
+  await page.getByLabel(/spindle speed/).fill('777');
+}
+
 async function part(page) {
   await rig.machine('roll-bench', { jobs: 0 });
   await signIn(page, url, tokens.programmer);
@@ -315,6 +335,7 @@ async function part(page) {
   expect(!before.includes('S777'), 'and was another one before');
   const { body } = await rig.call('GET', '/programs?part=R-7');
   expect(body.items.length === 0, 'a preview stores nothing');
+  await judged(page);
   await page.getByLabel(/step of the angle/).fill('99 deg');
   await page.locator('[data-parameter="angle_step"] .parameter-fault').waitFor();
   expect(true, 'a value that is not possible is said at its field while one types');

@@ -96,7 +96,7 @@ async function time(page) {
     await page.getByRole('list', { name: 'Legend' }).getByText('not known').waitFor();
     await shot(page, `time-by-${by.replaceAll(' ', '-').toLowerCase()}`);
   }
-  expect(/T0?6.*nose of 0\.8 mm/.test(await page.locator('.path-tool').innerText()), "the tool's nose is its profile's");
+  expect(/T0?6: the insert with its nose of 0\.8 mm/.test(await page.locator('.path-tool').innerText()), "the tool's insert and nose are its profile's");
   // A slider along time leads tool and text.
   await timeSlider(page).focus();
   await page.keyboard.press('Home');
@@ -236,7 +236,7 @@ async function plain(page) {
   await page.keyboard.press('Home');
   await until(async () => {
     await page.keyboard.press('PageUp');
-    return /T1: ⌀ 10 mm, 100 mm long/.test(await page.locator('.path-tool').innerText());
+    return /T1: ⌀ 10 mm, 100 mm long.*Shank and holder begin 38 mm above the tip, up to ⌀ 63 mm/.test(await page.locator('.path-tool').innerText());
   }, 'one that is in it is drawn with its figures');
   await shot(page, 'stock-tool');
   // Without a machine there is no time.

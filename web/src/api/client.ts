@@ -54,6 +54,7 @@ interface Options {
   key?: string;
   ifMatch?: number; // the revision that is changed
   timeoutMs?: number; // of work that takes longer than an answer should
+  signal?: AbortSignal | undefined; // once aborted, the server ends the work, too
 }
 
 export async function request<T>(method: Method, path: string, options: Options = {}): Promise<T> {
@@ -101,6 +102,7 @@ async function answerOf(method: Method, path: string, options: Options): Promise
   if (options.key) headers['Idempotency-Key'] = options.key;
   if (method !== 'GET') Object.assign(headers, whoAsks());
   const abort = new AbortController();
+  options.signal?.addEventListener('abort', () => abort.abort());
   const timer = setTimeout(() => abort.abort(), options.timeoutMs ?? kTimeoutMs);
   try {
     const response = await fetch(kBase + path, { ...init, signal: abort.signal });

@@ -18,6 +18,7 @@ import type {
   Part,
   PathPicture,
   Preview,
+  PreviewVerdict,
   Program,
   ProgramRevision,
   ProgramUses,
@@ -156,6 +157,9 @@ export const deskCalls = {
     request<Part>('PUT', `/parts/${enc(number)}`, { body: { values }, ifMatch: base, key }),
   preview: (family: string, values: Record<string, string>, machine: string, delivery: Delivery) =>
     request<Preview>('POST', '/preview', { body: { family, values, machine, delivery }, timeoutMs: kWorkMs }),
+  // A check of what the preview shows: the server stores nothing.
+  previewVerdict: (family: string, values: Record<string, string>, machine: string, delivery: Delivery, signal: AbortSignal) =>
+    request<PreviewVerdict>('POST', '/preview/verdict', { body: { family, values, machine, delivery }, timeoutMs: kWorkMs, signal }),
   explainReceipt: (id: number) => request<ReceivedValues>('POST', `/receipts/${id}/explain`, { timeoutMs: kWorkMs }),
   sweep: (family: string, values: Record<string, string>, machine: string, delivery: Delivery) =>
     request<SweepFigures>('POST', '/sweep', { body: { family, values, machine, delivery }, timeoutMs: kSweepMs }),

@@ -1608,6 +1608,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/preview/verdict": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * what a check of the program that rendering would give finds, stored nowhere
+         * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_preview_verdict"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/checks": {
         parameters: {
             query?: never;
@@ -4566,6 +4586,22 @@ export interface components {
                 length_z_mm?: number | null;
                 /** @description of a mill: 0 is flat, half the diameter a ball */
                 corner_radius_mm?: number | null;
+                /** @description of a turning tool: its insert, for pictures; the gouge check counts the nose alone */
+                insert?: {
+                    /** @description between the two edges at the nose: 80 of a C insert, 55 D, 35 V, 60 T */
+                    angle_deg: number;
+                    /** @description of the leading edge against the direction of feed, as 95; of tips 5 to 8 it does not count */
+                    entering_angle_deg: number;
+                    /** @description length of a cutting edge */
+                    edge_mm: number;
+                } | null;
+                /** @description of a mill: its shank and holder, from below; a holder in the workpiece is a fault; not given: not checked */
+                holder?: {
+                    /** @description height above the tip from which on it is this wide, up to the next step or the spindle */
+                    from_mm: number;
+                    /** @description of a mill or drill */
+                    diameter_mm: number;
+                }[] | null;
             }[] | null;
             /** @description where the work zero lies where `work_offsets` states nothing; machine coordinates */
             origin?: {
@@ -5735,6 +5771,336 @@ export interface components {
                 expires_at_ms: number | null;
             }[];
         };
+        /** @description what a check of a rendered program would find; it is stored nowhere, and releases nothing */
+        PreviewVerdict: {
+            /**
+             * @description pass needs everything that moves, shifts or writes to be understood
+             * @enum {string}
+             */
+            verdict: "pass" | "warn" | "fail" | "unknown";
+            /** @description what stands between it and a pass */
+            points: string[];
+            /** @description in which the text was read */
+            dialect: string;
+            /** @description as which control the text was read */
+            control: {
+                /** @description for people */
+                title: string;
+                /**
+                 * @description of machine
+                 * @enum {string}
+                 */
+                kind: "mill" | "lathe" | "mill-turn";
+                /**
+                 * @description G code system of a lathe
+                 * @enum {string}
+                 */
+                g_system: "A" | "B" | "C";
+                /**
+                 * @description at power-on
+                 * @enum {string}
+                 */
+                feed_mode: "per-minute" | "per-revolution" | "inverse-time";
+                /** @description by which it was inferred; 0: it was named, or is the default */
+                because_line: number;
+                /** @description the control was inferred from the text */
+                inferred: boolean;
+            };
+            /** @description of reading, validating and running the text; the first of each kind */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description of the diagnostics */
+            folded: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description that are not listed */
+                more: number;
+            }[];
+            /** @description that ran */
+            blocks: number;
+            /** @description it ran to its end */
+            ran: boolean;
+            /** @description how long it takes; null: not checked */
+            timing: {
+                /** @description that ran */
+                blocks: number;
+                /** @description of the whole program */
+                cycle_s: number;
+                /** @description of motion alone */
+                motion_s: number;
+                /** @description of the control's computing alone */
+                compute_s: number;
+                /** @description of the line alone */
+                line_s: number;
+                /** @description standstills while the control waits for blocks */
+                stalls: number;
+                /** @description how much longer the program takes by them */
+                stall_s: number;
+                /** @description of the program; 0: none */
+                first_stall_line: number;
+                /** @description compute_s may be as little, as far as the cost model is known */
+                compute_low_s: number;
+                /** @description and as much */
+                compute_high_s: number;
+                /**
+                 * @description of the cost model; calibrated: at this machine
+                 * @enum {string}
+                 */
+                compute_source: "assumed" | "paper" | "calibrated";
+                /** @description of the cost model, in words */
+                compute_origin: string;
+                /** @description all standstills together */
+                standstill_s: number;
+                /** @description since the start */
+                first_stall_at_s: number;
+                /** @description of all */
+                longest_standstill_s: number;
+                /** @description of the program; 0: none */
+                longest_standstill_line: number;
+                /** @description since the start */
+                first_move_s: number;
+                /** @description of rapid motion */
+                rapid_s: number;
+                /** @description of all motion */
+                path_mm: number;
+                /** @description on average */
+                blocks_per_s: number;
+                /** @description how long each was what the machine waited for, in seconds */
+                limited_s: {
+                    /** @description in seconds */
+                    motion: number;
+                    /** @description in seconds */
+                    compute: number;
+                    /** @description in seconds */
+                    line: number;
+                    /** @description in seconds */
+                    buffer: number;
+                };
+                /** @description the times are those of the whole program, not of its beginning */
+                whole: boolean;
+                /** @description some lines in their order; empty where lines run more than once */
+                course: number[][];
+                /** @description the first ones, in their order */
+                stretches: {
+                    /**
+                     * @description what they wait for
+                     * @enum {string}
+                     */
+                    limited_by: "motion" | "compute" | "line" | "buffer";
+                    /** @description of the program */
+                    first_line: number;
+                    /** @description of the program */
+                    last_line: number;
+                    /** @description since the start */
+                    start_s: number;
+                    /** @description of all of them */
+                    duration_s: number;
+                }[];
+                /** @description how many there are in all */
+                stretch_count: number;
+                /** @description in the control; null: it is not fed over a line */
+                lowest_buffer_bytes: number | null;
+                /** @description in the control; null: it is not fed over a line */
+                lowest_buffer_blocks: number | null;
+                /** @description what would let the program run without a standstill; null: not needed, or nothing would */
+                without_stall: {
+                    /** @description of the programmed feed, 0 to 1 */
+                    feed_share: number | null;
+                    /** @description the highest programmed feed */
+                    feed_mm_min: number | null;
+                    /** @description of the line */
+                    baud: number | null;
+                    /** @description the next usual one */
+                    standard_baud: number | null;
+                };
+            } | null;
+            /** @description how far it lies from the nominal; null: not checked */
+            accuracy: {
+                /** @description that were measured */
+                blocks: number;
+                /** @description places that were measured */
+                points: number;
+                /** @description size of the largest deviation */
+                max_mm: number;
+                /** @description of the program; 0: none */
+                max_at_line: number;
+                /** @description of the size, along the path */
+                mean_mm: number;
+                /** @description root of the mean square */
+                rmse_mm: number;
+                /** @description proved from the curve; null: none */
+                chord_bound_mm: number | null;
+                /**
+                 * @description of what the figures above are
+                 * @enum {string}
+                 */
+                measured: "surface" | "path";
+                /** @description of the programmed path */
+                path: {
+                    /** @description places that were measured */
+                    points: number;
+                    /** @description largest deviation; positive: material is left, negative: too much is taken */
+                    max_mm: number;
+                    /** @description of the program; 0: none */
+                    max_at_line: number;
+                    /** @description where; turning: Z and radius, milling: X and Y */
+                    max_at: number[];
+                    /** @description of the size, along the path */
+                    mean_mm: number;
+                    /** @description root of the mean square */
+                    rmse_mm: number;
+                };
+                /** @description of what the tool leaves; null: the tool is not known */
+                surface: {
+                    /** @description places that were measured */
+                    points: number;
+                    /** @description largest deviation; positive: material is left, negative: too much is taken */
+                    max_mm: number;
+                    /** @description of the program; 0: none */
+                    max_at_line: number;
+                    /** @description where; turning: Z and radius, milling: X and Y */
+                    max_at: number[];
+                    /** @description of the size, along the path */
+                    mean_mm: number;
+                    /** @description root of the mean square */
+                    rmse_mm: number;
+                } | null;
+                /** @description farthest reach of the path beyond the ends of the nominal */
+                overrun_mm: number;
+                /** @description the path passes all of the nominal */
+                covered: boolean;
+                /** @description the first ones of each kind */
+                findings: {
+                    /** @description of the kind of finding */
+                    id: string;
+                    /**
+                     * @description how bad it is
+                     * @enum {string}
+                     */
+                    severity: "note" | "warning" | "error";
+                    /** @description of the program, from 1; 0: of the whole */
+                    line: number;
+                    /** @description index into `programs`; 0: the main one */
+                    program: number;
+                    /** @description that was found */
+                    value: number | null;
+                    /** @description that it breaks */
+                    limit: number | null;
+                    /** @description one sentence */
+                    text: string;
+                    /** @description by which the control itself would name it */
+                    alarm: string | null;
+                }[];
+                /** @description all findings, by their id */
+                counts: {
+                    [key: string]: number;
+                };
+            } | null;
+            /** @description whether it stays inside the machine; null: not checked */
+            envelope: {
+                /** @description the first ones of each kind */
+                findings: {
+                    /** @description of the kind of finding */
+                    id: string;
+                    /**
+                     * @description how bad it is
+                     * @enum {string}
+                     */
+                    severity: "note" | "warning" | "error";
+                    /** @description of the program, from 1; 0: of the whole */
+                    line: number;
+                    /** @description index into `programs`; 0: the main one */
+                    program: number;
+                    /** @description that was found */
+                    value: number | null;
+                    /** @description that it breaks */
+                    limit: number | null;
+                    /** @description one sentence */
+                    text: string;
+                    /** @description by which the control itself would name it */
+                    alarm: string | null;
+                }[];
+                /** @description all findings, by their id */
+                counts: {
+                    [key: string]: number;
+                };
+                /** @description that were checked */
+                moves: number;
+                /** @description reached in machine coordinates, in millimeters or degrees, by axis */
+                machine_travel: {
+                    [key: string]: (number | null)[];
+                };
+                /** @description the highest */
+                feed_max_mm_min: number;
+                /** @description the highest */
+                spindle_max_rpm: number;
+            } | null;
+            /** @description whether it cuts where it must not; null: not checked */
+            gouge: {
+                /** @description the first ones of each kind */
+                findings: {
+                    /** @description of the kind of finding */
+                    id: string;
+                    /**
+                     * @description how bad it is
+                     * @enum {string}
+                     */
+                    severity: "note" | "warning" | "error";
+                    /** @description of the program, from 1; 0: of the whole */
+                    line: number;
+                    /** @description index into `programs`; 0: the main one */
+                    program: number;
+                    /** @description that was found */
+                    value: number | null;
+                    /** @description that it breaks */
+                    limit: number | null;
+                    /** @description one sentence */
+                    text: string;
+                    /** @description by which the control itself would name it */
+                    alarm: string | null;
+                }[];
+                /** @description all findings, by their id */
+                counts: {
+                    [key: string]: number;
+                };
+                /** @description that were checked */
+                rapids: number;
+                /** @description that were checked */
+                cuts: number;
+                /** @description into stock or part */
+                deepest_rapid_mm: number;
+                /** @description below the nominal */
+                deepest_cut_mm: number;
+            } | null;
+            /** @description what was not checked, and why */
+            not_checked: string[];
+            /** @description the main one first, then those that it calls */
+            programs: string[];
+        };
         /** @description what the checks found in a program */
         Verdict: {
             /** @description of the verdict */
@@ -6811,6 +7177,22 @@ export interface components {
                     tip: number;
                     /** @description from the gauge line to the tip; null: not known */
                     length_mm: number | null;
+                    /** @description of a turning tool; null: not known */
+                    insert: {
+                        /** @description between its two edges */
+                        angle_deg: number;
+                        /** @description of the leading edge against the direction of feed */
+                        entering_angle_deg: number;
+                        /** @description length of an edge */
+                        edge_mm: number;
+                    } | null;
+                    /** @description shank and holder of a mill, from below; empty: not known */
+                    holder: {
+                        /** @description above the tip */
+                        from_mm: number;
+                        /** @description up to the next step */
+                        diameter_mm: number;
+                    }[];
                 } | null;
             }[];
             /** @description in the order of the path */
@@ -13269,6 +13651,53 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Preview"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_preview_verdict: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RenderOrder"];
+            };
+        };
+        responses: {
+            /** @description what a check of the program that rendering would give finds, stored nowhere */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PreviewVerdict"];
                 };
             };
             400: components["responses"]["Problem400"];

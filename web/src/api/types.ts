@@ -112,6 +112,7 @@ export type Parameter = Family['parameters'][number];
 export type Part = Schemas['Part'];
 export type Rendered = Schemas['Rendered'];
 export type Preview = Schemas['Preview'];
+export type PreviewVerdict = Schemas['PreviewVerdict'];
 
 export type User = Schemas['User'];
 export type Token = Schemas['Token'];

@@ -31,8 +31,12 @@ export function kindOf(node: SchemaNode): FieldKind {
 
 export const membersOf = (node: SchemaNode): [name: string, member: SchemaNode][] => Object.entries(node.properties ?? {});
 
-// Whether a row of such objects fits a table: all of its members are one field each.
-export const isFlat = (node: SchemaNode): boolean => membersOf(node).every(([, member]) => !['rows', 'group'].includes(kindOf(member)));
+// One value, and no list or object.
+export const isField = (node: SchemaNode): boolean => !['rows', 'group'].includes(kindOf(node));
+
+// Whether a row of such objects fits a table: its members are fields, or fold in their cell.
+export const isFlat = (node: SchemaNode): boolean =>
+  membersOf(node).every(([, member]) => isField(member) || membersOf(member.items ?? member).every(([, one]) => isField(one)));
 
 // Units stand at the end of a member's name, as in the whole project.
 const kUnits: [ending: string, unit: string][] = [

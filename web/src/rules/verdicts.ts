@@ -17,7 +17,9 @@ export interface Finding {
 
 const kRank: Record<Severity, number> = { error: 0, warning: 1, note: 2 };
 
-export function findingsOf(verdict: Verdict): Finding[] {
+export type FoundBy = Pick<Verdict, 'diagnostics' | 'envelope' | 'gouge' | 'accuracy' | 'programs'>;
+
+export function findingsOf(verdict: FoundBy): Finding[] {
   const all: Finding[] = verdict.diagnostics.map(({ id, severity, line, file, text, alarm }) => ({ id, severity, line, file, text, alarm }));
   for (const check of [verdict.envelope, verdict.gouge, verdict.accuracy])
     for (const { id, severity, line, program, text, alarm } of check?.findings ?? [])

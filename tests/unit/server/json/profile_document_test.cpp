@@ -24,7 +24,8 @@ constexpr std::string_view kProfile = R"({
   "name": "mill-1", "title": "Mill", "dialect": "fanuc", "kind": "mill",
   "axes": [{"name": "X", "min_mm": -10, "max_mm": 500, "rapid_mm_min": 10000, "acceleration_mm_s2": 2000}],
   "feed_limit_mm_min": 5000, "spindle": {"min_rpm": 10, "max_rpm": 4000},
-  "tools": [{"number": 1, "offset": 1, "nose_radius_mm": 0.8, "tip": 3}],
+  "tools": [{"number": 1, "offset": 1, "nose_radius_mm": 0.8, "tip": 3, "insert": {"angle_deg": 80, "entering_angle_deg": 95, "edge_mm": 12}},
+            {"number": 2, "diameter_mm": 10, "length_mm": 100, "holder": [{"from_mm": 40, "diameter_mm": 32}, {"from_mm": 70, "diameter_mm": 63}]}],
   "work_offsets": [{"number": 1, "X_mm": 5.5}, {"number": 2}],
   "control": {"decimal_mode": "calculator", "g_system": "B", "increment_mm": 0.001, "block_length_bytes": 128, "axes_at_once": 3,
               "arcs": {"tolerance_mm": 0.03, "tolerance_factor": 0.002}, "splines_confirmed": true,
@@ -119,6 +120,12 @@ TEST(ProfileDocument, EveryMemberArrives) {
   EXPECT_EQ(p.machine.axes[0].max, 500.0);
   EXPECT_EQ(p.machine.spindle_max_rpm, 4000.0);
   EXPECT_EQ(p.machine.tools.at(0).tip, 3);
+  EXPECT_TRUE(p.machine.tools.at(0).holder.empty());
+  ASSERT_TRUE(p.machine.tools.at(0).insert);
+  EXPECT_EQ(p.machine.tools.at(0).insert->entering_angle_deg, 95.0);
+  ASSERT_EQ(p.machine.tools.at(1).holder.size(), 2U);
+  EXPECT_EQ(p.machine.tools.at(1).holder.at(1).from_mm, 70.0);
+  EXPECT_EQ(p.machine.tools.at(1).holder.at(1).diameter_mm, 63.0);
   EXPECT_EQ(p.machine.work_offsets.at(0).zero[0], 5.5);
   EXPECT_EQ(p.machine.timing.look_ahead_blocks, 20U);
   ASSERT_TRUE(p.machine.timing.cost);
@@ -230,7 +237,13 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
       {R"("max_mm": 500)", R"("max_mm": 1e7)", "/axes/0/max_mm"},
       {R"("rapid_mm_min": 10000)", R"("rapid_mm_min": 0)", "/axes/0/rapid_mm_min"},
       {R"("max_rpm": 4000)", R"("max_rpm": 5)", "/spindle/max_rpm"},
-      {R"("tip": 3)", R"("tip": 10)", "/tools/0/tip"},
+      {R"("tip": 3,)", R"("tip": 10,)", "/tools/0/tip"},
+      {R"("angle_deg": 80, )", "", "/tools/0/insert/angle_deg"},
+      {R"("edge_mm": 12)", R"("edge_mm": 0)", "/tools/0/insert/edge_mm"},
+      {R"("from_mm": 70)", R"("from_mm": 40)", "/tools/1/holder/1/from_mm"},
+      {R"("from_mm": 70)", R"("from_mm": 100)", "/tools/1/holder"},
+      {R"("from_mm": 40, )", "", "/tools/1/holder/0/from_mm"},
+      {R"("diameter_mm": 32)", R"("diameter_mm": 0)", "/tools/1/holder/0/diameter_mm"},
       {R"({"number": 2})", R"({"number": 1})", "/work_offsets/1/number"},
       {R"("increment_mm": 0.001)", R"("increment_mm": -0.001)", "/control/increment_mm"},
       {R"("g_system": "B")", R"("g_system": "D")", "/control/g_system"},
@@ -273,7 +286,7 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
       {R"("tip": 3)", R"("tip": 3, "length_mm": -1)", "/tools/0/length_mm"},
       {R"("tip": 3)", R"("tip": 3, "length_x_mm": 1e9)", "/tools/0/length_x_mm"},
       {R"("tip": 3)", R"("tip": 3, "diameter_mm": 4, "corner_radius_mm": 3)", "/tools/0/corner_radius_mm"},
-      {R"("tip": 3})", R"("tip": 3}, {"number": 1, "offset": 1})", "/tools/1/number"},
+      {R"("edge_mm": 12}})", R"("edge_mm": 12}}, {"number": 1, "offset": 1})", "/tools/1/number"},
       {R"("title": "Mill")", R"("origin": {"X_mm": 1e9})", "/origin/X_mm"},
       {R"("title": "Mill")", R"("origin": {"Q_mm": 1})", "/origin/Q_mm"},
       {R"("title": "Mill")", R"("origin": [1, 2, 3])", "/origin"},

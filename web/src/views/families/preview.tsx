@@ -12,6 +12,7 @@ import { usePaced } from '../../parts/use_paced';
 import type { Values } from '../../rules/part_values';
 import { PathView } from '../path/path_view';
 import { Drawing } from './drawing';
+import { PreviewVerdict } from './preview_verdict';
 
 const kShownLines = 400;
 
@@ -57,14 +58,17 @@ export function Preview({ family, fits, values, failed, isShown, lit, light, cho
       </div>
       {error !== null && !isShown(error) && <Failure error={error} />}
       {loading && !value && <p role="status">{t('parts.rendering')}</p>}
-      {value && <Drawing views={value.drawing} lit={lit} light={light} chosen={chosen} />}
       {value && (
-        <p class="hint">
-          {t('library.blocks', { count: value.blocks, text: count(value.blocks) })}, {bytes(value.bytes)}: {value.because}
-        </p>
+        <>
+          <Drawing views={value.drawing} lit={lit} light={light} chosen={chosen} />
+          <p class="hint">
+            {t('library.blocks', { count: value.blocks, text: count(value.blocks) })}, {bytes(value.bytes)}: {value.because}
+          </p>
+          <PreviewVerdict family={family} machine={machine} delivery={delivery} values={of} isNew={loading || of !== typed} />
+          {look === 'text' && <PreviewText text={value.text} />}
+          {look === 'path' && <PreviewPath order={{ text: value.text, machine, delivery, nominal: { family, values: JSON.parse(of) as Values } }} />}
+        </>
       )}
-      {value && look === 'text' && <PreviewText text={value.text} />}
-      {value && look === 'path' && <PreviewPath order={{ text: value.text, machine, delivery, nominal: { family, values: JSON.parse(of) as Values } }} />}
     </section>
   );
 }

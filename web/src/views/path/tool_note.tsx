@@ -1,7 +1,7 @@
 // Which tool moves, and what of it is drawn: what is in no profile is not drawn, and that is stated.
 import type { ToolPath } from '../../api/types';
 import { t } from '../../i18n/i18n';
-import { isDrawn, kDiametersShown, type ToolShape } from '../../path/tool_shape';
+import { insertSides, isDrawn, kDiametersShown, type ToolShape } from '../../path/tool_shape';
 import { isLathe, mm } from './words';
 
 // Of path.tools; 0: none is taken.
@@ -28,8 +28,15 @@ export function ToolNote({ path, tool }: { path: ToolPath; tool: number }) {
 
 function textOf(tool: string, shape: ToolShape | null): string {
   if (!shape || !isDrawn(shape)) return t('path_tool.unknown', { tool });
-  if (shape.isLathe) return t('path_tool.nose', { tool, radius: mm(shape.nose_radius_mm) });
+  if (shape.isLathe) return t(insertSides(shape).length > 0 ? 'path_tool.insert' : 'path_tool.nose', { tool, radius: mm(shape.nose_radius_mm) });
   const diameter = mm(shape.diameter_mm ?? 0);
-  if (shape.length_mm === null) return t('path_tool.mill_no_length', { tool, diameter, count: kDiametersShown });
-  return t('path_tool.mill', { tool, diameter, length: mm(shape.length_mm) });
+  const holder = holderText(shape);
+  if (shape.length_mm !== null) return `${t('path_tool.mill', { tool, diameter, length: mm(shape.length_mm) })} ${holder}`;
+  if (shape.holder.length > 0) return `${t('path_tool.mill_above', { tool, diameter })} ${holder}`;
+  return `${t('path_tool.mill_no_length', { tool, diameter, count: kDiametersShown })} ${holder}`;
+}
+
+function holderText({ holder }: ToolShape): string {
+  const [lowest] = holder;
+  return lowest ? t('path_tool.holder', { from: mm(lowest.from_mm), diameter: mm(Math.max(...holder.map(({ diameter_mm }) => diameter_mm))) }) : t('path_tool.no_holder');
 }

@@ -4,6 +4,7 @@ import { useId, useState } from 'preact/hooks';
 import { t } from '../../i18n/i18n';
 import {
   boundsText,
+  isField,
   isFlat,
   kindOf,
   membersOf,
@@ -146,8 +147,14 @@ function RowsTable({ form, node, name, pointer }: NodeProps) {
                 const at = pointerTo(pointerTo(pointer, index), member);
                 return (
                   <td key={member}>
-                    <Control form={form} node={one} pointer={at} label={`${name} ${index + 1} ${member}`} />
-                    {form.faults.has(at) && <p class="parameter-fault">{form.faults.get(at)}</p>}
+                    {!isField(one) ? (
+                      <Folded form={form} node={one} pointer={at} name={`${name} ${index + 1} ${member}`} isRequired={false} />
+                    ) : (
+                      <>
+                        <Control form={form} node={one} pointer={at} label={`${name} ${index + 1} ${member}`} />
+                        {form.faults.has(at) && <p class="parameter-fault">{form.faults.get(at)}</p>}
+                      </>
+                    )}
                   </td>
                 );
               })}
@@ -161,6 +168,19 @@ function RowsTable({ form, node, name, pointer }: NodeProps) {
     </div>
   );
 }
+
+const hasFaultBelow = (form: FormState, pointer: string): boolean => [...form.faults.keys()].some((one) => one === pointer || one.startsWith(`${pointer}/`));
+
+// A list or an object in a cell of a table.
+const Folded = (props: NodeProps) => (
+  <details open={hasFaultBelow(props.form, props.pointer) || undefined}>
+    <summary>
+      <span class="unseen">{props.name}: </span>
+      {summaryOf(valueAt(props.form.document, props.pointer))}
+    </summary>
+    <Node {...props} isNamed />
+  </details>
+);
 
 interface RowProps {
   form: FormState;
@@ -242,10 +262,9 @@ function Node(props: NodeProps) {
 export function Section({ form, node, name, pointer, isRequired }: NodeProps) {
   const kind = kindOf(node);
   if (kind !== 'rows' && kind !== 'group') return <Field form={form} node={node} name={name} pointer={pointer} isRequired={isRequired} />;
-  const hasFault = [...form.faults.keys()].some((one) => one === pointer || one.startsWith(`${pointer}/`));
   const value = valueAt(form.document, pointer);
   return (
-    <details class="profile-section" open={hasFault || undefined} data-section={name}>
+    <details class="profile-section" open={hasFaultBelow(form, pointer) || undefined} data-section={name}>
       <summary>
         <code>{name}</code> <span class="quiet-text">{summaryOf(value)}</span>
       </summary>

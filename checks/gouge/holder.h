@@ -1,0 +1,37 @@
+// The shank and holder of the mill in the spindle against what is left of the stock. They cut nothing: where they meet
+// material the tool breaks, in a cut as in a rapid.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "checks/gouge/cutter.h"
+#include "checks/gouge/height_map.h"
+#include "checks/machine.h"
+
+namespace dripfeed::gouge {
+
+struct HolderTouch {
+  Depth depth;  // 0: none
+  checks::HolderStep step;
+};
+
+class Holder {
+ public:
+  // Of no tool: nothing is known of it.
+  Holder() = default;
+  explicit Holder(std::span<const checks::HolderStep> steps) : steps_(steps.begin(), steps.end()) {}
+
+  [[nodiscard]] bool is_known() const { return !steps_.empty(); }
+  // The deepest touch of a move that takes nothing away, or of a cut that was taken off the map already.
+  [[nodiscard]] HolderTouch touch(const HeightMap& map, const Point3& from, const Point3& to, double slack) const;
+  // The same of a cut that is still to be taken off the map: what the cutter itself removes first does not count.
+  [[nodiscard]] HolderTouch touch_ahead(const HeightMap& map, const Cutter& cutter, const Point3& from,
+                                        const Point3& to, double slack) const;
+
+ private:
+  std::vector<checks::HolderStep> steps_;
+};
+
+}  // namespace dripfeed::gouge
