@@ -1,4 +1,4 @@
-// What stands around every view: the sheet of keys, and the manifest by which a browser installs the page.
+// What stands around every view: lists that are empty, the sheet of keys, and the manifest by which a browser installs the page.
 import { accessible, expect, fits, focused, live, main, shot, signIn, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
@@ -103,7 +103,26 @@ async function installed(page) {
   expect(icon.ok() && icon.headers()['content-type'] === 'image/svg+xml', 'its icon is there');
 }
 
+// A new shop: what is empty states what to do, and a button does it or leads there.
+async function emptyShop(page) {
+  await signIn(page, url, tokens.admin);
+  for (const place of ['floor', 'orders', 'history', 'jobs', 'releases', 'library', 'families', 'received', 'review', 'people/groups', 'people/machines', 'people/store']) {
+    await page.goto(`${url}/#/${place}`);
+    const empty = page.locator('.empty').first();
+    await empty.waitFor();
+    expect((await empty.locator('button, a.button').count()) > 0, `${place}: ${(await empty.innerText()).replaceAll('\n', ' | ')}`);
+    await shot(page, `empty-${place.replace('/', '-')}`);
+  }
+  await page.goto(`${url}/#/people/audit`);
+  await page.getByLabel('Who').fill('no-such-person');
+  await page.getByRole('button', { name: 'Filter' }).click();
+  await page.locator('.empty').getByRole('button', { name: 'Show all' }).click();
+  await until(async () => (await page.locator('.empty').count()) === 0, 'an empty search of the audit shows all again');
+  await accessible(page, 'the audit');
+}
+
 await main([
+  ['an empty shop', () => withPage(kDesk, emptyShop)],
   ['the sheet of keys', () => withPage(kDesk, keySheet)],
   ['the sheet in German on a phone', () => withPage(kPhone, keySheetInGerman)],
   ['the keys of a text', () => withPage(kDesk, keysOfTheText)],

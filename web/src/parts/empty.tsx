@@ -7,3 +7,10 @@ export const Empty = ({ children, action }: { children: ComponentChildren; actio
     {action}
   </div>
 );
+
+// A button that leads to where something can be done about it.
+export const GoTo = ({ href, children }: { href: string; children: ComponentChildren }) => (
+  <a class="button" href={href}>
+    {children}
+  </a>
+);

@@ -10,10 +10,11 @@ import { receiptWording } from '../format/words';
 import { t } from '../i18n/i18n';
 import { Badge } from '../parts/badge';
 import { OrderDialog, showDialog } from '../parts/dialog';
-import { Empty } from '../parts/empty';
+import { Empty, GoTo } from '../parts/empty';
 import { Failure } from '../parts/failure';
 import { lazyView } from '../parts/lazy';
 import { Table } from '../parts/table';
+import { hrefs } from '../router';
 import { atLeast } from '../rules/roles';
 import { bestRole, isLive, receiptNews, roleOn } from '../state/shop';
 import { loader } from '../state/loader';
@@ -43,7 +44,7 @@ export function ReceivedView() {
       <h1 tabIndex={-1}>{t('nav.received')}</h1>
       <p class="lead">{t('received.lead')}</p>
       <Failure error={error} />
-      {receipts?.length === 0 && <Empty>{t('received.empty')}</Empty>}
+      {receipts?.length === 0 && <Empty action={<GoTo href={hrefs.floor}>{t('not_found.floor')}</GoTo>}>{t('received.empty')}</Empty>}
       {receipts && receipts.length > 0 && (
         <Table
           label={t('nav.received')}

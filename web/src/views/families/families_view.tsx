@@ -1,8 +1,9 @@
 // Part families, and the parts that were made of them.
 import { deskCalls } from '../../api/desk_calls';
+import type { FamilySummary } from '../../api/types';
 import { dateTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
-import { Empty } from '../../parts/empty';
+import { Empty, GoTo } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
@@ -13,7 +14,6 @@ import { person } from '../../state/shop';
 
 export function FamiliesView() {
   const families = useLoaded('families', deskCalls.families);
-  const parts = useLoaded('parts', () => deskCalls.parts());
   const may = atLeast(person().role, 'programmer');
   const upload = may && families.value && <FamilyUpload families={families.value} done={families.again} />;
   return (
@@ -60,33 +60,41 @@ export function FamiliesView() {
           />
         )}
       </section>
-      <section>
-        <h2>{t('nav.parts')}</h2>
-        <Failure error={parts.error} />
-        {parts.value?.length === 0 && <Empty>{t('parts.none')}</Empty>}
-        {parts.value && parts.value.length > 0 && (
-          <Table
-            label={t('nav.parts')}
-            rows={parts.value}
-            keyOf={({ number }) => number}
-            columns={[
-              {
-                id: 'number',
-                head: t('column.part'),
-                cell: ({ number }) => (
-                  <a href={hrefs.part(number)}>
-                    <strong>{number}</strong>
-                  </a>
-                ),
-              },
-              { id: 'family', head: t('column.family'), cell: ({ family }) => <a href={hrefs.family(family)}>{family}</a> },
-              { id: 'values', head: t('column.values'), cell: ({ values }) => valuesText(values) },
-              { id: 'by', head: t('column.by'), cell: (one) => t('library.changed', { name: one.changed_by, at: dateTime(one.changed_at_ms) }) },
-            ]}
-          />
-        )}
-      </section>
+      <PartList family={may ? (families.value?.[0] ?? null) : null} />
     </>
+  );
+}
+
+// `family`: of which a new part may be made.
+function PartList({ family }: { family: FamilySummary | null }) {
+  const parts = useLoaded('parts', () => deskCalls.parts());
+  return (
+    <section>
+      <h2>{t('nav.parts')}</h2>
+      <Failure error={parts.error} />
+      {parts.value?.length === 0 && <NoPart family={family} />}
+      {parts.value && parts.value.length > 0 && (
+        <Table
+          label={t('nav.parts')}
+          rows={parts.value}
+          keyOf={({ number }) => number}
+          columns={[
+            {
+              id: 'number',
+              head: t('column.part'),
+              cell: ({ number }) => (
+                <a href={hrefs.part(number)}>
+                  <strong>{number}</strong>
+                </a>
+              ),
+            },
+            { id: 'family', head: t('column.family'), cell: ({ family }) => <a href={hrefs.family(family)}>{family}</a> },
+            { id: 'values', head: t('column.values'), cell: ({ values }) => valuesText(values) },
+            { id: 'by', head: t('column.by'), cell: (one) => t('library.changed', { name: one.changed_by, at: dateTime(one.changed_at_ms) }) },
+          ]}
+        />
+      )}
+    </section>
   );
 }
 
@@ -94,3 +102,7 @@ const valuesText = (values: Record<string, string>): string => {
   const all = Object.entries(values).map(([name, value]) => `${name} = ${value}`);
   return all.length === 0 ? t('parts.defaults') : all.join(', ');
 };
+
+const NoPart = ({ family }: { family: FamilySummary | null }) => (
+  <Empty action={family && <GoTo href={hrefs.family(family.name)}>{t('parts.new_of', { family: family.title || family.name })}</GoTo>}>{t('parts.none')}</Empty>
+);

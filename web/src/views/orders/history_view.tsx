@@ -12,7 +12,7 @@ import { Badge } from '../../parts/badge';
 import { Choice, MachineField } from '../../parts/choice';
 import { minutes } from '../../parts/clock';
 import { CsvButton } from '../../parts/csv_button';
-import { Empty } from '../../parts/empty';
+import { Empty, GoTo } from '../../parts/empty';
 import { Facts, type Fact } from '../../parts/facts';
 import { Failure } from '../../parts/failure';
 import { Table, type Column } from '../../parts/table';
@@ -48,7 +48,7 @@ export function HistoryView({ query }: { query: URLSearchParams }) {
         <CsvButton name="jobs" columns={kCsv} rows={rows} />
       </div>
       <Failure error={error} />
-      {!loading && rows.length === 0 && error === null && <Empty>{t('past.none')}</Empty>}
+      {!loading && rows.length === 0 && error === null && <NoTransfer isFiltered={state !== '' || machine !== ''} />}
       {rows.length > 0 && (
         <Sums state={state} machine={machine} by={kGroupings.find((one) => one === query.get('by')) ?? ''} days={kRanges.find((one) => String(one) === query.get('days')) ?? null} />
       )}
@@ -235,6 +235,12 @@ const durationText = (job: Job): string => {
   const seconds = durationOf(job);
   return seconds === null ? '' : duration(seconds);
 };
+
+const NoTransfer = ({ isFiltered }: { isFiltered: boolean }) => (
+  <Empty action={isFiltered ? <GoTo href={hrefs.history}>{t('list.show_all')}</GoTo> : <GoTo href={hrefs.jobs}>{t('nav.jobs')}</GoTo>}>
+    {t(isFiltered ? 'past.none' : 'past.empty')}
+  </Empty>
+);
 
 const kCsv: CsvColumn<Job>[] = [
   { head: 'job', of: ({ id }) => id },

@@ -11,7 +11,7 @@ import { minutes } from '../../parts/clock';
 import { Choice, MachineField } from '../../parts/choice';
 import { CsvButton } from '../../parts/csv_button';
 import { showDialog } from '../../parts/dialog';
-import { Empty } from '../../parts/empty';
+import { Empty, GoTo } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
@@ -29,16 +29,17 @@ export function OrdersView({ query }: { query: URLSearchParams }) {
   const { value, error, loading } = useLoaded(`orders ${filter.state}`, () => orderCalls.orders(filter.state));
   const rows = useMemo(() => filtered(value ?? [], filter).sort(byUrgency), [value, filter.state, filter.machine, filter.words]);
   const may = atLeast(bestRole(), 'operator');
+  const add = (
+    <button type="button" class="button button-main" onClick={newOrder}>
+      {t('orders_view.add')}
+    </button>
+  );
   return (
     <>
       <h1 tabIndex={-1}>{t('nav.orders')}</h1>
       <p class="lead">{t('orders_view.lead')}</p>
       <Filters filter={filter}>
-        {may && (
-          <button type="button" class="button button-main" onClick={newOrder}>
-            {t('orders_view.add')}
-          </button>
-        )}
+        {may && add}
         <CsvButton name="orders" columns={kCsv} rows={rows} />
       </Filters>
       <Failure error={error} />
@@ -47,11 +48,18 @@ export function OrdersView({ query }: { query: URLSearchParams }) {
           {t('page.loading')}
         </p>
       )}
-      {value && rows.length === 0 && <Empty>{t('orders_view.none')}</Empty>}
+      {value && rows.length === 0 && <NoOrder isEveryOne={value.length === 0 && filter.state === 'open'} add={may ? add : null} />}
       {rows.length > 0 && <Orders rows={rows} />}
     </>
   );
 }
+
+const NoOrder = ({ isEveryOne, add }: { isEveryOne: boolean; add: preact.ComponentChildren }) =>
+  isEveryOne ? (
+    <Empty action={add}>{t(add === null ? 'orders_view.no_open_viewer' : 'orders_view.no_open')}</Empty>
+  ) : (
+    <Empty action={<GoTo href={`${hrefs.orders}?state=all`}>{t('list.show_all')}</GoTo>}>{t('orders_view.none')}</Empty>
+  );
 
 function newOrder(): void {
   const follow = goUnlessLeft();

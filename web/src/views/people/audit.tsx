@@ -32,6 +32,11 @@ export function Audit() {
       setError(failure);
     }
   };
+  const showAll = () => {
+    setSubject('');
+    setActor('');
+    setFilter({ subject: '', actor: '' });
+  };
   return (
     <section class="people">
       <form
@@ -49,7 +54,17 @@ export function Audit() {
         <CsvButton name="audit" columns={kCsv} rows={rows} />
       </form>
       <Failure error={first.error ?? error} />
-      {first.value?.items.length === 0 && <Empty>{t('audit.none')}</Empty>}
+      {first.value?.items.length === 0 && (
+        <Empty
+          action={
+            <button type="button" class="button" onClick={showAll}>
+              {t('list.show_all')}
+            </button>
+          }
+        >
+          {t('audit.none')}
+        </Empty>
+      )}
       {rows.length > 0 && (
         <Table
           label={t('people.audit')}

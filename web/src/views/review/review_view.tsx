@@ -7,7 +7,7 @@ import { dateTime } from '../../format/times';
 import { deliveryText, releaseText } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { CsvButton } from '../../parts/csv_button';
-import { Empty } from '../../parts/empty';
+import { Empty, GoTo } from '../../parts/empty';
 import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
@@ -39,7 +39,7 @@ export function ReviewView() {
         {t('review.lead')} <CsvButton name="review" columns={kCsv} rows={waiting} />
       </p>
       <Failure error={error} />
-      {asked && mine.length === 0 && <Empty>{t('review.none')}</Empty>}
+      {asked && mine.length === 0 && <Empty action={<GoTo href={hrefs.library}>{t('nav.library')}</GoTo>}>{t('review.none')}</Empty>}
       {mine.length > 0 && <Waiting label={t('review.mine')} rows={mine} />}
       {others.length > 0 && (
         <section>
