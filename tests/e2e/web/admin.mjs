@@ -168,6 +168,11 @@ async function store(page) {
   await page.getByRole('cell', { name, exact: true }).waitFor();
   expect((await rig.job(job)).state === 'feeding', 'the line went on');
   await accessible(page, 'the store');
+  await page.getByRole('link', { name: 'Licences of what is shipped' }).click();
+  await page.getByText('Permission is hereby granted').first().waitFor();
+  expect((await page.locator('body').innerText()).includes('three'), 'the licences of what is shipped, with their texts');
+  await page.goBack();
+  await page.getByText('The store is sound').or(page.getByRole('button', { name: 'Verify the store' })).first().waitFor();
   await shot(page, 'store');
   await page.getByRole('button', { name: `Remove ${name}` }).click();
   await dialog(page).getByRole('button', { name: 'Remove' }).click();

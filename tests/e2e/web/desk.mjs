@@ -318,6 +318,23 @@ async function judged(page) {
   await page.getByLabel(/spindle speed/).fill('777');
 }
 
+// What the variables of a macro mean stands beside its text. Plain blocks have none.
+async function legend(page) {
+  const title = page.locator('.preview summary', { hasText: /Variables \(\d+\)/ });
+  expect((await title.count()) === 0, 'plain blocks have no variables');
+  await page.locator('.preview').getByLabel('Delivery').selectOption('memory');
+  await title.click();
+  const order = { family: 'hyperbolic-roll', values: { speed_rpm: '777 rpm' }, machine: await page.locator('.preview').getByLabel('Machine').inputValue(), delivery: 'memory' };
+  const { body } = await rig.call('POST', '/preview', order);
+  const table = page.getByRole('region', { name: 'Variables of the program' });
+  const shown = await table.locator('tbody tr').allInnerTexts();
+  expect(shown.length === body.legend.length && body.legend.every(({ variable, name }, row) => shown[row].includes(variable) && shown[row].includes(name)), `${shown.length} variables of the macro are named`);
+  await accessible(page, 'the variables of a macro');
+  await table.scrollIntoViewIfNeeded();
+  await shot(page, 'desk-preview-legend');
+  await page.locator('.preview').getByLabel('Delivery').selectOption('drip');
+}
+
 async function part(page) {
   await rig.machine('roll-bench', { jobs: 0 });
   await signIn(page, url, tokens.programmer);
@@ -325,7 +342,7 @@ async function part(page) {
   const chosen = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Upload a family…' }).click();
   await (await chosen).setFiles(kRoll);
-  await page.getByRole('link', { name: 'Hyperbolic rolling-mill roll' }).click();
+  await page.getByRole('link', { name: 'Hyperbolic rolling-mill roll', exact: true }).click();
   await page.getByLabel('Part number').fill('R-7');
   const preview = page.getByLabel('Text of the program');
   await preview.getByText('M30').waitFor();
@@ -336,6 +353,7 @@ async function part(page) {
   const { body } = await rig.call('GET', '/programs?part=R-7');
   expect(body.items.length === 0, 'a preview stores nothing');
   await judged(page);
+  await legend(page);
   await page.getByLabel(/step of the angle/).fill('99 deg');
   await page.locator('[data-parameter="angle_step"] .parameter-fault').waitFor();
   expect(true, 'a value that is not possible is said at its field while one types');

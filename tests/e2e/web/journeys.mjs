@@ -117,7 +117,7 @@ async function engineer(page) {
     await button(page, 'Upload a family…').click();
     await (await chosen).setFiles(kRoll);
   });
-  await walk.click(page.getByRole('link', { name: 'Hyperbolic rolling-mill roll' }));
+  await walk.click(page.getByRole('link', { name: 'Hyperbolic rolling-mill roll', exact: true }));
   walk.mark('family');
   await walk.type(page.getByLabel('Part number'), 'R-1');
   await walk.type(page.getByLabel(/length of the barrel/).first(), '180');

@@ -111,6 +111,7 @@ export type Family = Schemas['Family'];
 export type Parameter = Family['parameters'][number];
 export type Part = Schemas['Part'];
 export type Rendered = Schemas['Rendered'];
+export type LegendEntry = Schemas['LegendEntry'];
 export type Preview = Schemas['Preview'];
 export type PreviewVerdict = Schemas['PreviewVerdict'];
 

@@ -12,6 +12,7 @@ import { usePaced } from '../../parts/use_paced';
 import type { Values } from '../../rules/part_values';
 import { PathView } from '../path/path_view';
 import { Drawing } from './drawing';
+import { Legend } from './legend';
 import { PreviewVerdict } from './preview_verdict';
 
 const kShownLines = 400;
@@ -65,6 +66,7 @@ export function Preview({ family, fits, values, failed, isShown, lit, light, cho
             {t('library.blocks', { count: value.blocks, text: count(value.blocks) })}, {bytes(value.bytes)}: {value.because}
           </p>
           <PreviewVerdict family={family} machine={machine} delivery={delivery} values={of} isNew={loading || of !== typed} />
+          <Legend rows={value.legend} />
           {look === 'text' && <PreviewText text={value.text} />}
           {look === 'path' && <PreviewPath order={{ text: value.text, machine, delivery, nominal: { family, values: JSON.parse(of) as Values } }} />}
         </>

@@ -25,6 +25,9 @@ export function Store() {
       {room.value && <Room room={room.value} />}
       <Verification busy={busy} setBusy={setBusy} />
       {room.value && <Backing busy={busy} setBusy={setBusy} room={room.value} done={room.again} />}
+      <p>
+        <a href="/docs/licences">{t('store.licences')}</a>
+      </p>
     </section>
   );
 }
