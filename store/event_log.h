@@ -21,7 +21,8 @@ inline constexpr std::array<std::string_view, 5> kAlarmEvents{"raised", "cleared
                                                               "unshelved"};
 inline constexpr std::array<std::string_view, 5> kProgramEvents{"added", "revised", "archived", "fetched_back",
                                                                 "deleted"};
-// Of an order, besides its states.
+// Of a job and of an order, besides their states.
+inline constexpr std::array<std::string_view, 2> kJobEvents{"scheduled", "end_confirmed"};
 inline constexpr std::array<std::string_view, 3> kOrderEvents{"added", "changed", "parts"};
 inline constexpr std::string_view kPing = "ping";  // of a webhook, to be tried
 
@@ -34,7 +35,7 @@ struct NewEvent {
   Id program = 0;
   Revision revision = 0;
   std::string cause{};  // a word: the kind of an alarm, the reason of a job
-  std::string text{};   // one sentence, or a name
+  std::string text{};   // one sentence, a note, or a name
 };
 
 struct LoggedEvent {

@@ -81,11 +81,12 @@ app::Result<void> list_users(store::Store& store, const UserOptions& /*options*/
     const auto users = app::lift(store.users().list(page));
     if (!users) return std::unexpected(users.error());
     for (const store::User& user : users->items) {
-      fmt::print("{:10}  {:8}  {:8} {:3}  {}{}\n", store::name_of(user.roles.role),
+      fmt::print("{:10}  {:8}  {:8} {:3}  {}{}{}\n", store::name_of(user.roles.role),
                  user.disabled_at_ms != 0          ? "disabled"
                  : user.locked_until_ms > by.at_ms ? "locked"
                                                    : "enabled",
-                 user.has_password ? "password" : "", user.has_pin ? "pin" : "", user.name, grants_of(user));
+                 user.has_password ? "password" : "", user.has_pin ? "pin" : "", user.name, grants_of(user),
+                 user.issuer.empty() ? "" : fmt::format("  signs in by {}", user.issuer));
     }
     page.after = users->next;
   } while (!page.after.empty());

@@ -29,7 +29,16 @@ std::string_view shortened(std::string_view text) {
   return text.substr(0, end);
 }
 
+Document job_plan_data(const LoggedEvent& event) {
+  return {{"job", event.of.subject},
+          {"machine", event.of.machine},
+          {"program", event.of.program},
+          {"revision", event.of.revision},
+          {"note", text_or_null(shortened(event.of.text))}};
+}
+
 Document job_data(const LoggedEvent& event) {
+  if (std::ranges::find(store::kJobEvents, event.of.word) != store::kJobEvents.end()) return job_plan_data(event);
   return {{"job", event.of.subject},
           {"state", event.of.word},
           {"machine", event.of.machine},

@@ -49,6 +49,13 @@ Schema job_event() {
                                  {"reason_id", or_null(text("the same as one word or the name of a stall"))}});
 }
 
+Schema job_plan_event() {
+  return cloud_event("JobPlanEvent", "a person planned a job, or confirmed its end; its state stays",
+                     Members{{"job", integer("its id")}, {"machine", text("to which it is sent")}} +
+                         program_and_revision() +
+                         Members{{"note", or_null(text("of the person, or the time that was planned; null: none"))}});
+}
+
 Schema line_event() {
   return cloud_event("LineEvent", "a machine's line has had another state for a second",
                      {{"machine", text("its name")},
@@ -143,6 +150,7 @@ Schemas webhook_schemas() {
                                                                {"when", text("it comes")},
                                                                {"schema", text("of the event, in this description")}})},
       {"JobEvent", job_event()},
+      {"JobPlanEvent", job_plan_event()},
       {"LineEvent", line_event()},
       {"AlarmEvent", alarm_event()},
       {"ReleaseEvent", release_event()},

@@ -1,6 +1,7 @@
 // What is planned of jobs and what came of them: the time before which one is not armed, the confirmation of an end,
 // and the jobs that ended in a time.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,25 @@
 #include "store/sql/job_table.h"
 
 namespace dripfeed::sql {
+
+namespace {
+
+// What a person planned of a job, or states of it: its state stays.
+void log_plan(Session& session, const store::Job& job, std::string_view word, std::string text,
+              const store::Stamp& by) {
+  add_event_row(session,
+                {.topic = store::EventTopic::job,
+                 .word = std::string(word),
+                 .subject = job.id,
+                 .machine = job.machine,
+                 .job = job.id,
+                 .program = job.program,
+                 .revision = job.revision,
+                 .text = std::move(text)},
+                by);
+}
+
+}  // namespace
 
 using store::EndedJob;
 using store::ErrorCode;
@@ -30,6 +50,7 @@ Result<Job> JobTable::schedule(Id id, std::int64_t not_before_ms, const Stamp& b
     const std::string when =
         not_before_ms == 0 ? std::string("at any time") : fmt::format("not before {}", utc_time(not_before_ms));
     add_audit_row(session, {.action = "job.schedule", .subject = job_subject(id), .detail = when}, by);
+    log_plan(session, *job, store::kJobEvents[0], when, by);
     if (!session.ok()) return std::unexpected(session.error());
     return job;
   });
@@ -51,6 +72,7 @@ Result<Job> JobTable::confirm_end(Id id, std::string_view note, const Stamp& by)
                    .subject = job_subject(id),
                    .detail = fmt::format("{}{}{}", job->end_check, note.empty() ? "" : ": ", note)},
                   by);
+    log_plan(session, *job, store::kJobEvents[1], std::string(note), by);
     if (!session.ok()) return std::unexpected(session.error());
     return job;
   });

@@ -15,7 +15,7 @@ from cryptography.hazmat.primitives import hashes
 from cryptography.hazmat.primitives import serialization as form
 from cryptography.hazmat.primitives.asymmetric import padding, rsa
 
-from client import DC1, Client, HandControl, expect, hand_profile, in_folder, shop
+from client import DC1, Client, HandControl, binary, expect, hand_profile, in_folder, shop
 from provider import CLIENT, SECRET, Liar, key_pair, part
 
 BEGIN, END = "/session/provider/begin", "/session/provider"
@@ -102,6 +102,8 @@ def a_new_person_waits_for_an_administrator(folder):
     olga = client.get("/users/olga")
     expect((olga["provider"], olga["has_password"], olga["role"]) == (shop_.liar.issuer, False, "viewer") and olga["disabled_at_ms"], f"{olga}")
     shop_.refused(shop_.sign_in(), "account_waits")
+    listed = subprocess.run([str(binary()), "user", "list", "--data", str(client.server.data)], capture_output=True, text=True, timeout=30, check=True).stdout
+    expect(f"olga  signs in by {shop_.liar.issuer}" in listed, listed)
     client.must("PUT", "/users/olga", {"role": "programmer"}, headers={"If-Match": '"1"'})
     session = shop_.signed_in()
     who = client.must("GET", "/session", role=None, headers=session)

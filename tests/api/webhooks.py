@@ -13,6 +13,7 @@ from receiver import Receiver, types_of_the_docs, verify
 ALL = ["*"]
 SCHEMAS = {"job": "JobEvent", "line": "LineEvent", "alarm": "AlarmEvent", "release": "ReleaseEvent", "program": "ProgramEvent", "receipt": "ReceiptEvent",
            "webhook": "WebhookEvent"}
+PLANS = {"job.scheduled": "JobPlanEvent", "job.end_confirmed": "JobPlanEvent"}
 MOST_BYTES = 20_000
 
 
@@ -53,13 +54,33 @@ def hold(message, secret):
     expect(message.headers["content-type"] == "application/cloudevents+json; charset=utf-8", f"{message.headers}")
     expect(abs(time.time() - int(message.headers["webhook-timestamp"])) < 60, f"{message.headers}")
     expect(event["id"] == message.id and len(message.body) < MOST_BYTES, f"{event}")
-    topic = event["type"].split(".")[0]
-    contract.require(contract.faults(f"#/components/schemas/{SCHEMAS[topic]}", event), event["type"])
+    schema = PLANS.get(event["type"], SCHEMAS[event["type"].split(".")[0]])
+    contract.require(contract.faults(f"#/components/schemas/{schema}", event), event["type"])
     expect(event["type"] in contract.document()["webhooks"], f"{event['type']} is not described")
     for member in ("id", "source", "specversion", "type"):  # CloudEvents 1.0, REQUIRED
         expect(isinstance(event[member], str) and event[member], f"{member} of {event}")
     expect(urllib.parse.urlparse(event["source"]).scheme, f"{event['source']} is no absolute URI")
     return event
+
+
+def a_plan_and_the_confirmation_of_an_end_come(folder):
+    client, control = bench(folder)
+    receiver = Receiver()
+    hook = add(client, receiver.url, ["job.scheduled", "job.end_confirmed"])
+    release = client.release(client.add_program(10)["id"])["id"]
+    job = client.post("/jobs", {"release": release, "end_check": "part taken out", "not_before_ms": int(time.time() * 1000) + 3_600_000})["id"]
+    client.must("POST", f"/jobs/{job}/schedule", {})
+    client.post(f"/jobs/{job}/arm")
+    control.say(DC1)
+    client.wait_job(job, "done")
+    expect([one.document["type"] for one in receiver.all()] == ["job.scheduled"], "the end was confirmed by itself")
+    client.must("POST", f"/jobs/{job}/confirm-end", {"note": "measured"}, role="operator")
+    wait("the confirmation", lambda: receiver.all("job.end_confirmed"))
+    planned, confirmed = [hold(one, hook["secret"]) for one in receiver.all()]
+    expect(planned["data"]["note"] == "at any time" and planned["data"]["job"] == job, f"{planned}")
+    expect(confirmed["data"]["note"] == "measured" and confirmed["data"]["actor"] == "the operator" and confirmed["data"]["machine"] == "lathe", f"{confirmed}")
+    client.server.stop()
+    control.close()
 
 
 def a_job_is_told_from_its_text_to_its_end(folder):
@@ -285,7 +306,7 @@ def a_secret_is_in_no_log(folder):
 
 
 if __name__ == "__main__":
-    for test in (a_job_is_told_from_its_text_to_its_end, receivers_that_fail, nothing_is_lost_when_the_server_is_killed, only_where_it_was_meant, a_secret_is_in_no_log):
+    for test in (a_job_is_told_from_its_text_to_its_end, a_plan_and_the_confirmation_of_an_end_come, receivers_that_fail, nothing_is_lost_when_the_server_is_killed, only_where_it_was_meant, a_secret_is_in_no_log):
         begun = time.monotonic()
         in_folder(test)
         print(f"{test.__name__}: {time.monotonic() - begun:.1f} s")

@@ -41,6 +41,10 @@ TEST_F(JobPlanTest, IsNotArmedBeforeItsTimeWithoutAReason) {
   must(store_->jobs().schedule(job.id, 9000, by("anna")));
   reopen();
   EXPECT_EQ(state_of(job.id).not_before_ms, 9000);
+  const LoggedEvent logged = must(store_->event_log().after(0, 100)).back();
+  EXPECT_EQ(type_of(logged.of), "job.scheduled");
+  EXPECT_EQ(logged.of.subject, job.id);
+  EXPECT_EQ(logged.of.text, "not before 1970-01-01 00:00:09 UTC");
   EXPECT_EQ(refusal(arm(job.id, 8999)), ErrorCode::too_early);
   EXPECT_EQ(must(arm(job.id, 8999, "the customer waits")).state, JobState::armed);
   EXPECT_EQ(refusal(store_->jobs().schedule(job.id, 0, by("anna"))), ErrorCode::refused_transition);

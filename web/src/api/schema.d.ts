@@ -3186,6 +3186,46 @@ export interface webhooks {
         patch?: never;
         trace?: never;
     };
+    "job.scheduled": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a person changed the time before which a queued job is not armed
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_scheduled"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.end_confirmed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a person looked at the end of a transfer: the machine's next job may be armed
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_end_confirmed"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "line.disconnected": {
         parameters: {
             query?: never;
@@ -8612,6 +8652,49 @@ export interface components {
                 reason: string | null;
                 /** @description the same as one word or the name of a stall */
                 reason_id: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description a person planned a job, or confirmed its end; its state stays */
+        JobPlanEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "job.scheduled" | "job.end_confirmed";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: the smaller of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                job: number;
+                /** @description to which it is sent */
+                machine: string;
+                /** @description its id */
+                program: number;
+                /** @description of the program's text */
+                revision: number;
+                /** @description of the person, or the time that was planned; null: none */
+                note: string | null;
                 /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
                 actor: string;
             };
@@ -17198,6 +17281,64 @@ export interface operations {
         requestBody: {
             content: {
                 "application/cloudevents+json": components["schemas"]["JobEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_scheduled: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobPlanEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_end_confirmed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobPlanEvent"];
             };
         };
         responses: {

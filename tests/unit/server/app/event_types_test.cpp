@@ -27,6 +27,7 @@ TEST(EventTypes, AreAllThatCanHappenAndNoMore) {
   add_all(possible, EventTopic::program, store::kProgramEvents);
   add_all(possible, EventTopic::order, store::kNames<store::OrderState>);
   add_all(possible, EventTopic::order, store::kOrderEvents);
+  add_all(possible, EventTopic::job, store::kJobEvents);
   possible.insert("webhook.ping");
   for (std::size_t i = 0; i <= static_cast<std::size_t>(LineState::answering); ++i)
     possible.insert("line." + std::string(name_of(static_cast<LineState>(i))));
