@@ -81,6 +81,8 @@ class HeightMap {
   // -infinity where there is no material.
   [[nodiscard]] double height(double x, double y) const;
   [[nodiscard]] double step_mm() const { return step_; }
+  // No place was ever higher.
+  [[nodiscard]] double top_mm() const { return top_; }
   // At most `columns` columns, the lowest of the places that fall into a cell.
   [[nodiscard]] plot::Map picture(std::size_t columns) const;
 

@@ -24,6 +24,10 @@ class Holder {
   explicit Holder(std::span<const checks::HolderStep> steps) : steps_(steps.begin(), steps.end()) {}
 
   [[nodiscard]] bool is_known() const { return !steps_.empty(); }
+  // Whether any of it is as low as the stock is high while the tip is at this height.
+  [[nodiscard]] bool may_touch(const HeightMap& map, double tip_z) const {
+    return is_known() && tip_z + steps_.front().from_mm < map.top_mm();
+  }
   // The deepest touch of a move that takes nothing away, or of a cut that was taken off the map already.
   [[nodiscard]] HolderTouch touch(const HeightMap& map, const Point3& from, const Point3& to, double slack) const;
   // The same of a cut that is still to be taken off the map: what the cutter itself removes first does not count.

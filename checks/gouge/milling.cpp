@@ -169,8 +169,8 @@ void Milling::log_part(const ir::Motion& motion, double from, double to) {
 
 // A flat cutter on a level circle leaves a ring, which takes no chords. The log has a time for each part of an arc.
 bool Milling::is_ring(const ir::Motion& motion) const {
-  return settings_.log == nullptr && !holder_.is_known() && cutter_->corner == 0.0 && motion.plane == ir::Plane::xy &&
-         motion.start[2] == motion.end[2] && checks::is_full_circle(motion);
+  return settings_.log == nullptr && !holder_.may_touch(*map_, motion.start[2]) && cutter_->corner == 0.0 &&
+         motion.plane == ir::Plane::xy && motion.start[2] == motion.end[2] && checks::is_full_circle(motion);
 }
 
 void Milling::check_arc(const ir::Motion& motion) {
@@ -210,7 +210,8 @@ void Milling::check_holder(const ir::Motion& motion, const HolderTouch& touch) {
 
 void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to) {
   ++report_.rapids;
-  if (holder_.is_known()) check_holder(motion, holder_.touch(*map_, from, to, settings_.depth_mm));
+  if (holder_.may_touch(*map_, std::min(from.z, to.z)))
+    check_holder(motion, holder_.touch(*map_, from, to, settings_.depth_mm));
   const HeightMap::Touch touch = map_->touch(*cutter_, from, to, settings_.depth_mm);
   const bool is_nominal = touch.nominal.mm > 0.0;
   if (!knows_stock_ && !is_nominal)
@@ -242,7 +243,7 @@ void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Po
 }
 
 void Milling::check_cut(const ir::Motion& motion, const Point3& from, const Point3& to) {
-  if (!holder_.is_known()) return judge_cut(motion, map_->cut(*cutter_, from, to));
+  if (!holder_.may_touch(*map_, std::min(from.z, to.z))) return judge_cut(motion, map_->cut(*cutter_, from, to));
   const HolderTouch ahead = holder_.touch_ahead(*map_, *cutter_, from, to, settings_.depth_mm);
   judge_cut(motion, map_->cut(*cutter_, from, to));
   const HolderTouch after = holder_.touch(*map_, from, to, settings_.depth_mm);

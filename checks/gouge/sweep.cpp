@@ -73,18 +73,15 @@ std::optional<Sweep::Row> Sweep::row(double y) const {
   return out;
 }
 
-double Sweep::share_before(double x, double y) const {
-  if (upright_) return 1.0;
+Sweep::Place Sweep::seen_from_start(double x, double y) const {
   const double along = (x - from_.x) * dir_x_ + (y - from_.y) * dir_y_;
   const double across = (y - from_.y) * dir_x_ - (x - from_.x) * dir_y_;
-  const double half = std::sqrt(std::max(0.0, cutter_.radius * cutter_.radius - across * across));
-  return std::clamp((along - half) / length_, 0.0, 1.0);
+  return {along, across * across};
 }
 
 std::optional<double> Sweep::share_until(double x, double y) const {
-  const double along = (x - from_.x) * dir_x_ + (y - from_.y) * dir_y_;
-  const double across = (y - from_.y) * dir_x_ - (x - from_.x) * dir_y_;
-  const double room = cutter_.radius * cutter_.radius - across * across;
+  const auto [along, across_square] = seen_from_start(x, y);
+  const double room = cutter_.radius * cutter_.radius - across_square;
   if (room < 0.0) return std::nullopt;
   const double half = std::sqrt(room);
   const double first = std::max(0.0, along - half);
@@ -92,21 +89,18 @@ std::optional<double> Sweep::share_until(double x, double y) const {
   return length_ > 0.0 ? first / length_ : 0.0;
 }
 
+double Sweep::share_before(double x, double y) const { return upright_ ? 1.0 : share_until(x, y).value_or(1.0); }
+
 double Sweep::lowest_before(double x, double y, double share) const {
-  const double along = (x - from_.x) * dir_x_ + (y - from_.y) * dir_y_;
-  const double across = (y - from_.y) * dir_x_ - (x - from_.x) * dir_y_;
-  const double half = std::sqrt(std::max(0.0, cutter_.radius * cutter_.radius - across * across));
+  const auto [along, across_square] = seen_from_start(x, y);
+  const double half = std::sqrt(std::max(0.0, cutter_.radius * cutter_.radius - across_square));
   const double at = slope_ >= 0.0 ? std::max(0.0, along - half) : std::min({length_, along + half, share * length_});
   return from_.z + slope_ * at;
 }
 
 double Sweep::lowest(double x, double y) const {
   const double infinity = std::numeric_limits<double>::infinity();
-  const double away_x = x - from_.x;
-  const double away_y = y - from_.y;
-  const double along = away_x * dir_x_ + away_y * dir_y_;
-  const double across = away_y * dir_x_ - away_x * dir_y_;
-  const double across_square = across * across;
+  const auto [along, across_square] = seen_from_start(x, y);
   const double room = cutter_.radius * cutter_.radius - across_square;
   if (room < 0.0) return infinity;
   if (upright_ || level_) {

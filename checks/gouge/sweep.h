@@ -44,6 +44,12 @@ class Sweep {
   [[nodiscard]] bool is_flat_and_level() const { return cutter_.corner == 0.0 && (level_ || upright_); }
 
  private:
+  // Of a place: how far it lies along the line from its start, and the square of how far beside it.
+  struct Place {
+    double along = 0.0;
+    double across_square = 0.0;
+  };
+  [[nodiscard]] Place seen_from_start(double x, double y) const;
   [[nodiscard]] double lowest_of_round(double along, double across_square) const;
 
   Cutter cutter_;
