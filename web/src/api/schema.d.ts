@@ -6147,7 +6147,7 @@ export interface components {
             /** @description line by line; forms of the end of a block, blank lines and blanks at the end of a line do not count */
             text: {
                 /**
-                 * @description what came of it
+                 * @description the result
                  * @enum {string}
                  */
                 answer: "equal" | "differs" | "not_compared";
@@ -6176,7 +6176,7 @@ export interface components {
             /** @description as the dialect's reader understands it: block numbers, blanks, comments, the case of letters, leading zeros and forms of decimals do not count */
             meaning: {
                 /**
-                 * @description what came of it
+                 * @description the result
                  * @enum {string}
                  */
                 answer: "equal" | "differs" | "not_compared";
@@ -6205,7 +6205,7 @@ export interface components {
             /** @description whether both move the axes the same, in order, with the same feeds, tools and states */
             motions: {
                 /**
-                 * @description what came of it
+                 * @description the result
                  * @enum {string}
                  */
                 answer: "equal" | "differs" | "not_compared";
@@ -7264,7 +7264,7 @@ export interface components {
                     text: string;
                 } | null;
             }[];
-            /** @description what came of values */
+            /** @description the result for a set of values */
             standard: {
                 /** @description all checks */
                 passes: boolean;
@@ -7895,7 +7895,7 @@ export interface components {
             /** @description as the operator wrote it */
             text: string;
             /**
-             * @description what came of it
+             * @description the result
              * @enum {string}
              */
             outcome: "answered" | "queued" | "armed" | "refused" | "stored";
@@ -11891,7 +11891,7 @@ export interface operations {
     get_programs_id_text: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
             };
             header?: never;
@@ -11933,7 +11933,7 @@ export interface operations {
     get_programs_id_lines: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
                 /** @description the first line, from 1 */
                 from?: string;
@@ -12081,7 +12081,7 @@ export interface operations {
             query?: {
                 /** @description id of the program that it is compared with; not given: the same one */
                 with?: number;
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
                 /** @description of the text that it is compared with; not given: the newest */
                 with_revision?: number;
@@ -12177,7 +12177,7 @@ export interface operations {
     get_programs_id_path: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
                 /** @description for which motions and times are computed; not given: no times */
                 machine?: string;
@@ -12223,7 +12223,7 @@ export interface operations {
     get_programs_id_picture: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
             };
             header?: never;
@@ -12265,7 +12265,7 @@ export interface operations {
     get_programs_id_stock: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
                 /** @description whose tools cut */
                 machine?: string;
