@@ -124,7 +124,7 @@ inline const WorkOffset* find_work_offset(const Machine& machine, std::int32_t n
   return nullptr;
 }
 
-// Whether a move's figures are numbers of places that there can be: a calculation that ran away gives infinities, and
+// Whether a move's figures can be positions of a machine: a calculation that ran away gives infinities, and
 // differences of those are no numbers at all. mm, degrees.
 inline constexpr double kFarthest = 1e9;
 inline bool has_places(const ir::Motion& motion) {

@@ -56,7 +56,7 @@ def feed(server, binary, folder, station):
     return {
         "machine": machine, "line": f"{profile['link']['baud']} {profile['link']['framing']}" if station["line"] else "Modbus TCP",
         "mode": rendered["mode"], "blocks": rendered["blocks"], "bytes": rendered["bytes"], "verdict": check["verdict"], "job": ended["state"], "reason": ended["reason"],
-        # A text is what lies between the first and the last '%'; the EOB behind it is the tape's.
+        # A text is what lies between the first and the last '%'; the EOB after it is the tape's.
         "rendered": hashlib.sha256(text[: text.rindex(b"%") + 1] if station["line"] else text).hexdigest(), "received": report["text_sha256"], "report": report, "interval": ledger["interval"], "serial": bool(station["line"]),
     }
 

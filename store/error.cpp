@@ -42,7 +42,7 @@ constexpr std::array kRows{
     Row{ErrorCode::disk_full, "disk-full", "the disk is full"},
     Row{ErrorCode::io_failed, "io-failed", "the disk could not be read or written"},
     Row{ErrorCode::corrupt, "corrupt", "the database is damaged"},
-    Row{ErrorCode::not_a_store, "not-a-store", "the file is no database of dripfeed"},
+    Row{ErrorCode::not_a_store, "not-a-store", "the file is not a database of dripfeed"},
     Row{ErrorCode::newer_schema, "newer-schema", "the database was written by a newer dripfeed"},
     Row{ErrorCode::migration_failed, "migration-failed", "the database could not be brought up to date"},
     Row{ErrorCode::cannot_open, "cannot-open", "the database cannot be opened"},

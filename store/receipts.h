@@ -44,7 +44,7 @@ struct ReceiptFilter {
   std::optional<ReceiptState> state{};
 };
 
-// What an operator asked for, and what came of it.
+// What an operator asked for, and the result.
 struct NewRequest {
   std::string machine{};
   std::string verb{};

@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 4> kNames<Outcome>{"pass", "warn",
 struct NewWaiver {
   std::string reason;
   std::string point = {};          // one of NewVerdict::points; empty: for all of it
-  std::int64_t expires_at_ms = 0;  // from then on it counts no longer; 0: it does not end
+  std::int64_t expires_at_ms = 0;  // from then on it no longer counts; 0: it does not end
 };
 struct Waiver {
   std::string name;  // of the person

@@ -76,7 +76,7 @@ class Webhooks : public Repository {
                               const Stamp& by) = 0;
   // One that is enabled again is informed of what happens from then on; what waited is tried again. Errors: not_found.
   virtual Result<Webhook> change(Id webhook, const WebhookSettings& settings, const Stamp& by) = 0;
-  // A new secret; the one before signs as well until then. Errors: not_found, invalid_value.
+  // A new secret; the previous one also signs until then. Errors: not_found, invalid_value.
   virtual Result<Webhook> rotate(Id webhook, std::string_view secret, std::int64_t old_until_ms, const Stamp& by) = 0;
   // By the server, because the receiver says that it is gone. Errors: not_found.
   virtual Result<Webhook> disable(Id webhook, std::string_view why, const Stamp& by) = 0;

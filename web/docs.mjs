@@ -61,7 +61,7 @@ function renderer(drawings) {
     },
     link({ href, tokens }) {
       const to = hrefOf(href);
-      const text = this.parser.parseInline(tokens).replace(/^([\w-]+)\.md$/, '$1');
+      const text = this.parser.parseInline(tokens).replace(/^(?:docs\/)?([\w-]+)\.md$/, '$1');
       return to === null ? text : `<a href="${escape(to)}">${text}</a>`;
     },
     image({ href, text }) {

@@ -1,4 +1,4 @@
-// What the compiler does not see: hooks out of order, promises and comparisons that go wrong quietly, code that nobody
+// What the compiler does not see: hooks out of order, promises and comparisons that go wrong quietly, code that nothing
 // calls. Types are tsc's.
 import babelParser from '@babel/eslint-parser';
 import js from '@eslint/js';

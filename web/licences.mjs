@@ -1,5 +1,5 @@
 // The packages that the page consists of, as the bundler saw them, with their licences. A package without a licence's text
-// ends the build: nothing is shipped under terms that nobody has read.
+// ends the build: nothing is shipped under terms that no person has read.
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 

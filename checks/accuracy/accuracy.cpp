@@ -35,8 +35,8 @@ curves::PathPiece piece_of(const ir::Motion& motion, bool x_is_diameter) {
 // "" for a cutting move that can be measured.
 std::string why_unmeasured(const ir::Motion& motion) {
   constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
-  if (!checks::has_places(motion)) return "a cutting move leads beyond all places";
-  if ((motion.axes_unknown & kBoth) != 0) return "a cutting move starts at a place that is not known";
+  if (!checks::has_places(motion)) return "a cutting move leads beyond 1000 km";
+  if ((motion.axes_unknown & kBoth) != 0) return "a cutting move starts at a position that is not known";
   if (const std::string_view other = checks::why_no_turning(motion); !other.empty())
     return fmt::format("{} was not measured", other);
   if (checks::is_arc(motion) && motion.plane != ir::Plane::zx) return "an arc lies in another plane than z-x";

@@ -39,8 +39,8 @@ curves::PathPiece piece_of(const ir::Motion& motion) {
 
 // "" for a cutting move that can be measured.
 std::string_view why_unmeasured(const ir::Motion& motion) {
-  if (!checks::has_places(motion)) return "a cutting move leads beyond all places";
-  if ((motion.axes_unknown & 3U) != 0) return "a cutting move starts at a place that is not known";
+  if (!checks::has_places(motion)) return "a cutting move leads beyond 1000 km";
+  if ((motion.axes_unknown & 3U) != 0) return "a cutting move starts at a position that is not known";
   if (checks::is_turned(motion)) return "a cut with a turned rotary axis was not measured";
   if (checks::is_arc(motion) && motion.plane != ir::Plane::xy) return "an arc lies in another plane than x-y";
   return {};

@@ -142,7 +142,7 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   if ((move.gaps & ir::kEndUnknown) != 0 && (move.axes_unknown >> i & 1U) != 0) {
     report_once(reported_end_, i, move.place.line, [&] {
       return fmt::format(
-          "{} is at a place that is not known, and an increment moves it: its travel was not checked there",
+          "{} is at a position that is not known, and an increment moves it: its travel was not checked there",
           ir::kAxisLetters[i]);
     });
     return;

@@ -72,7 +72,7 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
     if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
     if (!ir::is_move(motion.kind)) continue;
     if (!checks::has_places(motion)) {
-      report_.not_checked.add("a move beyond all places was not checked", line);
+      report_.not_checked.add("a move beyond 1000 km was not checked", line);
       continue;
     }
     if (motion.machine_coordinates) {
@@ -98,7 +98,7 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
     constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
     const bool start_known = (motion.axes_unknown & kBoth) == 0;
     if (!start_known)
-      report_.not_checked.add("a move starts at a place that is not known: its end alone was checked", line);
+      report_.not_checked.add("a move starts at a position that is not known: its end alone was checked", line);
     const curves::Point start = start_known ? point_of(motion.start, settings_.x_is_diameter) : end;
     if (motion.kind == ir::MotionKind::rapid) {
       check_rapid(motion, {start, end});
@@ -120,7 +120,7 @@ std::string_view Gouge::why_not_judged(const ir::Motion& motion) const {
   if (motion.kind == ir::MotionKind::rapid) return {};
   if (const std::string_view why = checks::why_no_turning(motion); !why.empty()) return why;
   const bool stands = settings_.needs_spindle && motion.spindle == ir::SpindleState::stopped;
-  return stands ? "a cut with a spindle that stands" : "";
+  return stands ? "a cut while the spindle stands still" : "";
 }
 
 std::optional<curves::Extreme> Gouge::lowest(const curves::Nose& nose, const curves::PathPiece& tip_path) const {

@@ -1,6 +1,6 @@
-// Stock that is milled from above: a height at even places of the x-y plane, and what the nominal asks for there. A
-// place knows its height exactly; between places nothing is known, so what is narrower than the step may pass unseen,
-// and nothing that is not there is ever reported.
+// Stock that is milled from above: a height at each point of a grid in the x-y plane, and what the nominal asks for
+// there. A place knows its height exactly; between places nothing is known, so what is narrower than the step may pass
+// unseen, and nothing that is not there is ever reported.
 #pragma once
 
 #include <cstddef>

@@ -129,7 +129,7 @@ void Milling::check_led() {
 void Milling::check_move(const ir::Motion& motion) {
   const std::uint32_t line = motion.place.line;
   constexpr std::uint16_t kLinear = 7U;
-  if (!checks::has_places(motion)) return report_.not_checked.add("a move beyond all places was not checked", line);
+  if (!checks::has_places(motion)) return report_.not_checked.add("a move beyond 1000 km was not checked", line);
   if (motion.machine_coordinates) return report_.not_checked.add("a move in machine coordinates was not checked", line);
   if (!map_) return;
   if (!cutter_) return report_.not_checked.add("a move without a known tool was not checked", line);
@@ -140,7 +140,7 @@ void Milling::check_move(const ir::Motion& motion) {
   }
   const Point3 end = point_of(motion.end);
   if ((motion.axes_unknown & kLinear) != 0) {
-    report_.not_checked.add("a move starts at a place that is not known: its end alone was checked", line);
+    report_.not_checked.add("a move starts at a position that is not known: its end alone was checked", line);
     // An axis that was never commanded is not at its end either.
     const auto unknown_end = static_cast<std::uint16_t>(motion.axes_unknown & ~motion.axes_commanded & kLinear);
     if (unknown_end != 0) return;

@@ -1,4 +1,4 @@
-// The outside of a turned bar as it is left by the cuts so far: a radius at even places along z. A place knows its
+// The outside of a turned bar as it is left by the cuts so far: a radius at equal steps along z. A step knows its
 // height exactly; between two places nothing is known, so what is narrower than the step may pass unseen, and nothing
 // that is not there is ever reported.
 #pragma once

@@ -44,7 +44,7 @@ class Sweep {
   [[nodiscard]] bool is_flat_and_level() const { return cutter_.corner == 0.0 && (level_ || upright_); }
 
  private:
-  // Of a place: how far it lies along the line from its start, and the square of how far beside it.
+  // Of a place: how far it lies along the line from its start, and the square of its distance from the line.
   struct Place {
     double along = 0.0;
     double across_square = 0.0;

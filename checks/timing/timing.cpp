@@ -121,7 +121,7 @@ void Timing::Work::give_up(const ir::Motion& motion) {
 }
 
 void Timing::Work::leave_out(const ir::Motion& motion) {
-  report_.not_checked.add("a move beyond all places was not timed", motion.place.line);
+  report_.not_checked.add("a move beyond 1000 km was not timed", motion.place.line);
 }
 
 void Timing::Work::run_window() {

@@ -1,4 +1,4 @@
-// How far a path runs from a profile: extremes with their places, and integrals along the path for mean and mean
+// How far a path runs from a profile: extremes with their positions, and integrals along the path for mean and mean
 // square.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Extreme {
 
 // Of one piece of path. Without any point on the profile, `points` is 0 and the extremes say nothing.
 struct Deviation {
-  std::uint32_t points = 0;  // places that were measured on the profile
+  std::uint32_t points = 0;  // points that were measured on the profile
   Extreme highest;
   Extreme lowest;
   double length = 0.0;           // mm of path on the profile
@@ -32,9 +32,9 @@ struct Deviation {
   [[nodiscard]] double largest() const { return std::max(highest.value, -lowest.value); }
 };
 
-// Measures at even places along the piece, at least 3, from a quarter of a millimetre on 5, and one a millimetre (at
+// Measures at equal steps along the piece, at least 3, from a quarter of a millimetre on 5, and one a millimetre (at
 // most 129), integrates by Simpson's rule, and refines the extremes by parabolas where they could pass `refine_above`
-// in size (0: always). On a piece whose deviation has no bend between two places but one top, the extreme is good to
+// in size (0: always). On a piece whose deviation has one top and no bend between two steps, the extreme is good to
 // about 1e-3 of itself or better.
 Deviation measure(const Profile& profile, const PathPiece& piece, double refine_above = 0.0);
 

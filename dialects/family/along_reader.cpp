@@ -33,7 +33,7 @@ void BodyReader::cut_along() {
   if (cursor_.line_failed()) return scope_.seal();
   const auto words = std::span(family_.words).subspan(along.cut.first_word);
   if (std::ranges::any_of(words, &StepWord::is_step)) {
-    cursor_.syntax(verb_, "the places of a curve are no steps: axes without 'by'");
+    cursor_.syntax(verb_, "the points of a curve are not steps: axes without 'by'");
   } else if (cursor_.accept_word("steps")) {
     equal_steps(along, expressions_.value_of(kRatio).id);
   } else if (!cursor_.at_word("within")) {

@@ -122,7 +122,7 @@ class Binder {
       const std::optional<std::vector<std::string>> axes = axes_of_points(given.value, points->axes.size());
       if (!axes)
         report(DiagnosticId::family_syntax, points->span,
-               {fmt::format("{}: '{}' are no points of {} numbers, such as ({})", points->name, given.value,
+               {fmt::format("{}: '{}' are not points of {} numbers, such as ({})", points->name, given.value,
                             points->axes.size(), standard_point(*points))});
       for (std::size_t i = 0; axes && i < axes->size(); ++i)
         out.push_back({family_.parameters[points->first + i].name, (*axes)[i]});
@@ -487,7 +487,7 @@ WrittenValue read_value(const Parameter& parameter, const std::string& written) 
   const std::optional<Quantity> quantity = parse_quantity(written);
   if (!quantity)
     return fault(DiagnosticId::family_syntax,
-                 {fmt::format("{}: '{}' is no number with a unit", parameter.name, written)});
+                 {fmt::format("{}: '{}' is not a number with a unit", parameter.name, written)});
   const std::string named = fmt::format("{} = {}", parameter.name, written);
   const Dimension dimension = quantity->unit == nullptr ? kRatio : quantity->unit->dimension;
   if (quantity->unit == nullptr && parameter.dimension != kRatio)

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kCells = 32;  // of a piece
 constexpr double kMostChords = 100'000.0;
-constexpr double kOfSums = 1.0 + 1e-12;  // rounding of what is no range
+constexpr double kOfSums = 1.0 + 1e-12;  // rounding of what is not a range
 constexpr double kGrowth = 1.03;
 
 // r' and r'' over a range of t, by axis.

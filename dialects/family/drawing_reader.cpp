@@ -52,10 +52,10 @@ DrawnPlace DrawingReader::place(std::string_view word, std::string_view& axes) {
   }
   const std::string_view here = axes_of(names[0], names[1]);
   if (here.empty()) {
-    cursor_.syntax(begin, family_.machine == ir::MachineKind::lathe ? "a place of a lathe's drawing has z and x"
-                                                                    : "a place of the drawing has two different axes");
+    cursor_.syntax(begin, family_.machine == ir::MachineKind::lathe ? "a point of a lathe's drawing has z and x"
+                                                                    : "a point of the drawing has two different axes");
   } else if (!axes.empty() && axes != here) {
-    cursor_.syntax(begin, fmt::format("the places before have {} and {}", axes[0], axes[1]));
+    cursor_.syntax(begin, fmt::format("the points before have {} and {}", axes[0], axes[1]));
   }
   axes = here;
   const bool in_order = here.starts_with(names[0]);

@@ -55,7 +55,7 @@ bool names(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId s
 // How often the expression, taken as a tree, names the symbol.
 std::uint32_t uses_of(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol);
 
-// Whether it interpolates at places that depend on the symbol.
+// Whether it interpolates at points that depend on the symbol.
 bool interpolates_by(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol);
 
 // The first node in evaluation order whose operands are finite and whose value is not; none when there is none.

@@ -56,7 +56,7 @@ class ExpressionReader {
   // A number with the unit after it, sign allowed; nothing after a fault.
   std::optional<Literal> literal(bool unit_allowed);
 
-  // Axis letters that are lengths in what is read next: those of a nominal. None: they are no names.
+  // Axis letters that are lengths in what is read next: those of a nominal. None: they are not names.
   struct AxisVariable {
     std::string_view word;
     ir::SymbolId symbol = ir::SymbolId::none;

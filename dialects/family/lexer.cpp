@@ -57,7 +57,7 @@ class Lexer {
     ++line_;
   }
 
-  // What follows may be a place in a native program, where # is no comment.
+  // What follows may be a place in a native program, where # is not a comment.
   [[nodiscard]] bool behind_is() const {
     return !out_.empty() && out_.back().kind == LexemeKind::word && out_.back().span.in(text_) == "is";
   }

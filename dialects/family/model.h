@@ -345,7 +345,7 @@ struct Family {
   [[nodiscard]] const Subprogram* find_subprogram(std::string_view routine_name) const;
   void add(UserFunction function);
   void add(Subprogram subprogram);
-  // nullptr for what is no list.
+  // nullptr for what is not a list.
   [[nodiscard]] const List* find_list(ir::SymbolId symbol) const;
 };
 

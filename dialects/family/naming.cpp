@@ -32,7 +32,7 @@ std::optional<NewName> expect_new_name(Cursor& cursor, const Scope& scope) {
   }
   if (!is_well_formed(out.name)) {
     cursor.syntax(out.span,
-                  fmt::format("'{}' is no name: lower case letters, digits and '_', a letter first", out.name));
+                  fmt::format("'{}' is not a name: lower case letters, digits and '_', a letter first", out.name));
     return std::nullopt;
   }
   if (const Scope::Name* earlier = scope.find(out.name)) {

@@ -36,7 +36,7 @@ void NativeReader::target(ir::SymbolId symbol, Dimension dimension, const Unit* 
       (parameter->kind == ParameterKind::list || parameter->kind == ParameterKind::choice ||
        parameter->kind == ParameterKind::text))
     return cursor_.syntax(cursor_.last_span(),
-                          fmt::format("{} is no number: bind a let that is computed from it", parameter->name));
+                          fmt::format("{} is not a number: bind a let that is computed from it", parameter->name));
   family_.bindings.push_back({.symbol = symbol,
                               .dimension = dimension,
                               .unit = unit,

@@ -39,7 +39,7 @@ ir::ExpressionId NominalReader::formula_by(std::initializer_list<ir::SymbolId> n
   if (cursor_.line_failed()) return value.id;
   const auto interpolates = [&](ir::SymbolId name) { return interpolates_by(family_.arena, value.id, name); };
   if (std::ranges::any_of(names, interpolates))
-    cursor_.syntax(value.span, "a nominal is no interpolation: its corners would not be measured");
+    cursor_.syntax(value.span, "a nominal is not an interpolation: its corners would not be measured");
   return value.id;
 }
 

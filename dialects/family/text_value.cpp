@@ -13,7 +13,8 @@ std::string fault_of_text(std::string_view written) {
   const auto at = std::ranges::find_if(written, may_not_stand);
   if (at == written.end()) return {};
   const auto place = at - written.begin() + 1;
-  if (*at < ' ' || *at > '~') return fmt::format("character {} of the text is no ASCII letter, digit or sign", place);
+  if (*at < ' ' || *at > '~')
+    return fmt::format("character {} of the text is not an ASCII letter, digit or sign", place);
   return fmt::format("character {} of the text, '{}', ends a comment or a message", place, *at);
 }
 

@@ -1,5 +1,5 @@
-// dialects/haas: Haas NGC controls (mills and lathes). Tables, limits and the few words that a Haas reads otherwise
-// than its relatives are its own; the language is macro_b's.
+// dialects/haas: Haas NGC controls (mills and lathes). Tables, limits and the few words that a Haas reads differently
+// from its relatives are its own; the language is macro_b's.
 #pragma once
 
 #include "dialects/ir/control.h"

@@ -17,8 +17,8 @@ constexpr char letter_of(Address address) {
 }
 
 // U V W H are increments of X Y Z C on controls where increments have letters (G-code system A), as far as the axis is
-// there and the letter is no axis itself. Where T is a plain tool number, H is the number of a tool length. Nothing for
-// all other letters.
+// there and the letter is not an axis itself. Where T is a plain tool number, H is the number of a tool length. Nothing
+// for all other letters.
 inline std::optional<char> incremented_axis(const Control& control, char letter) {
   constexpr std::string_view kIncrements = "UVWH";
   constexpr std::string_view kAxes = "XYZC";

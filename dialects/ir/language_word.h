@@ -28,7 +28,7 @@ enum class WordState : std::uint8_t {
 inline constexpr std::array<std::string_view, 3> kWordStateNames = {"interpreted", "without-effect", "reported"};
 constexpr std::string_view name_of(WordState state) { return kWordStateNames[static_cast<std::size_t>(state)]; }
 
-// A word that is no code.
+// A word that is not a code.
 struct LanguageWord {
   std::string_view spelling;
   WordSort sort = WordSort::keyword;

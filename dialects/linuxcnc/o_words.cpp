@@ -60,7 +60,7 @@ void Parser::o_word() {
   const auto* const row =
       std::ranges::find_if(kKeywords, [&](const Keyword& k) { return rest.starts_with(k.spelling); });
   if (row == std::end(kKeywords)) {
-    faults_.fail(syntax_error, place().span, {fmt::format("{} is no word after an O-word", rest)});
+    faults_.fail(syntax_error, place().span, {fmt::format("{} is not a word after an O-word", rest)});
     return;
   }
   expressions_.skip(row->spelling.size());

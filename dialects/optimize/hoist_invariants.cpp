@@ -156,7 +156,7 @@ class Hoisting {
 
   [[nodiscard]] bool is_worth_it(ExpressionId id) const {
     const ir::Operator op = program_.at(id).op;
-    if (op >= ir::Operator::equal && op <= ir::Operator::greater_equal) return false;  // a condition is no number
+    if (op >= ir::Operator::equal && op <= ir::Operator::greater_equal) return false;  // a condition is not a number
     const double read = read_cost(work_.cost, {.bank = ir::Bank::r});
     return cost_of(program_, work_.cost, id) > read + 1e-6;
   }

@@ -183,7 +183,7 @@ class Allocator {
     wanted.place.count = count_of(symbol);
     if (is_number(symbol)) return;
     report_.diagnostics.push_back(passes::diagnose(
-        passes::of_value("the variable " + std::string(program_.strings.at(symbol.name)) + ", which is no number,"),
+        passes::of_value("the variable " + std::string(program_.strings.at(symbol.name)) + ", which is not a number,"),
         symbol.span.empty() ? used : symbol.span, to_.title));
   }
 

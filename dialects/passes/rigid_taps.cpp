@@ -60,7 +60,8 @@ class Taps {
       const ir::Statement s = program_.statements[i];
       const bool plain = s.kind == StatementKind::block && program_.blocks[s.payload].rest_level == 0;
       if (own_feed_ && !goes_straight(i))
-        refuse(s, passes::by_parameter("a rigid tap whose feed counts otherwise here, with a jump before its end,"));
+        refuse(s,
+               passes::by_parameter("a rigid tap whose feed is counted differently here, with a jump before its end,"));
       if (plain)
         block(i, s);
       else
@@ -190,8 +191,8 @@ class Taps {
     const bool changes = has(Address::f) || has(Address::s) ||
                          std::ranges::any_of(codes, [](const ir::Code& c) { return c.group == ir::ModalGroup::feed; });
     if (!ends && changes)
-      refuse(s,
-             passes::by_parameter("a feed or speed that changes under a rigid tap whose feed counts otherwise here"));
+      refuse(s, passes::by_parameter(
+                    "a feed or speed that changes under a rigid tap whose feed is counted differently here"));
     if (!ends || !own_feed_) return false;
     const bool says = has(Address::f);
     if (!says) words.push_back(*own_feed_);

@@ -1,5 +1,5 @@
 // Characters that look like what a control reads and are not it: letters of other alphabets, dashes, blanks and marks
-// that show nothing. Texts come as UTF-8; a byte that is no UTF-8 is a character of its own.
+// that show nothing. Texts come as UTF-8; a byte that is not UTF-8 is a character of its own.
 #pragma once
 
 #include <cstdint>

@@ -231,12 +231,12 @@ bool Feed::holds(Condition condition) const {
     case Condition::expired: return now_ >= expires_at_;
     case Condition::program_handed: return counters_.handed >= program_end_wire_;
     case Condition::all_handed: return counters_.handed >= round_begin_ + round_length_;
-    case Condition::block_clocked: return at_block_end_ && line_settled();
-    case Condition::line_drained: return line_settled();
+    case Condition::block_clocked: return at_block_end_ && line_is_drained();
+    case Condition::line_drained: return line_is_drained();
     case Condition::shut:
       return settings_.end.quiet && is_shut_after_the_end() && now_ >= flow_off_at_ + *settings_.end.quiet;
     case Condition::round_left: return job_ && round_ < job_->rounds;
-    case Condition::quiet: return settings_.end.quiet && line_settled() && now_ >= quiet_at();
+    case Condition::quiet: return settings_.end.quiet && line_is_drained() && now_ >= quiet_at();
   }
   return false;
 }
@@ -272,11 +272,11 @@ bool Feed::in_block() const {
   const std::uint64_t handed = counters_.handed;
   if (handed >= program_end_wire_) return counters_.clocked < program_end_wire_;
   if (handed <= round_begin_ + settings_.wire.leader_chars) return false;
-  return !(at_block_end_ && line_settled() && counters_.clocked == handed);
+  return !(at_block_end_ && line_is_drained() && counters_.clocked == handed);
 }
 
-bool Feed::line_settled() const {
-  return clock_.settled(now_) && network_has_.value_or(counters_.handed) >= counters_.handed;
+bool Feed::line_is_drained() const {
+  return clock_.is_drained(now_) && network_has_.value_or(counters_.handed) >= counters_.handed;
 }
 
 // What left by the line's time, as far as the network has it.

@@ -151,14 +151,14 @@ class Feed {
   void take_job();
   void take_round();
   void end_job(Action action, Cause cause);
-  Time settles_at() const;
+  Time drains_at() const;
   Time quiet_at() const;
   Stall present_stall() const;
   void emit(Event event);
   void note_input(Trigger trigger);
   std::optional<tape_code::WirePosition> locate(std::uint64_t offset) const;
   bool in_block() const;
-  bool line_settled() const;
+  bool line_is_drained() const;
   bool cts_holds() const { return settings_.watch_cts || cts_is_flow(settings_.flow); }
   bool flow_stopped() const { return (cts_holds() && !cts_on_) || (dsr_is_flow(settings_.flow) && !dsr_on_); }
   bool starts_by_itself() const;

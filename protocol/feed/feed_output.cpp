@@ -106,13 +106,13 @@ void Feed::report_unconfirmed(std::uint64_t bytes, Time now) {
 }
 
 // A network that has not confirmed by the end of the line time is asked again.
-Time Feed::settles_at() const {
-  const bool network_is_late = clock_.settled(now_) && !line_settled();
-  return network_is_late ? now_ + kNetworkRetry : clock_.settled_at();
+Time Feed::drains_at() const {
+  const bool network_is_late = clock_.is_drained(now_) && !line_is_drained();
+  return network_is_late ? now_ + kNetworkRetry : clock_.drained_at();
 }
 
 Time Feed::quiet_at() const {
-  return std::max(clock_.settled_at(), last_input_) + settings_.end.quiet.value_or(Time::zero());
+  return std::max(clock_.drained_at(), last_input_) + settings_.end.quiet.value_or(Time::zero());
 }
 
 std::optional<Time> Feed::deadline() const {
@@ -129,10 +129,10 @@ std::optional<Time> Feed::deadline() const {
   if (wants_more && has_more && credit_ == 0) at(clock_.refill_at());
   const bool waits_for_block =
       ends_with_block(state_) || state_ == State::stopping_held || state_ == State::cancelling_held;
-  if (waits_for_block && at_block_end_) at(settles_at());
-  if (state_ == State::draining || state_ == State::ending) at(settles_at());
+  if (waits_for_block && at_block_end_) at(drains_at());
+  if (state_ == State::draining || state_ == State::ending) at(drains_at());
   if (settings_.end.quiet && (state_ == State::wait_end || state_ == State::trailer_held)) {
-    at(std::max(quiet_at(), settles_at()));
+    at(std::max(quiet_at(), drains_at()));
   }
   return first;
 }
@@ -149,7 +149,7 @@ Stall Feed::present_stall() const {
   if (state_ == State::wait_end) return Stall::waiting_for_end;
   if (!is_on_the_line(state_)) return Stall::none;
   const bool hands = may_hand(state_) && !(ends_with_block(state_) && at_block_end_);
-  if (!hands && line_settled()) return Stall::none;
+  if (!hands && line_is_drained()) return Stall::none;
   if (const Stall stall = line_stall(); stall != Stall::none) return stall;
   if (!hands) return Stall::none;
   const bool empty = out_end_ == out_begin_;
@@ -162,7 +162,7 @@ Stall Feed::present_stall() const {
 Stall Feed::line_stall() const {
   if (cts_holds() && !cts_on_) return Stall::cts_off;
   if (dsr_is_flow(settings_.flow) && !dsr_on_) return Stall::dsr_off;
-  const bool network_stands = clock_.settled(now_ - kStandstill) && !line_settled();
+  const bool network_stands = clock_.is_drained(now_ - kStandstill) && !line_is_drained();
   return stands_below() || (is_on_the_line(state_) && network_stands) ? Stall::held_below : Stall::none;
 }
 

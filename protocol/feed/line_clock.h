@@ -47,8 +47,8 @@ class LineClock {
     return gap_ > Time::zero() ? free_at_ + gap_ : free_at_ - char_time_ * static_cast<std::int64_t>(left_at_refill_);
   }
   // When line time and latency of everything handed have passed. Meaningful while not paused.
-  Time settled_at() const { return free_at_ + latency_; }
-  bool settled(Time now) const { return !paused_ && now >= settled_at(); }
+  Time drained_at() const { return free_at_ + latency_; }
+  bool is_drained(Time now) const { return !paused_ && now >= drained_at(); }
 
   std::uint64_t handed() const { return handed_; }
   // Characters whose line time and latency passed; never runs backwards.

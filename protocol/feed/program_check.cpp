@@ -115,7 +115,7 @@ void ProgramCheck::put_code(char character) {
     block_.optional = true;
     return;
   }
-  // An N word alone is no code; one at the block's beginning is passed over.
+  // An N word alone is not a code; one at the block's beginning is passed over.
   if (!block_.code && (character == 'N' || character == 'n') && !block_.label) {
     block_.label = true;
     return;

@@ -133,7 +133,7 @@ void Sender::step_to(Time now) {
   if (now <= now_) return;
   if (is_stalled(stall_)) counters_.stalled_for += now - now_;
   now_ = now;
-  if (is_on_the_line(state_) && clock_.settled(now_)) counters_.clocked = counters_.handed;
+  if (is_on_the_line(state_) && clock_.is_drained(now_)) counters_.clocked = counters_.handed;
 }
 
 std::span<const std::byte> Sender::pending_out() const {
@@ -169,7 +169,7 @@ void Sender::put_small(std::size_t size, bool awaited) {
   credit_ = clock_.credit(now_);
 }
 
-void Sender::await_answer() { waits_since_ = std::max(now_, clock_.settled_at()); }
+void Sender::await_answer() { waits_since_ = std::max(now_, clock_.drained_at()); }
 
 std::expected<void, feed::Refusal> Sender::react(Input input, Cause cause) {
   const Cell taken = cell(state_, input);

@@ -136,7 +136,7 @@ std::optional<Time> XmodemReceiveRules::silence(ReceiveState state) const {
 
 std::uint32_t XmodemReceiveRules::attempts(ReceiveState state) const {
   if (file_over_) return kAsksForFile;
-  return state == ReceiveState::inviting ? 0 : kAttempts;  // an operator may take his time to start
+  return state == ReceiveState::inviting ? 0 : kAttempts;  // an operator may take long to start
 }
 
 std::span<const std::byte> XmodemReceiveRules::payload() const {

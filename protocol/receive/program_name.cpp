@@ -111,7 +111,7 @@ std::string_view comment_in(std::string_view line) {
   return trimmed(line.substr(open + 1, line.find(')', open) - open - 1));
 }
 
-// Nothing where something stands after a '%' that is no program: it would be lost, or become a part of one.
+// Nothing where something stands after a '%' that is not a program: it would be lost, or become a part of one.
 std::vector<std::string> split_at_numbers(std::string_view text) {
   std::vector<std::string> programs;
   std::string before = "%\n";

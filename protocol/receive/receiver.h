@@ -1,5 +1,5 @@
-// receive: what a control punches into an idle line. Here live the machine that finds begin and end of a reception, the
-// judgement of what came (code, parity, begin and end, binary, a device server's own words), the names of programs, and
+// receive: what a control punches into an idle line. Here live the machine that finds start and end of a reception, the
+// judgement of what came (code, parity, start and end, binary, a device server's own words), the names of programs, and
 // the requests that an operator punches. No I/O and no store: a driver gives bytes and the time. The machine sends
 // nothing but DC3 while a reception is on and it can take no more, and the DC1 that takes this back.
 #pragma once

@@ -28,7 +28,7 @@ constexpr std::array<Reaction, 61> kReactions{{
     {S::idle, I::other, G::always, A::none, S::idle},
     {S::idle, I::link_lost, G::always, A::none, S::idle},
 
-    // A leader is no text yet.
+    // A leader is not a text yet.
     {S::opened, I::punch_on, G::always, A::skip, S::opened},
     {S::opened, I::punch_off, G::always, A::end, S::idle},
     {S::opened, I::percent, G::always, A::keep, S::receiving},

@@ -1,5 +1,5 @@
 // The code of a reception is found from its bytes, because a person's terminal has none of the parity that the line's
-// control has. Then it is read by the code's rules and held against begin and end.
+// control has. Then it is read by the code's rules and compared with start and end.
 #include "protocol/receive/transfer.h"
 
 #include <array>

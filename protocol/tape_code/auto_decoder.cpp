@@ -45,20 +45,20 @@ void AutoDecoder::decode(std::span<const std::byte> wire, std::string& out) {
     look(std::to_integer<std::uint8_t>(wire.front()));
     wire = wire.subspan(1);
     if (code_) {
-      settle(*code_, out);
+      decode_held_as(*code_, out);
     } else if (held_count_ == held_.size()) {
-      settle(by_parity(), out);
+      decode_held_as(by_parity(), out);
     }
   }
   if (decoder_) decoder_->decode(wire, out);
 }
 
 void AutoDecoder::finish(std::string& out) {
-  if (!code_) settle(by_parity(), out);
+  if (!code_) decode_held_as(by_parity(), out);
   decoder_->finish(out);
 }
 
-void AutoDecoder::settle(Code code, std::string& out) {
+void AutoDecoder::decode_held_as(Code code, std::string& out) {
   code_ = code;
   DecodeFormat format = format_;
   format.eighth_bit = code == Code::iso ? EighthBit::even : EighthBit::data;

@@ -37,7 +37,7 @@ class AutoDecoder {
  private:
   void look(std::uint8_t byte);
   Code by_parity() const;
-  void settle(Code code, std::string& out);
+  void decode_held_as(Code code, std::string& out);
 
   DecodeFormat format_;
   std::optional<Code> code_;

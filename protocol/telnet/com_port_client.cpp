@@ -121,7 +121,7 @@ std::string_view message(ClientFailure failure) {
       "the server does not answer as an RFC 2217 server",
       "the server refuses the COM-PORT option of RFC 2217",
       "the server refuses eight-bit (BINARY) transmission",
-      "the server set the line otherwise than it was asked to",
+      "the server did not set the line as requested",
   };
   return kTexts[static_cast<std::size_t>(failure)];
 }

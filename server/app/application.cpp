@@ -95,7 +95,7 @@ void Application::end_lines() {
   receiving_.stop();
   if (nodes_) nodes_->stop();
   cancel_all();
-  static_cast<void>(books_.settle());
+  static_cast<void>(books_.wait_until_booked());
   // The lines wake the books, so they go before them.
   lines_.close();
   if (library_) library_->stop();

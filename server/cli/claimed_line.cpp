@@ -41,7 +41,7 @@ std::expected<std::unique_ptr<app::LineClaim>, LineRefusal> take_line(
                   kTorn});
 }
 
-std::string settle_line(app::LineClaim& claim, const app::LineReport& report) {
+std::string record_end(app::LineClaim& claim, const app::LineReport& report) {
   if (report.state != app::LineState::torn) {
     const auto ended = claim.end();
     return ended ? std::string() : ended.error();

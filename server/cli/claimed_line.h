@@ -28,7 +28,7 @@ std::expected<std::unique_ptr<app::LineClaim>, LineRefusal> take_line(
 
 // Writes into the line's record how a transfer ended. Empty, or one sentence: that the block is torn and what to do, or
 // why the record could not be written.
-std::string settle_line(app::LineClaim& claim, const app::LineReport& report);
+std::string record_end(app::LineClaim& claim, const app::LineReport& report);
 
 // The option --confirm-reset REASON.
 void add_confirm_reset(CLI::App& command, std::optional<std::string>& reason);

@@ -75,7 +75,7 @@ int verify_rows(const AuditOptions& options) {
     if (!chain.follows(*row)) return refuse(options, line, "the row was changed, or rows before it are missing");
   }
   if (!options.head.empty() && options.head != chain.head())
-    return refuse(options, chain.rows(), "it ends elsewhere than at the head that was noted: rows are missing");
+    return refuse(options, chain.rows(), "it does not end with the row whose hash was noted: rows are missing");
   fmt::print("{} rows, head {}\n", chain.rows(), chain.head().empty() ? "none" : chain.head());
   return kDone;
 }

@@ -32,8 +32,8 @@ constexpr const char* kBackupFooter =
 constexpr const char* kRestoreFooter =
     "It refuses a folder whose server runs, and one that has a store, unless --replace keeps that under another name.\n"
     "An older schema is brought up to date; a newer one is refused. The store is as old as its backup: tokens revoked\n"
-    "since are valid again, and jobs that had a line then are interrupted when the server starts. What was sent since\n"
-    "it does not know: look at each control before you arm.\n"
+    "since are valid again, and jobs that had a line then are interrupted when the server starts. It does not\n"
+    "know what was sent since: look at each control before you arm.\n"
     "Exit: 0 done, 1 the backup has a fault and nothing was changed, 2 wrong use or I/O error";
 
 std::string summary_of(const sqlite::Holding& holding) {

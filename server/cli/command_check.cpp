@@ -163,7 +163,7 @@ int check(const CheckOptions& options) {
   std::vector<std::optional<RenderedFrom>> families;
   std::optional<Nominal> nominal;
   if (options.fix && std::ranges::find(options.files, "-") != options.files.end()) {
-    print_error("--fix writes into files; standard input is none");
+    print_error("--fix writes into files; standard input is not one");
     return kWrongUse;
   }
   if (!options.nominal.family.empty()) {

@@ -1,4 +1,4 @@
-// dripfeed compare: two programs held against each other, as texts, by meaning and by their motions.
+// dripfeed compare: two programs compared, as texts, by meaning and by their motions.
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -89,7 +89,7 @@ int compare(const CompareOptions& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("compare", "holds two programs against each other: text, meaning, motions");
+  CLI::App* command = app.add_subcommand("compare", "compares two programs: text, meaning, motions");
   const auto options = std::make_shared<CompareOptions>();
   command->add_option("A", options->first, "program, - for standard input")->required();
   command->add_option("B", options->second, "the other program")->required();

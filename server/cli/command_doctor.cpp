@@ -55,10 +55,10 @@ void add_doctor(CLI::App& app, int& exit_code) {
   command->add_option("DATA", options->data, "folder of the store")->required();
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->footer(
-      "Run it as the user of the server: rights, limits and groups are those of who runs it. It opens no port, takes "
-      "no\n"
-      "lock and writes nothing; a server may run. It reads the store here and there only: all of it reads ledger "
-      "verify.\n"
+      "Run it as the user of the server: rights, limits and groups are those of the user who runs it. It opens no\n"
+      "port, takes no lock and writes nothing; a server may run. It reads samples of the store; dripfeed ledger "
+      "verify\n"
+      "reads all of it.\n"
       "Exit: 0 no fault (warnings allowed), 1 at least one fault, 2 wrong use");
   command->callback([options, &exit_code] { exit_code = doctor(*options); });
 }

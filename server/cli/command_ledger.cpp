@@ -1,4 +1,4 @@
-// dripfeed ledger verify: whether what a server wrote down is whole. It reads the store in its folder, also while the
+// dripfeed ledger verify: whether what a server recorded is whole. It reads the store in its folder, also while the
 // server runs, and changes nothing.
 #include <memory>
 
@@ -34,7 +34,7 @@ std::string summary_of(const sql::Verification& found) {
 
 int verify(const LedgerOptions& options) {
   if (options.data.empty() == options.store.empty()) {
-    print_error("one of both: the folder of the store, or --store");
+    print_error("one of the two: the folder of the store, or --store");
     return kWrongUse;
   }
   const std::string path = options.data.empty() ? std::string("--store") : store_path(options.data);
@@ -51,7 +51,7 @@ int verify(const LedgerOptions& options) {
 }  // namespace
 
 void add_ledger(CLI::App& app, int& exit_code) {
-  CLI::App* ledger = app.add_subcommand("ledger", "what a server wrote down");
+  CLI::App* ledger = app.add_subcommand("ledger", "what a server recorded of its transfers");
   ledger->require_subcommand(1);
   CLI::App* command = ledger->add_subcommand(
       "verify",

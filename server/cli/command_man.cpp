@@ -12,7 +12,8 @@ namespace dripfeed::cli {
 
 namespace {
 
-// Text of ours: a backslash begins a request, a dash would be set as a hyphen, a dot at a line's begin is a request.
+// Text of ours: a backslash begins a request, a dash would be set as a hyphen, a dot at the beginning of a line is a
+// request.
 std::string roff(std::string_view text) {
   std::string out;
   bool at_begin = true;

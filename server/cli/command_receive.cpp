@@ -87,7 +87,7 @@ int keep(const app::Reception& reception, const ReceiveOptions& options) {
                     path));
     return kDone;
   }
-  print_error(fmt::format("what came is no program: {}{}; its bytes are in {}", receive::message(transfer.fault),
+  print_error(fmt::format("what came is not a program: {}{}; its bytes are in {}", receive::message(transfer.fault),
                           transfer.device.empty() ? "" : fmt::format(" (\"{}\")", transfer.device), path));
   if (transfer.first_parity_error) {
     print_error(fmt::format("{} characters with wrong parity, the first at byte {}", transfer.parity_errors,

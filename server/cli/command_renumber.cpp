@@ -68,14 +68,14 @@ void add_renumber(CLI::App& app, int& exit_code) {
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command
       ->add_option("--blocks", options->blocks,
-                   "which have a number then: those that have one now, all, or none but those that are named")
+                   "which blocks have a number afterwards: those that have one now, all, or only those that are named")
       ->check(CLI::IsMember(
           std::vector<std::string>(std::begin(compile::kNumberingNames), std::end(compile::kNumberingNames))))
       ->capture_default_str();
   command->add_option("--first", options->first, "first number of a program")
       ->check(CLI::Range(1U, app::kMostNumberStep))
       ->capture_default_str();
-  command->add_option("--step", options->step, "from number to number")
+  command->add_option("--step", options->step, "from one number to the next")
       ->check(CLI::Range(1U, app::kMostNumberStep))
       ->capture_default_str();
   add_text_options(*command, options->text);

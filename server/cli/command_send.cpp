@@ -213,7 +213,7 @@ void add_send(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset");
   command->add_option("--ledger", options->ledger, "ledger file (default: FILE.ledger)");
-  command->add_option("--rounds", options->rounds, "send it so many times, each with the control's own start")
+  command->add_option("--rounds", options->rounds, "how often it is sent, each time with the control's own start")
       ->check(CLI::Range(1U, feed::kMaxRounds));
   command->add_flag("--read-back", options->read_back,
                     "then wait for the operator's punch of it, as long as the profile states, and compare");

@@ -187,7 +187,7 @@ app::Result<app::HookSettings> arming_hook(const ServerOptions& options, const a
   if (!secret) return app::fail(app::ErrorCode::invalid, "--arming-hook-secret-file: " + secret.error().text);
   if (!hash::webhook_signature(*secret, {}))
     return app::fail(app::ErrorCode::invalid,
-                     "--arming-hook-secret-file: its first line is no secret: whsec_ and base64");
+                     "--arming-hook-secret-file: its first line is not a secret: whsec_ and base64");
   hook.url = options.arming_hook;
   hook.secret = std::move(*secret);
   hook.local = options.arming_hook_local;
@@ -417,7 +417,8 @@ int check_options(const ServerOptions& options) {
     print_error(plan.error());
     return kWrongUse;
   }
-  return write_output("-", fmt::format("the options hold: data in {}, listening at {}\n", options.data, options.listen))
+  return write_output("-",
+                      fmt::format("the options are valid: data in {}, listening at {}\n", options.data, options.listen))
              ? kDone
              : kWrongUse;
 }

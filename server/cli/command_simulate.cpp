@@ -332,21 +332,22 @@ void add_simulate(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember(simulator::control_protocols()));
   command->add_option("--punch", options->punch, "the control punches this file once it is connected");
   command->add_flag("--then-read", options->then_read, "and reads what the host answers");
-  command->add_option("--speed", options->speed, "runs so much faster than a machine")->check(CLI::Range(0.001, 1e6));
+  command->add_option("--speed", options->speed, "how many times faster than a machine it runs")
+      ->check(CLI::Range(0.001, 1e6));
   command->add_option("--operator", options->operator_s,
                       "after so many seconds without a character the operator presses RESET and START");
   command->add_option("--patience", options->patience_s,
-                      "the same inside a program whose host is still there; 60 without it");
+                      "the same inside a program whose host is still there; 60 by default");
   command->add_flag("--repeat", options->repeat, "the operator starts the next program after the end of one");
   command
       ->add_option("--count", options->count,
-                   "so many controls, at pty:/path-{n} or on ports that count up; of PLCs: units")
+                   "how many controls, at pty:/path-{n} or on ports that count up; of PLCs: units")
       ->check(CLI::Range(1, 4096));
   const CLI::Option* uart = command->add_option("--uart", options->uart,
-                                                "what the host's stop signs pass: 16550, ftdi, device-server, ideal");
-  command->add_option("--clock-ppm", options->clock_ppm, "the line's clock is off by so much")
+                                                "what lies between host and line: 16550, ftdi, device-server, ideal");
+  command->add_option("--clock-ppm", options->clock_ppm, "by how much the line's clock is off, in parts per million")
       ->check(CLI::Range(-50'000.0, 50'000.0));
-  command->add_option("--seed", options->seed, "of the faults; each further control has the next one");
+  command->add_option("--seed", options->seed, "start of the random faults; each further control has the next one");
   std::string names;
   for (const simulator::FaultRow& row : simulator::fault_table())
     names += fmt::format("\n{}=N: {}", row.name, row.meaning);

@@ -82,8 +82,9 @@ void add_sweep(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<SweepOptions>();
   options->settings.threads = std::max(1U, std::thread::hardware_concurrency());
   add_family_options(*command, options->family);
-  command->add_option("--seed", options->settings.seed, "of samples and corners")->capture_default_str();
-  command->add_option("--samples", options->settings.samples, "places of the box of all ranges")
+  command->add_option("--seed", options->settings.seed, "start of the random samples and corners")
+      ->capture_default_str();
+  command->add_option("--samples", options->settings.samples, "random sets of values inside all ranges")
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
   command->add_option("--threads", options->settings.threads, "the result is the same for any; by default one a core")

@@ -212,7 +212,7 @@ void add_user(CLI::App& app, int& exit_code) {
   roles(action("roles", "all roles of a person, in place of the present ones", change_roles));
   secret(action("password", "a new password, read from standard input; ends the person's sessions", set_password));
   secret(action("pin", "a new PIN for the shop floor, read from standard input; ends the person's sessions", set_pin));
-  action("disable", "ends all sessions; the person signs in no more", disable);
+  action("disable", "ends all sessions; the person can no longer sign in", disable);
   action("enable", "the person may sign in again", enable);
   action("unlock", "ends the lock after too many wrong secrets", unlock);
   action("list", "all people, by name", list_users, false);

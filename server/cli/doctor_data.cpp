@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint64_t kFaultBelow_bytes = std::uint64_t{256} << 20U;
 constexpr std::uint64_t kWarnBelow_bytes = std::uint64_t{2} << 30U;
 
-// File systems on which SQLite's WAL does not hold what it promises: the memory that its users share is no file's.
+// File systems on which SQLite's WAL does not hold what it promises: the memory that its users share is not a file's.
 struct NetworkSystem {
   std::uint64_t magic;
   std::string_view name;

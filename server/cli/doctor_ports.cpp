@@ -34,8 +34,8 @@ void look_at_rate(const Port& port, const io::PortState& state, Findings& found)
   if (!state.base_baud) return;  // an adapter's rates are its own, and only opening it would say them
   if (io::divides_to(*state.base_baud, port.baud)) return;
   found.push_back({Health::fault, "port",
-                   fmt::format("{}: {} makes no {} baud: its rates are whole parts of {}", port.machine, port.link.path,
-                               port.baud, *state.base_baud),
+                   fmt::format("{}: {}cannot make {} baud: its rates are {} divided by a whole number", port.machine,
+                               port.link.path, port.baud, *state.base_baud),
                    "choose another rate at the control and in the profile"});
 }
 
@@ -46,9 +46,10 @@ bool look_at_device(const Port& port, const io::PortState& state, Findings& foun
     found.push_back({Health::fault, "port", at + " is not there",
                      "plug the adapter in (ls -l /dev/serial/by-id), or change the profile's link"});
   } else if (!state.is_device) {
-    found.push_back({Health::fault, "port", at + " is no serial port", "change the profile's link"});
+    found.push_back({Health::fault, "port", at + " is not a serial port", "change the profile's link"});
   } else if (!state.has_uart) {
-    found.push_back({Health::fault, "port", at + " is a name with no port at it", "change the profile's link"});
+    found.push_back(
+        {Health::fault, "port", at + "is the name of a port that is not there", "change the profile's link"});
   } else if (!state.may_use) {
     found.push_back(
         {Health::fault, "port", fmt::format("{} is for the group {}", at, state.group),

@@ -32,11 +32,12 @@ void look_at_clock(const sqlite::StoreState& state, Findings& found) {
   const int clock = ::adjtimex(&time);  // without modes it only reads
   if (clock == TIME_ERROR || (time.status & STA_UNSYNC) != 0) {
     found.push_back({Health::warning, "clock",
-                     fmt::format("{}, by a clock that nothing keeps right", io::text_of_time(now_ms)),
+                     fmt::format("{}, by a clock that is not synchronized", io::text_of_time(now_ms)),
                      "timedatectl set-ntp true, or another NTP client: ledger and audit have this clock's times"});
     return;
   }
-  found.push_back({Health::ok, "clock", fmt::format("{}, kept right from outside", io::text_of_time(now_ms)), ""});
+  found.push_back(
+      {Health::ok, "clock", fmt::format("{}, by a clock that is synchronized", io::text_of_time(now_ms)), ""});
 }
 
 void look_at_limits(Findings& found) {

@@ -55,7 +55,7 @@ std::string with_family_lines(const std::string& figures, const std::vector<std:
 // Of a command that found nothing to measure: {"measured": false, …} with what kept it from it.
 std::string not_measured_document(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                                   bool ran, bool validated, const std::vector<checks::NotChecked>& not_checked);
-// `read_back`: what came of it; empty: none was due. `line`: the record of the line after it.
+// `read_back`: the result; empty: none was due. `line`: the record of the line after it.
 std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back,
                           const io::LineRecord& line);
 // Of a transfer that was refused because the line is torn.

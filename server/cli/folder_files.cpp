@@ -21,7 +21,7 @@ std::string why_not(const fs::directory_entry& entry) {
   std::error_code fault;
   if (entry.path().filename().string().starts_with('.')) return "is hidden";
   if (entry.is_symlink(fault)) return "is a link";
-  return entry.is_regular_file(fault) ? "" : "is no file";
+  return entry.is_regular_file(fault) ? "" : "is not a file";
 }
 
 app::Result<void> look_into(const fs::path& folder, const std::string& before, std::vector<FoundFile>& into) {
@@ -54,7 +54,7 @@ app::Result<std::vector<FoundFile>> files_below(const fs::path& folder) {
 
 app::Result<std::string> read_file(const fs::path& file, std::uint64_t most_bytes) {
   std::error_code fault;
-  if (!fs::is_regular_file(fs::symlink_status(file, fault))) return cannot("read", file, "it is no file");
+  if (!fs::is_regular_file(fs::symlink_status(file, fault))) return cannot("read", file, "it is not a file");
   const std::uint64_t bytes = fs::file_size(file, fault);
   if (fault) return cannot("read", file, fault.message());
   if (bytes > most_bytes) return cannot("read", file, fmt::format("it has {} bytes, at most {}", bytes, most_bytes));

@@ -119,7 +119,7 @@ class ExportImport {
       return app::fail(app::ErrorCode::invalid, fmt::format("its text is of family \"{}\"", described.name));
     const auto known = store_.families().get(of.name);
     if (known)
-      if (auto settled = stays(of.name, known->text == text, follows)) return std::move(*settled);
+      if (auto kept = stays(of.name, known->text == text, follows)) return std::move(*kept);
     app::Imported done{.outcome = known ? ImportOutcome::revised : ImportOutcome::added, .name = of.name};
     if (only_looks()) return done;
     const auto put = app::lift(known ? store_.families().change(of.name, known->revision, text, stamp())
@@ -151,7 +151,7 @@ class ExportImport {
       return app::fail(app::ErrorCode::refused,
                        fmt::format("the part is of family \"{}\" here", known->made_of.family));
     if (known)
-      if (auto settled = stays(of.name, known->made_of.values == values->values, follows)) return std::move(*settled);
+      if (auto kept = stays(of.name, known->made_of.values == values->values, follows)) return std::move(*kept);
     if (only_looks()) return done;
     const auto put = app::lift(known ? store_.parts().change(of.name, known->revision, *values, stamp())
                                      : store_.parts().add(of.name, *values, stamp()));

@@ -162,7 +162,7 @@ app::Result<text::Source> read_machine_document(const std::string& name_or_path)
     const auto preset = find_shared(fmt::format("machines/{}.json", path));
     if (!preset)
       return app::fail(app::ErrorCode::invalid,
-                       fmt::format("--machine \"{}\" is no preset, and no file (*.json)", path));
+                       fmt::format("--machine \"{}\" is not a preset, and no file (*.json)", path));
     path = *preset;
   }
   auto text = read_file(path);

@@ -40,7 +40,7 @@ void print_saving(const compile::OptimizeResult& result, std::string_view name, 
   fmt::print(stderr,
              "computing {} moves: {} ms in {} blocks before, {} ms in {} blocks after\n"
              "longest before one move: {} ms (line {}) before, {} ms (line {}) after\n"
-             "by a cost model that is {}, {}; each time may be off by a factor of {}\n",
+             "cost model: {} ({}); each time may be off by a factor of {}\n",
              after.moves, ms(before.total_ms), before.blocks, ms(after.total_ms), after.blocks, ms(before.longest_ms),
              before.longest_line, ms(after.longest_ms), after.longest_line, ir::name_of(cost.source), cost.origin,
              text::format_shortest(cost.spread));

@@ -77,7 +77,8 @@ void print_folded(const text::DiagnosticFold& fold, std::string_view name) {
 
 void print_not_validated(std::string_view file) {
   fmt::print(stderr,
-             "{}: not validated: it is so long that it was run while it was read; dripfeed check looks at all\n", file);
+             "{}: not validated: it is so long that it was run while it was read; dripfeed check looks at all of it\n",
+             file);
 }
 
 bool write_output(const std::string& path, std::string_view text) {

@@ -89,7 +89,8 @@ constexpr Row<std::vector<std::string>> kLists[] = {
     {"--proxy", &ServerOptions::proxy,
      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed", true},
     {"--oidc-group", &ServerOptions::oidc_group,
-     "GROUP=ROLE or GROUP=ROLE@MACHINES: the role of who is in this group at the provider, on all machines or on those "
+     "GROUP=ROLE or GROUP=ROLE@MACHINES: the role of each person in this group at the provider, on all machines or on "
+     "those "
      "of a group; without any an administrator gives the roles"},
 };
 constexpr Row<std::vector<double>> kDelays[] = {

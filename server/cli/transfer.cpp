@@ -143,7 +143,7 @@ std::string read_back(app::Line& line, const std::string& sent, double minutes, 
       const receive::Transfer transfer = receive::judge(one.raw, one.ending, one.settings);
       if (transfer.fault == receive::Fault::none) return app::read_back_result(sent, transfer.text);
       if (transfer.fault != receive::Fault::empty)
-        say(fmt::format("what came is no program: {}", receive::message(transfer.fault)));
+        say(fmt::format("what came is not a program: {}", receive::message(transfer.fault)));
     }
     std::this_thread::sleep_for(kRound);
   }
@@ -197,8 +197,8 @@ app::Result<Transferred> transfer(const TransferOrder& order, FileLedger& ledger
   }
   Following following(**line, ledger, claim, order.name, thread->clock(), stops, reserve);
   Transferred done{.report = following.to_the_end(), .read_back = {}, .fault = following.fault()};
-  if (const std::string settled = settle_line(claim, done.report); !settled.empty())
-    done.fault += done.fault.empty() ? settled : "; " + settled;
+  if (const std::string fault = record_end(claim, done.report); !fault.empty())
+    done.fault += done.fault.empty() ? fault : "; " + fault;
   done.torn = !claim.torn().empty();
   if (done.report.end != app::JobEnd::done) std::this_thread::sleep_for(kLeaveTaking);
   if (done.report.end != app::JobEnd::done || !order.read_back || !done.fault.empty()) return done;

@@ -1,4 +1,4 @@
-// One transfer on a line that is ours: opened, armed, followed to its end with a ledger in a file, and settled in the
+// One transfer on a line that is ours: opened, armed, followed to its end with a ledger in a file, and recorded in the
 // line's record. What is sent, and what the command prints of it, is the command's matter.
 #pragma once
 

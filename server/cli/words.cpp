@@ -29,7 +29,7 @@ with a line a word, what it does and where the control's manual states it. `drip
 
 The column *translated to* is found by doing it: small programs with the word, which the control accepts, are translated to the
 usual control of each other dialect. It names the dialects for which one of them gives a program; `all` of them; or `none`, where
-each was refused with an error. A dash: the control accepts none of these programs. Another use of the word may end otherwise.
+each was refused with an error. A dash: the control accepts none of these programs. Another use of the word may end differently.
 
 A word that stands on no page is named as `unknown-code`, `unknown-address` or `unknown-name`; where an option or a definition file
 may bring it, that is a warning, and the verdict is no better than `unknown`. What is translated between two controls is in

@@ -40,8 +40,8 @@ bool is_json(const Request& request) {
 // What is wrong with the form of a body; "" where nothing is. A file comes unchanged.
 std::string_view why_not_taken(const Route& route, const Request& request) {
   if (route.carries == Carries::file)
-    return request.content_encoding.empty() ? "" : "a file comes without a content encoding";
-  return request.body.empty() || is_json(request) ? "" : "a body is JSON, without a content encoding";
+    return request.content_encoding.empty() ? "" : "a file must be sent without a content encoding";
+  return request.body.empty() || is_json(request) ? "" : "a body must be JSON, without a content encoding";
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ std::expected<std::uint64_t, Response> expected_revision(const Request& request)
   std::string_view tag = request.if_match;
   if (tag.size() >= 2 && tag.starts_with('"') && tag.ends_with('"')) tag = tag.substr(1, tag.size() - 2);
   std::uint64_t revision = 0;
-  if (!read_number(tag, revision)) return std::unexpected(problem_response(412, "If-Match is no revision of this"));
+  if (!read_number(tag, revision)) return std::unexpected(problem_response(412, "If-Match is not a revision of this"));
   return revision;
 }
 

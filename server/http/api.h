@@ -107,7 +107,7 @@ Response no_content();
 Response event_stream(std::expected<std::shared_ptr<EventSubscription>, std::string> watcher);
 // With the ETag of a revision.
 Response with_revision(Response response, std::uint64_t revision);
-// The revision named by If-Match; or 428 without one, 412 when it is no revision of ours.
+// The revision named by If-Match; or 428 without one, 412 when it is not a revision of ours.
 std::expected<std::uint64_t, Response> expected_revision(const Request& request);
 // Who calls, and when.
 store::Stamp stamp_of(const Call& call);

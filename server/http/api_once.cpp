@@ -37,7 +37,7 @@ std::expected<std::string, std::string> hash_of_body(const Request& request) {
   }
 }
 
-// Headers of a kept answer: one a line, its type among them where it is no JSON.
+// Headers of a kept answer: one a line, its type among them where it is not JSON.
 std::string write_headers(const Response& response) {
   std::string lines;
   if (response.content_type != kJson) lines = fmt::format("{}: {}\n", kContentType, response.content_type);

@@ -44,10 +44,10 @@ bool has_folded_line(std::string_view head) {
 // What the parser takes and RFC 9112 (3.2, 6.1) does not: no host or two, a coding of the body that is not ours.
 template <class Message>
 std::string_view framing_fault(const Message& message) {
-  if (message.version() >= 11 && message.count(bhttp::field::host) != 1) return "one Host is needed";
+  if (message.version() >= 11 && message.count(bhttp::field::host) != 1) return "exactly one Host header is needed";
   const auto codings = message.count(bhttp::field::transfer_encoding);
   if (codings > 1 || (codings == 1 && !beast::iequals(message[bhttp::field::transfer_encoding], "chunked")))
-    return "a body comes unencoded or chunked";
+    return "a body must be unencoded or chunked";
   return {};
 }
 
@@ -125,7 +125,8 @@ void Connection::take_head() {
   const std::string_view read(static_cast<const char*>(bytes.data()), bytes.size());
   const std::size_t end = read.find(kHeadEnd);
   if (end != std::string_view::npos || read.size() > kHeaderLimit_bytes) {
-    if (has_folded_line(read.substr(0, end))) return respond_unread(plain_problem(400, "a header stands on one line"));
+    if (has_folded_line(read.substr(0, end)))
+      return respond_unread(plain_problem(400, "a header must stand on one line"));
     Error error;
     buffer_.consume(parser_->put(bytes, error));
     if (error == bhttp::error::need_more) error = bhttp::error::header_limit;

@@ -23,7 +23,7 @@ Response list_alarms(const Call& call) {
   if (!page) return page.error();
   const std::string state = query_text(call.request, "state");
   if (!state.empty() && state != "open" && state != "all")
-    return problem_response(422, fmt::format("\"{}\" is no state of alarms: open or all", state));
+    return problem_response(422, fmt::format("\"{}\" is not a state of alarms: open or all", state));
   const store::AlarmFilter filter{.machine = query_text(call.request, "machine"), .open_only = state == "open"};
   return list_response(call.api.application().store().alarms().list(*page, filter),
                        [](const store::Alarm& alarm) { return json::alarm(alarm); });

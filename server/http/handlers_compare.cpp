@@ -1,4 +1,4 @@
-// Two revisions held against each other, or one and what becomes of it. A worker does it: both are programs of other
+// Two revisions compared with each other, or one and what becomes of it. A worker does it: both are programs of other
 // people.
 #include <fmt/format.h>
 

@@ -98,7 +98,7 @@ Response list_jobs(const Call& call) {
   filter.choice = *choice;
   if (const std::string state = query_text(call.request, "state"); !state.empty()) {
     filter.state = job_state_named(state);
-    if (!filter.state) return problem_response(422, fmt::format("\"{}\" is no state of a job", state));
+    if (!filter.state) return problem_response(422, fmt::format("\"{}\" is not a state of a job", state));
   }
   return list_response(call.api.application().store().jobs().list(*page, filter),
                        [](const store::Job& j) { return json::job(j); });

@@ -65,7 +65,7 @@ Response search_programs(const Call& call) {
   if (!page) return page.error();
   const auto shelf = shelf_of(call.request);
   if (!shelf) return shelf.error();
-  if (*shelf == store::Shelf::archived) return problem_response(422, "a search is of shelf in_use or all");
+  if (*shelf == store::Shelf::archived) return problem_response(422, "a search takes shelf in_use or all");
   app::Application& app = call.api.application();
   if (app.library() == nullptr) return no_library();
   store::Library& library = app.library()->library();

@@ -53,14 +53,14 @@ std::expected<std::string, Response> machine_of(const Call& call) {
   return std::unexpected(fault(call, 404, "NO_DEVICE", fmt::format("there is no machine {}", call.parameters[0])));
 }
 
-// Nothing where the query does not say; an error where it is no number.
+// Nothing where the query does not say; an error where it is not a number.
 std::expected<std::optional<std::uint64_t>, Response> count_of(const Call& call, const char* name) {
   const std::string text = query_text(call.request, name);
   if (text.empty()) return std::nullopt;
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc{} && end == text.data() + text.size()) return value;
-  return std::unexpected(fault(call, 400, "INVALID_REQUEST", fmt::format("{}={} is no number", name, text)));
+  return std::unexpected(fault(call, 400, "INVALID_REQUEST", fmt::format("{}={} is not a number", name, text)));
 }
 
 // Those that may go to a machine, or are on their way there.

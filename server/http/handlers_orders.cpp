@@ -28,7 +28,7 @@ Response list_orders(const Call& call) {
                             .state = std::nullopt};
   if (const std::string state = query_text(call.request, "state"); !state.empty()) {
     filter.state = store::named<store::OrderState>(state);
-    if (!filter.state) return problem_response(422, fmt::format("\"{}\" is no state of an order", state));
+    if (!filter.state) return problem_response(422, fmt::format("\"{}\" is not a state of an order", state));
   }
   return list_response(orders_of(call).list(*page, filter), [](const store::Order& one) { return json::order(one); });
 }

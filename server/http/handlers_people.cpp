@@ -85,7 +85,7 @@ Response change_own_password(const Call& call) {
   const auto answer =
       app::check_secret(app.store(), call.user, store::SecretKind::password, body->current, app.clock());
   if (!answer) return problem_response(answer.error());
-  if (answer->outcome != app::SignIn::right) return problem_response(403, "the present password is another one");
+  if (answer->outcome != app::SignIn::right) return problem_response(403, "the present password is wrong");
   const auto changed =
       app::set_secret(app.store(), call.user, store::SecretKind::password, body->secret, stamp_of(call));
   return changed ? no_content() : problem_response(changed.error());

@@ -36,7 +36,7 @@ Response list_receipts(const Call& call) {
   store::ReceiptFilter filter{.machine = query_text(call.request, "machine"), .state = std::nullopt};
   if (const std::string state = query_text(call.request, "state"); !state.empty()) {
     filter.state = store::named<store::ReceiptState>(state);
-    if (!filter.state) return problem_response(422, fmt::format("\"{}\" is no state of a receipt", state));
+    if (!filter.state) return problem_response(422, fmt::format("\"{}\" is not a state of a receipt", state));
   }
   app::Application& app = call.api.application();
   return list_response(app.store().receipts().list(*page, filter),
@@ -57,7 +57,8 @@ Response get_receipt_text(const Call& call) {
   const auto receipt = store.receipts().get(*id);
   if (!receipt) return problem_response(app::from_store(receipt.error()));
   const std::string form = query_text(call.request, "form");
-  if (!form.empty() && form != "read") return problem_response(422, fmt::format("\"{}\" is no form of a text", form));
+  if (!form.empty() && form != "read")
+    return problem_response(422, fmt::format("\"{}\" is not a form of a text", form));
   if (form == "read" && receipt->of.quarantined) {
     auto text = call.api.application().receiving().readable(*receipt);
     if (!text) return problem_response(text.error());

@@ -198,7 +198,7 @@ Response get_events(const Call& call) {
   if (!given.empty()) {
     const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), after);
     if (error != std::errc{} || end != given.data() + given.size())
-      return problem_response(422, "Last-Event-ID is no number of ours");
+      return problem_response(422, "Last-Event-ID is not a number of this server");
   }
   return event_stream(call.api.live().watch(after, call.caller->credential));
 }

@@ -1,4 +1,4 @@
-// Webhooks: who receives events, and what came of each delivery. For admins: whoever adds one decides where data goes.
+// Webhooks: who receives events, and the result of each delivery. For admins: whoever adds one decides where data goes.
 #include <fmt/format.h>
 
 #include "server/http/api.h"
@@ -105,7 +105,8 @@ Response list_deliveries(const Call& call) {
   if (const std::string state = query_text(call.request, "state"); !state.empty()) {
     filter.state = store::named<store::DeliveryState>(state);
     if (!filter.state)
-      return problem_response(422, fmt::format("\"{}\" is no state of deliveries: pending, delivered or dead", state));
+      return problem_response(422,
+                              fmt::format("\"{}\" is not a state of deliveries: pending, delivered or dead", state));
   }
   return list_response(call.api.application().store().webhooks().deliveries(*id, *page, filter),
                        json::webhook_delivery);

@@ -95,7 +95,7 @@ void write_http_metrics(Exposition& out, Traffic& traffic) {
   write_requests(out, traffic);
   write_durations(out, traffic);
   out.family("dripfeed_http_requests_in_progress", kGauge,
-             "Requests that wait for their answer, by lane: in its queue or at its hands.");
+             "Requests that wait for their answer, by lane: in its queue or being answered.");
   for (std::size_t i = 0; i < kLanesAndHere; ++i) {
     const auto lane = static_cast<Lane>(i);
     if (lane != Lane::spool) out.sample({{"lane", kLaneNames[i]}}, traffic.at_work(lane).load());

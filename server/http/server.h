@@ -66,11 +66,11 @@ struct ServerSettings {
 class Server {
  public:
   // Binds and starts; or one sentence that says what is wrong: what the system said of the address, what OpenSSL said
-  // of the certificate, which proxy is no address.
+  // of the certificate, which proxy is not an address.
   static std::expected<std::unique_ptr<Server>, std::string> start(const ServerSettings& settings, Answerer answerer);
   virtual ~Server() = default;  // stop() must have said true, or was never called: then it waits for all work
   [[nodiscard]] virtual std::uint16_t port() const = 0;
-  // From any thread: from the next request on. Nothing changes where one is no address; the sentence states which.
+  // From any thread: from the next request on. Nothing changes where one is not an address; the sentence states which.
   virtual std::expected<void, std::string> set_proxies(const std::vector<std::string>& proxies) = 0;
   // Closes the listener and every connection: no request comes in any more.
   virtual void close() = 0;

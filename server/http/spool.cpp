@@ -74,7 +74,7 @@ std::expected<std::size_t, std::string> SpooledBody::read(std::uint64_t offset, 
     const ssize_t count = ::pread(file_, into.data() + done, most - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return system_refusal(errno);
-    if (count == 0) return refusal("it lost a part of it");
+    if (count == 0) return refusal("a part of it is missing");
     done += static_cast<std::size_t>(count);
   }
   return done;

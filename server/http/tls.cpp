@@ -31,9 +31,10 @@ std::expected<TlsFiles::Context, std::string> TlsFiles::read() const {
   SSL_CTX_set_mode(context->native_handle(), SSL_MODE_RELEASE_BUFFERS);  // 34 KB less for each idle connection
   boost::system::error_code error;
   context->use_certificate_chain_file(certificate_, error);
-  if (error) return std::unexpected(fmt::format("{} is no certificate in PEM: {}", certificate_, error.message()));
+  if (error) return std::unexpected(fmt::format("{} is not a certificate in PEM: {}", certificate_, error.message()));
   context->use_private_key_file(key_, ssl::context::pem, error);
-  if (error) return std::unexpected(fmt::format("{} is no key in PEM for {}: {}", key_, certificate_, error.message()));
+  if (error)
+    return std::unexpected(fmt::format("{} is not a key in PEM for {}: {}", key_, certificate_, error.message()));
   return context;
 }
 
@@ -51,7 +52,7 @@ void TlsFiles::refresh() {
   stamp_ = now;
   auto context = read();
   if (!context) {
-    spdlog::warn("the certificate was not renewed, the one before stays in use: {}", context.error());
+    spdlog::warn("the certificate was not renewed, the previous one stays in use: {}", context.error());
     return;
   }
   context_ = std::move(*context);

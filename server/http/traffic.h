@@ -1,4 +1,4 @@
-// What the HTTP server does, in numbers: connections, bodies, requests by route and what came of them, and how long
+// What the HTTP server does, in numbers: connections, bodies, requests by route and the result of them, and how long
 // their answers took. Counted without a lock, by whoever works; read by whoever asks.
 #pragma once
 

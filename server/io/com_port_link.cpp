@@ -84,7 +84,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
       if (came == 0) break;
       count = client_.receive(std::span(raw_).first(came), into, clock_.now());
     } while (count == 0);
-    settle_later();
+    follow_up_later();
     return count;
   }
 
@@ -104,13 +104,13 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
   void on_up() override {
     const auto self = shared_from_this();
     client_.begin(clock_.now());
-    settle();
+    follow_up();
   }
 
   void on_receive(std::span<const std::byte> bytes) override {
     const auto self = shared_from_this();  // the outer listener may drop the link
     const std::size_t count = client_.receive(bytes, data_, clock_.now());
-    settle();
+    follow_up();
     if (count == 0 || outer_ == nullptr) return;
     const std::span<const std::byte> data = std::span(data_).first(count);
     if (announced_) return outer_->on_receive(data);
@@ -145,12 +145,12 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
     return words.empty() ? std::string(reason) : fmt::format("{} (the device server reports: {})", reason, words);
   }
 
-  void settle_later() {
-    asio::post(timer_.get_executor(), [self = shared_from_this()] { self->settle(); });
+  void follow_up_later() {
+    asio::post(timer_.get_executor(), [self = shared_from_this()] { self->follow_up(); });
   }
 
   // After each input: what the client has to say goes out, what it learned is handed on, its deadline is set.
-  void settle() {
+  void follow_up() {
     const auto self = shared_from_this();
     if (outer_ == nullptr) return;
     flush();
@@ -228,7 +228,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
     timer_.async_wait([self = shared_from_this()](boost::system::error_code error) {
       if (error || self->outer_ == nullptr) return;
       self->client_.tick(self->clock_.now());
-      self->settle();
+      self->follow_up();
     });
   }
 

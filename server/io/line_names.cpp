@@ -14,7 +14,7 @@ namespace dripfeed::io {
 namespace {
 
 // One spelling of each address: lower case, numbers as the system writes them. Names are not looked up, because a name
-// server may take its time or answer otherwise tomorrow.
+// server may take its time or answer differently tomorrow.
 std::string plain_host(std::string host) {
   std::ranges::transform(host, host.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (host.empty() || host == "localhost") return "127.0.0.1";

@@ -1,5 +1,5 @@
-// Locks of the open file (F_OFD_SETLK): whoever looks needs no lock of his own, and two ends in one process see each
-// other.
+// Locks of the open file (F_OFD_SETLK): a process that looks needs no lock of its own, and two ends in one process see
+// each other.
 #include "server/io/pty_owner.h"
 
 #include <array>

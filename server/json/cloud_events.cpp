@@ -166,7 +166,7 @@ namespace {
 constexpr std::size_t kMostWords_bytes = 200;
 constexpr std::array<std::uint32_t, 3> kRefusals = {403, 409, 422};
 
-// "" where it is no text that can be shown. A character that the cut halves goes as a whole.
+// "" where it is not a text that can be shown. A character that the cut halves goes as a whole.
 std::string words_of(const Document& answer, const char* member) {
   if (!answer.is_object()) return {};
   const auto found = answer.find(member);

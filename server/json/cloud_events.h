@@ -17,7 +17,7 @@ std::string cloud_event(const store::LoggedEvent& event, std::string_view source
 
 std::string arming_question(const app::ArmingQuestion& question);
 // It allows with 200 and {"allow": true} alone. It refuses with {"allow": false, "reason": "…"}, or with 403, 409 or
-// 422 and the words of a problem document's `detail`. All else is no answer.
+// 422 and the words of a problem document's `detail`. All else is not an answer.
 app::HookAnswer read_hook_answer(std::uint32_t status, std::string_view body);
 
 std::string event_type(const app::EventType& type);

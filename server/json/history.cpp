@@ -96,8 +96,8 @@ Schemas history_schemas() {
                    {"groups",
                     list_of(object("a machine, part, day or shift",
                                    Members{{"name", text("of the machine; number of the part, empty: not known; the "
-                                                         "day, or day and begin of the shift, by the server's clock")},
-                                           {"from_ms", or_null(time_ms("begin of the day or shift"))},
+                                                         "day, or day and start of the shift, by the server's clock")},
+                                           {"from_ms", or_null(time_ms("start of the day or shift"))},
                                            {"to_ms", or_null(time_ms("its end"))}} +
                                        sums_members()),
                             "machines and parts by name; days and shifts newest first")}})}};

@@ -252,14 +252,13 @@ Document tags() {
 }
 
 Document info(std::string_view version) {
-  return {
-      {"title", "dripfeed"},
-      {"version", version},
-      {"description",
-       "Program distribution and DNC for CNC machine tools. Times are in milliseconds since 1970, UTC. Whoever reads "
-       "an answer bears members and words of enums that are not listed here: new ones come without a new version."},
-      {"contact", {{"name", "the developers of dripfeed"}}},
-      {"license", {{"name", "Apache-2.0"}, {"identifier", "Apache-2.0"}}}};
+  return {{"title", "dripfeed"},
+          {"version", version},
+          {"description",
+           "Program distribution and DNC for CNC machine tools. Times are in milliseconds since 1970, UTC. A client "
+           "must accept members and words of enums that are not listed here: new ones come without a new version."},
+          {"contact", {{"name", "the developers of dripfeed"}}},
+          {"license", {{"name", "Apache-2.0"}, {"identifier", "Apache-2.0"}}}};
 }
 
 // What we post to others: one entry a type of event.

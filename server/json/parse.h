@@ -27,7 +27,7 @@ inline constexpr std::size_t kMostValues = 200'000;
 // The text as a document; or `malformed`: one fault with line, column and the JSON pointer (RFC 6901) of what was being
 // read. The first reading keeps nothing, and stops at the first fault.
 app::Result<Document> parse(std::string_view text, std::size_t most_values = kMostValues);
-// Compact; text that is no UTF-8 is shown with replacement characters.
+// Compact; text that is not UTF-8 is shown with replacement characters.
 std::string dump(const Document& document);
 // The raw text of a JSON document that is kept or was written here, as a member: its values were counted when it came.
 Document embedded(std::string_view text);

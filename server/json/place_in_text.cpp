@@ -15,7 +15,7 @@ class Walker {
  public:
   explicit Walker(std::string_view text) : text_(text) { skip_blank(); }
 
-  // At the begin of the value.
+  // At the beginning of the value.
   [[nodiscard]] std::size_t at() const { return at_; }
 
   // Goes from a value to its member or element; where its name, or it, begins. Nothing where there is none.

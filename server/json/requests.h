@@ -82,7 +82,7 @@ struct RewriteBody {
 };
 app::Result<RewriteBody> read_rewrite_body(std::string_view body);
 
-// A text that is held against a stored one.
+// A text that is compared with a stored one.
 struct CompareTextBody {
   std::string text;
   store::Revision revision = 0;  // of the stored program; 0: the newest
@@ -165,7 +165,7 @@ std::optional<std::string> machine_in_body(std::string_view body);
 app::Result<store::WebhookSettings> read_webhook_body(std::string_view body);
 app::Result<store::WebhookSettings> read_webhook_change(std::string_view body, store::WebhookSettings known);
 
-// For how long the secret before signs as well, in hours.
+// For how long the previous secret also signs, in hours.
 struct RotateBody {
   std::int64_t keep_hours = 24;
 };

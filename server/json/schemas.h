@@ -23,7 +23,7 @@ Schemas machine_schemas();  // machines and their lines
 Schemas catalog_schemas();  // families and parts
 Schemas program_schemas();  // programs, rendering
 Schemas check_schemas();    // verdicts and what they report
-Schemas compare_schemas();  // two revisions held against each other
+Schemas compare_schemas();  // two revisions, compared
 Schemas library_schemas();  // searches, where a program is used, attached files
 Schemas path_schemas();     // toolpaths
 Schemas editing_schemas();  // faults of a text while it is written, words of a dialect

@@ -74,7 +74,7 @@ Members waivers() {
                        {"reason", text("why")},
                        {"at_ms", time_ms("when")},
                        {"point", or_null(text("that it is for; null: for all of them"))},
-                       {"expires_at_ms", or_null(time_ms("from then on it counts no longer; null: it does not end"))}}),
+                       {"expires_at_ms", or_null(time_ms("from then on it no longer counts; null: it does not end"))}}),
                "of this verdict")}};
 }
 
@@ -167,7 +167,7 @@ Members timing_members() {
           {"compute_s", number("of the control's computing alone")},
           {"line_s", number("of the line alone")},
           {"stalls", integer("standstills while the control waits for blocks")},
-          {"stall_s", number("how much longer the program takes by them")},
+          {"stall_s", number("how much longer the program takes because of them")},
           {"first_stall_line", integer("of the program; 0: none")},
           {"compute_low_s", number("compute_s may be as little, as far as the cost model is known")},
           {"compute_high_s", number("and as much")},

@@ -1,4 +1,4 @@
-// Two revisions held against each other.
+// Two revisions compared.
 #include "server/app/library/compare.h"
 #include "server/json/schemas.h"
 
@@ -13,7 +13,7 @@ Members answer_members() {
     return list_of(object("a line", {{"line", integer("of that text, from 1")}, {"text", text("its text")}}),
                    std::move(of));
   };
-  return {{"answer", answer_word("what came of it")},
+  return {{"answer", answer_word("the result")},
           {"why", or_null(text("it was not compared; null: it was"))},
           {"changes",
            list_of(object("lines that are others", {{"first", lines("of the first program; none: it has none there")},
@@ -31,7 +31,7 @@ Schema side(std::string about) {
 Schema motions() {
   return object(
       "whether both move the axes the same, in order, with the same feeds, tools and states",
-      {{"answer", answer_word("what came of it")},
+      {{"answer", answer_word("the result")},
        {"why", or_null(text("it was not compared; null: it was"))},
        {"moves", integer("that are the same, up to the first difference")},
        {"first_line", or_null(integer("of the first difference in the first program; null: none, or it has ended"))},
@@ -48,7 +48,7 @@ Schema motions() {
 Schemas compare_schemas() {
   return {
       {"Comparison",
-       object("two revisions held against each other",
+       object("two revisions, compared",
               {{"first", side("of the path")},
                {"second", side("of `with`")},
                {"text", object("line by line; forms of the end of a block, blank lines and blanks at the end of a "

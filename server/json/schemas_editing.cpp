@@ -56,7 +56,7 @@ Members path_members() {
           {"compensated", flag("moves have tool radius compensation, which the path does not have")},
           {"is_cut_off", flag("there are more points than these")},
           {"ran", flag("the program ran to its end")},
-          {"not_known", list_of(text("one sentence"), "what the run met and did not know, as a verdict has it")},
+          {"not_known", list_of(text("one sentence"), "what the run found and did not know, as in a verdict")},
           {"diagnostics", diagnostics_schema("of reading, validating and running the text; the first of each kind")}};
 }
 
@@ -181,7 +181,7 @@ Schemas editing_schemas() {
        object("the programs of a text",
               {{"programs", list_of(object("a program", {{"name", or_null(text("that it gives itself; null: none"))},
                                                          {"comment", or_null(text("its first; null: none"))},
-                                                         {"text", text("with the line ends that it came with")}}),
+                                                         {"text", text("with its own line ends")}}),
                                     "in their order; one where the text is not several")}})},
       {"Converted",
        object("a text in another control's language; it is not stored",
@@ -209,7 +209,7 @@ Schemas editing_schemas() {
        object("the words of a control's language",
               {{"dialect", text("its name")},
                {"title", text("of the control, for people")},
-               {"comment", object("what a comment stands in", {{"open", text("its begin")},
+               {"comment", object("what a comment stands in", {{"open", text("its start")},
                                                                {"close", or_null(text("null: the end of the line"))}})},
                {"touching", flag("words may follow each other without blanks: XROUND[#1] is X and ROUND")},
                {"words", list_of(object("a word",
@@ -253,7 +253,7 @@ Schemas path_schemas() {
                {"height", integer("of the drawing")},
                {"cut", text("path data as SVG has them; empty: no cut is known")},
                {"rapid", text("path data; may lie outside of the drawing; empty: no rapid is known")},
-               {"has_all_cuts", flag("it was run to its end, and no cut lies at a place that is not known")}})},
+               {"has_all_cuts", flag("it was run to its end, and no cut lies at a position that is not known")}})},
       {"Statistics", statistics()}};
 }
 

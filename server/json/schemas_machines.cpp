@@ -144,7 +144,7 @@ Schemas machine_schemas() {
        object("how a machine's line was used",
               {{"days", list_of(object("a day by the server's clock",
                                        {{"day", text("as 2026-11-24")},
-                                        {"from_ms", time_ms("its begin")},
+                                        {"from_ms", time_ms("its start")},
                                         {"to_ms", time_ms("its end")},
                                         {"feeding_s", number("while a job was on the line, in seconds")},
                                         {"held_s", or_null(number("of it, held by the control; null: not known"))},

@@ -19,7 +19,7 @@ Schema cmm() {
   const Members fit = {{"shift_mm", list_of(2, number(""), "of the part: Z and X, or X and Y")},
                        {"turn_deg", number("of the part")}};
   return object(
-      "points that were measured at a part, held against the nominal",
+      "points that were measured at a part, compared with the nominal",
       cmm_members() +
           Members{{"best_fit", object("after the part is shifted and turned to fit best", cmm_members() + fit),
                    kOptional}});
@@ -28,9 +28,9 @@ Schema cmm() {
 Members validated() { return {{"validated", flag("the text was validated before it ran")}}; }
 
 Schema trial() {
-  return object("what came of values", {{"passes", flag("all checks")},
-                                        {"check", text("that fails; empty: none")},
-                                        {"text", text("its text; empty: none")}});
+  return object("the result for a set of values", {{"passes", flag("all checks")},
+                                                   {"check", text("that fails; empty: none")},
+                                                   {"text", text("its text; empty: none")}});
 }
 
 Schema side(std::string about) {

@@ -76,7 +76,7 @@ Schema operator_request() {
        {"verb", text("load, drip, dir, save, cancel, status, restart, call; of a doorbell also \"request 9\"")},
        {"argument", text("of the verb; empty: none")},
        {"text", text("as the operator wrote it")},
-       {"outcome", one_of(kOutcomes, "what came of it")},
+       {"outcome", one_of(kOutcomes, "the result")},
        {"detail", text("for people")},
        {"job", or_null(integer("that it made or armed"))}});
 }

@@ -45,9 +45,9 @@ Schema alarm() {
                  {"cleared_at_ms", or_null(time_ms("when its condition was over; null: it lasts"))},
                  {"acknowledged_by", or_null(text("who acknowledged it"))},
                  {"acknowledged_at_ms", or_null(time_ms("since when"))},
-                 {"shelved_by", or_null(text("who put it off"))},
+                 {"shelved_by", or_null(text("who shelved it"))},
                  {"shelved_until_ms", or_null(time_ms("it asks for no person until then"))},
-                 {"shelf_reason", or_null(text("why it was put off"))},
+                 {"shelf_reason", or_null(text("why it was shelved"))},
                  {"job", or_null(integer("that it is about"))}});
 }
 

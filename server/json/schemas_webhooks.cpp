@@ -121,7 +121,7 @@ Members webhook_members() {
              {"enabled", flag("events are sent")},
              {"local", flag("it may lie in a private network or on the server's computer, and may be plain http")},
              {"why_disabled", or_null(text("null: it is enabled, or a person disabled it"))},
-             {"old_secret_until_ms", or_null(time_ms("until then the secret before signs as well"))},
+             {"old_secret_until_ms", or_null(time_ms("until then the previous secret also signs"))},
              {"missed", integer("events that were forgotten before they could be sent")}} +
          created() + Members{{"changed_at_ms", time_ms("when a person changed it last")}};
 }

@@ -89,7 +89,7 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("mqtt_client_id", into.mqtt_client_id);
   o.text("mqtt_prefix", into.mqtt_prefix);
   o.text("mqtt_ca", into.mqtt_ca);
-  read_texts(o, "shift", "begin of a shift as HH:MM, by the server's clock", into.shift);
+  read_texts(o, "shift", "start of a shift as HH:MM, by the server's clock", into.shift);
   read_texts(o, "stop_reason", "reason that people choose from when a transfer has stopped", into.stop_reason);
   o.text("arming_hook", into.arming_hook);
   o.text("arming_hook_secret_file", into.arming_hook_secret_file);

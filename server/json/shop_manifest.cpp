@@ -169,7 +169,7 @@ std::string write_manifest(const app::ShopManifest& manifest) {
 app::Result<app::ShopManifest> read_manifest(std::string_view text) {
   const auto document = parse(text, kMostManifestValues);
   if (!document) return std::unexpected(document.error());
-  if (!document->is_object()) return app::fail(app::ErrorCode::malformed, "the manifest is no object");
+  if (!document->is_object()) return app::fail(app::ErrorCode::malformed, "the manifest is not an object");
   std::vector<app::ErrorPlace> faults;
   app::ShopManifest manifest;
   ObjectReader reader(*document, "", faults);

@@ -26,7 +26,7 @@ struct Client {
 // Of the parameters of `initialize`. UTF-8 where the client has it.
 Client read_client(const Document& params);
 
-// The settings over `base`; of a document that is no object, `base` itself. Every fault in one sentence.
+// The settings over `base`; of a document that is not an object, `base` itself. Every fault in one sentence.
 Read<Settings> read_settings(const Document& document, Settings base);
 
 struct OpenedText {
@@ -47,7 +47,7 @@ Read<std::string> read_uri(const Document& params);
 Read<Position> read_position(const Document& params);
 Read<Range> read_range(const Document& params);
 
-// nullptr where the document is no object or has no such member.
+// nullptr where the document is not an object or has no such member.
 const Document* member(const Document& document, std::string_view name);
 
 }  // namespace dripfeed::lsp

@@ -37,7 +37,7 @@ class OpenText {
   OpenText(std::string uri, std::int64_t version, std::string text);
 
   [[nodiscard]] const std::string& uri() const { return uri_; }
-  [[nodiscard]] const std::string& path() const { return path_; }  // "" where it is no file
+  [[nodiscard]] const std::string& path() const { return path_; }  // "" where it is not a file
   [[nodiscard]] std::int64_t version() const { return version_; }
   [[nodiscard]] const text::Source& source() const { return source_; }
   [[nodiscard]] const Lines& lines() const { return lines_; }

@@ -22,7 +22,7 @@ std::string upper(std::string_view text) {
   return out;
 }
 
-// "0042" of O0042, :42 and 42; empty where it is no number.
+// "0042" of O0042, :42 and 42; empty where it is not a number.
 std::string_view digits_of(std::string_view name) {
   if (name.starts_with('O') || name.starts_with(':')) name.remove_prefix(1);
   return name.find_first_not_of(kDigits) == std::string_view::npos ? name : std::string_view();

@@ -67,7 +67,7 @@ std::string why_not_now(const Document& claims, std::int64_t now_s) {
   const auto made = time_in(claims, "iat");
   if (!until || !made) return "it states no time";
   if (*until + kClockSkew.count() <= now_s) return "it has expired";
-  if (*made - kClockSkew.count() > now_s) return "it is of a time to come: the clocks differ";
+  if (*made - kClockSkew.count() > now_s) return "its time is in the future: the clocks differ";
   if (*made + kOldestToken.count() + kClockSkew.count() < now_s) return "it was made too long ago";
   const auto from = time_in(claims, "nbf");
   return from && *from - kClockSkew.count() > now_s ? "it is not valid yet" : "";
@@ -92,7 +92,7 @@ TokenAnswer read_token_answer(std::string_view text) {
 
 app::Result<Identity> read_id_token(std::string_view payload, const ExpectedClaims& expected, const ClaimNames& names) {
   const auto claims = json::parse(payload);
-  if (!claims || !claims->is_object()) return refuse("its claims are no JSON object");
+  if (!claims || !claims->is_object()) return refuse("its claims are not a JSON object");
   if (std::string why = why_not(*claims, expected); !why.empty()) return refuse(std::move(why));
   const Document* const name = find_claim(*claims, names.name);
   return Identity{

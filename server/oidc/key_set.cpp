@@ -88,7 +88,7 @@ app::Result<SignedToken> SignedToken::read(std::string_view compact) {
   cjose_err error{};
   auto parts = std::make_unique<Parts>();
   parts->token.reset(cjose_jws_import(compact.data(), compact.size(), &error));
-  if (!parts->token) return refuse("it is no signed token");
+  if (!parts->token) return refuse("it is not a signed token");
   cjose_header_t* const header = cjose_jws_get_protected(parts->token.get());
   const std::string algorithm = header_text(header, CJOSE_HDR_ALG);
   parts->algorithm = row_of(algorithm);
@@ -119,7 +119,7 @@ app::Result<KeySet> KeySet::read(std::string_view text) {
   const auto document = json::parse(text);
   const auto keys = document && document->is_object() ? document->find("keys") : json::Document::const_iterator();
   if (!document || !document->is_object() || keys == document->end() || !keys->is_array())
-    return refuse("its list of keys is none");
+    return refuse("it has no list of keys");
   if (keys->size() > kMostKeys) return refuse(fmt::format("it has more than {} keys", kMostKeys));
   KeySet set;
   for (const json::Document& one : *keys) {

@@ -60,7 +60,7 @@ std::string why_no_page(std::string_view url, bool insecure) {
 
 app::Result<ProviderDocument> read_provider_document(std::string_view text, std::string_view issuer) {
   const auto document = json::parse(text);
-  if (!document || !document->is_object()) return refuse("its document is no JSON object");
+  if (!document || !document->is_object()) return refuse("its document is not a JSON object");
   if (text_in(*document, "issuer") != issuer)
     return refuse(fmt::format("its document is of another issuer: \"{}\"", text_in(*document, "issuer")));
   ProviderDocument read{.authorization_endpoint = text_in(*document, "authorization_endpoint"),

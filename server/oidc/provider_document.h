@@ -18,7 +18,7 @@ struct ProviderDocument {
 // Where the document of an issuer is.
 std::string document_url(std::string_view issuer);
 
-// Errors: refused, as the end of a sentence ("its document is no JSON"): another issuer's, an endpoint that is missing
+// Errors: refused, as the end of a sentence ("its document is not JSON"): another issuer's, an endpoint that is missing
 // or that must not be asked (why_no_endpoint), no RS or ES signatures, no code flow.
 app::Result<ProviderDocument> read_provider_document(std::string_view text, std::string_view issuer);
 

@@ -57,7 +57,7 @@ double BlockClock::run(std::string_view block) {
     seconds += move_s(words);
   }
   for (std::size_t i = 0; i < words.m_count; ++i) apply_function(words.m[i]);
-  if (!(seconds < kLongestBlock_s)) return kLongestBlock_s;  // also what is no number any more
+  if (!(seconds < kLongestBlock_s)) return kLongestBlock_s;  // also what is not a number any more
   return std::max(seconds, 0.0);
 }
 

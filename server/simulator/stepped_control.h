@@ -1,6 +1,6 @@
 // The judge: a simulated machine that moves in steps of a millisecond, in virtual time. It reads plain blocks of
 // straight moves and dwells by itself, receives them over a line of its own, and integrates speed from what it has
-// received; it shares no code with the checks, so that their predictions can be held against it.
+// received; it shares no code with the checks, so that their predictions can be compared with it.
 #pragma once
 
 #include <array>

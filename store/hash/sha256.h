@@ -18,7 +18,7 @@ class Sha256 {
   [[nodiscard]] std::string hex() const;
 
  private:
-  // libsodium's state, without its header; sha256.cpp holds the sizes against it.
+  // libsodium's state, without its header; sha256.cpp compares the sizes.
   struct alignas(8) State {
     std::array<std::byte, 104> bytes{};
   };

@@ -37,7 +37,7 @@ struct Framed {
   std::size_t length = 0;  // with its frame
 };
 
-// The entry at the begin of these bytes, if it is whole.
+// The entry at the beginning of these bytes, if it is whole.
 std::optional<Framed> framed_at(std::string_view bytes) {
   std::size_t length = 0;
   const auto [at, error] = std::from_chars(bytes.data(), bytes.data() + bytes.size(), length);
@@ -116,7 +116,7 @@ Result<void> JournalFile::read() {
   const std::size_t title = kTitle.size() + kNameDigits + 1;
   if (bytes.size() < title && bytes.substr(0, kTitle.size()) == kTitle.substr(0, bytes.size())) return make_name();
   if (!bytes.starts_with(kTitle) || bytes[title - 1] != '\n')
-    return std::unexpected(Error{ErrorCode::corrupt, fmt::format("{} is no journal of a ledger", path_)});
+    return std::unexpected(Error{ErrorCode::corrupt, fmt::format("{} is not a journal of a ledger", path_)});
   name_ = bytes.substr(kTitle.size(), kNameDigits);
   end_ = title;
   while (end_ < bytes.size()) {

@@ -78,7 +78,7 @@ Result<std::optional<Answer>> JournaledAnswers::torn_on(std::string_view machine
 
 Result<Answer> JournaledAnswers::confirm_reset(std::string_view machine, std::string_view reason,
                                                const store::Stamp& by) {
-  if (!journal_.settle(kPatience))
+  if (!journal_.wait_until_booked(kPatience))
     return std::unexpected(Error{ErrorCode::busy, "the database does not answer, so what it must know is not booked"});
   return booked_.confirm_reset(machine, reason, by);
 }

@@ -54,7 +54,7 @@ void LedgerJournal::start() {
 }
 
 LedgerJournal::~LedgerJournal() {
-  if (thread_.joinable()) static_cast<void>(settle(kLastPatience));
+  if (thread_.joinable()) static_cast<void>(wait_until_booked(kLastPatience));
 }
 
 Result<std::uint64_t> LedgerJournal::keep(Entry entry) {
@@ -67,7 +67,7 @@ Result<std::uint64_t> LedgerJournal::keep(Entry entry) {
   return last_serial_;
 }
 
-bool LedgerJournal::settle(std::chrono::milliseconds patience) {
+bool LedgerJournal::wait_until_booked(std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, patience, [this] { return waiting_.empty(); });
 }

@@ -31,7 +31,7 @@ class LedgerJournal {
   // Durable on this disk when it returns; the entry's serial. From any thread. Errors: disk_full, io_failed.
   store::Result<std::uint64_t> keep(Entry entry);
   // Until all that was kept is booked. False where that takes longer.
-  bool settle(std::chrono::milliseconds patience);
+  bool wait_until_booked(std::chrono::milliseconds patience);
   [[nodiscard]] store::LateRows late() const;
   // Each entry that is not booked yet, oldest first.
   void each_waiting(const std::function<void(const Entry&)>& visit) const;

@@ -1,5 +1,5 @@
 // Texts of the store may have any bytes: a name may come from a control. PostgreSQL takes UTF-8 without zero bytes.
-// Each byte that is no part of such a text goes there as a character of its own, U+10FF00 and on, which no one else
+// Each byte that is not a part of such a text goes there as a character of its own, U+10FF00 and on, which no one else
 // uses.
 #pragma once
 

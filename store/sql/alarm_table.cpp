@@ -113,7 +113,8 @@ Result<Place> place_of(const std::string& after) {
   const bool has_id = time.ec == std::errc{} && time.ptr != end && *time.ptr == '-';
   const auto id = has_id ? std::from_chars(time.ptr + 1, end, place.id) : time;
   if (!has_id || id.ec != std::errc{} || id.ptr != end)
-    return std::unexpected(store::Error{ErrorCode::invalid_value, fmt::format("\"{}\" is no place of a list", after)});
+    return std::unexpected(
+        store::Error{ErrorCode::invalid_value, fmt::format("\"{}\" is not a place of a list", after)});
   return place;
 }
 

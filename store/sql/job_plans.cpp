@@ -1,4 +1,4 @@
-// What is planned of jobs and what came of them: the time before which one is not armed, the confirmation of an end,
+// What is planned of jobs and the result of them: the time before which one is not armed, the confirmation of an end,
 // and the jobs that ended in a time.
 #include <algorithm>
 #include <utility>

@@ -19,7 +19,7 @@ class ReleaseTable final : public store::Releases {
   store::Result<store::Clearance> released_for(std::string_view text_sha256, std::string_view machine,
                                                store::Delivery delivery, std::int64_t now_ms) override;
 
-  // What released_for says of one release.
+  // What released_for() answers for one release.
   store::Result<store::Clearance> clearance_of(const store::Release& release, std::int64_t now_ms);
   // A job of it begins to feed: one transfer less while it is proving. Within the caller's transaction.
   static void count_transfer(Session& session, store::Id release);

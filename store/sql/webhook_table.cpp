@@ -148,7 +148,7 @@ Result<Webhook> WebhookTable::rotate(Id id, std::string_view secret, std::int64_
     const bool stays = old_until_ms > by.at_ms;
     session.run("UPDATE webhook SET secret = ?, old_secret = ?, old_until_ms = ?, changed_at_ms = ? WHERE id = ?",
                 secret, stays ? old->secret : std::string(), stays ? old_until_ms : 0, by.at_ms, id);
-    note(session, "webhook.rotate", id, stays ? "the secret before signs as well" : "the secret before is void", by);
+    note(session, "webhook.rotate", id, stays ? "the previous secret also signs" : "the previous secret is void", by);
     return webhook_or_refusal(session, id);
   });
 }

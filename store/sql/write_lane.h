@@ -1,14 +1,14 @@
 // Who may write next: the ledger before everybody else. What a feed waits for is never longer than the one transaction
 // that is being made, and transactions are kept short (a long text is written in slices).
 //
-// Small changes of many callers may share one commit. Whoever of them has the lane makes his own, then those of the
-// others that wait meanwhile, on his thread, and commits once:
+// Small changes of many callers may share one commit. The caller that has the lane makes its own, then those of the
+// others that wait meanwhile, on its thread, and commits once:
 //
 //   caller 1   take ── own ── of 2 ── of 3 ── commit ── leave
 //   caller 2   wait ───────────────────────────────────┘ durable
 //   caller 3        wait ──────────────────────────────┘ durable
 //
-// He takes no further one once the ledger waits.
+// It takes no further one once the ledger waits.
 #pragma once
 
 #include <condition_variable>
@@ -41,7 +41,7 @@ class SharedChange {
   virtual void make() = 0;
 
   std::optional<store::Error> refused;  // by make(): it alone was undone, unless the engine undid all
-  store::Result<void> committed;        // what came of the transaction that it was made in
+  store::Result<void> committed;        // the result of the transaction that it was made in
 
  private:
   friend class WriteLane;
@@ -71,7 +71,7 @@ class WriteLane {
   }
 
   // True: the caller has the lane, and makes the change and those of next_shared(). False: another made it, and
-  // `committed` says what came of it.
+  // `committed` has the result.
   bool enter_shared(SharedChange& change) {
     std::unique_lock lock(mutex_);
     waiting_.push_back(&change);
@@ -124,7 +124,7 @@ class WriteLane {
   bool taken_ = false;
   std::uint32_t first_waiting_ = 0;
   std::deque<SharedChange*> waiting_;  // in their order
-  std::vector<SharedChange*> made_;    // by the one who has the lane, besides his own
+  std::vector<SharedChange*> made_;    // by the one that has the lane, besides its own
   LaneUse ledger_use_;
   LaneUse others_use_;
   LaneUse* in_turn_ = &others_use_;  // of the one who has the lane

@@ -11,7 +11,7 @@
 namespace dripfeed::sqlite {
 namespace {
 
-// secure_delete off: what is dropped here is no secret, and zeroing an abandoned upload would write it once more.
+// secure_delete off: what is dropped here is not a secret, and zeroing an abandoned upload would write it once more.
 // recursive_triggers: an INSERT OR REPLACE must meet the triggers that refuse a DELETE.
 constexpr const char* kSettings =
     "PRAGMA foreign_keys = ON;"

@@ -116,7 +116,7 @@ def what_people_do(folder):
 
 def a_link_that_is_gone(folder):
     client, control = bench(folder)
-    control.cut()  # nobody was fed: it is back before anybody misses it
+    control.cut()  # no control was fed: it is back before a feed needs it
     control.wait_called(2)
     client.wait_line("lathe", "idle")
     time.sleep(1)

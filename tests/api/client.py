@@ -37,7 +37,7 @@ class Answer:
 
 
 def ask(connection, method, path, body=None, headers=None):
-    """One request on an open connection, held against openapi.json with its answer."""
+    """One request on an open connection, compared with openapi.json with its answer."""
     sent, answer = exchange(connection, method, path, body, headers)
     contract.check(method, path, sent, answer)
     return answer
@@ -56,7 +56,7 @@ def exchange(connection, method, path, body=None, headers=None):
 
 
 class Client:
-    """A server and its callers by role. Paths are given behind /api/v1, or whole."""
+    """A server and its callers by role. Paths are given without /api/v1, or whole."""
 
     def __init__(self, folder, *arguments):
         self.server = shop.Server(binary(), folder / "data", arguments=arguments)
@@ -111,11 +111,11 @@ class Client:
         return self.must("POST", path, {} if body is None else body)
 
     def refuse(self, status, method, path, body=None, role="admin", headers=None, words=()):
-        """The problem of a request that has to be refused in this way."""
+        """The problem of a request that must be refused like this."""
         return expect_problem(self.call(method, path, body, role, headers), status, f"{method} {path} {body}", words)
 
     def everything(self):
-        """All that is stored, as the lists tell it; the state of lines is left out."""
+        """All that is stored, as the lists have it; the state of lines is left out."""
         found = {}
         for name in LISTS:
             items = self.get(f"/{name}?limit=200")["items"]

@@ -1,5 +1,5 @@
-"""Two revisions, or two programs, held against each other by GET /programs/{id}/compare and by `dripfeed compare`: what is equal, what differs and where,
-and what nobody can say."""
+"""Two revisions, or two programs, compared with each other by GET /programs/{id}/compare and by `dripfeed compare`: what is equal, what differs and where,
+and what cannot be stated."""
 
 import json
 import subprocess
@@ -53,7 +53,7 @@ def a_text_that_is_not_stored(client, program):
 
 def programs_of_two(client, program):
     other = add(client, PLAIN.replace("O0100", "O0200"), "O0200")
-    expect(answers(client.get(f"/programs/{program}/compare?with={other}&revision=1")) == ["differs", "equal", "equal"], "the name is held against it")
+    expect(answers(client.get(f"/programs/{program}/compare?with={other}&revision=1")) == ["differs", "equal", "equal"], "the name is compared with it")
     open_end = add(client, PLAIN.replace("X20.", "X#500"))
     found = client.get(f"/programs/{open_end}/compare?with={open_end}")
     expect(answers(found) == ["equal", "equal", "not_compared"] and "#500" in json.dumps(found["motions"]) or "not known" in found["motions"]["why"], found)
@@ -62,7 +62,7 @@ def programs_of_two(client, program):
     expect(answers(found) == ["differs", "not_compared", "not_compared"], found)
     expect("the first: line 6" in found["meaning"]["why"], found["meaning"])
     siemens = add(client, "G1 X10 F100\nM30\n", "P.MPF", "sinumerik-840d")
-    expect(answers(client.get(f"/programs/{siemens}/compare?with={program}"))[1:] == ["not_compared"] * 2, "two languages are held against each other")
+    expect(answers(client.get(f"/programs/{siemens}/compare?with={program}"))[1:] == ["not_compared"] * 2, "two languages are compared with each other")
 
 
 def a_machine_decides(client, program):

@@ -32,7 +32,7 @@ def what_it_says(folder):
     said = check(folder, wrong, code=2)
     for words in ("line 3, column 3: /listn", "line 4, column 3: /check_seconds", "line 5, column 3: /proxy entry 1", "dripfeed.json"):
         expect(words in said, f"\"{words}\" is not in {said}")
-    expect("line 2, column 1" in check(folder, '{\n,}', code=2), "no place of what is no JSON")
+    expect("line 2, column 1" in check(folder, '{\n,}', code=2), "no place of what is not JSON")
     expect("go together" in check(folder, {"tls_cert": "/nothing.pem"}, code=2), "half a pair")
     expect("/nothing.pem" in check(folder, {"tls_cert": "/nothing.pem", "tls_key": "/nothing.key"}, code=2), "a certificate that is not there")
     expect("--insecure" in check(folder, {"listen": "0.0.0.0:80"}, code=2), "no TLS")
@@ -40,7 +40,7 @@ def what_it_says(folder):
     expect("named twice" in check(folder, {"modbus_unit": {"a": 1, "b": 1}}, code=2), "a unit twice")
     expect("--store" in check(folder, {"node": "hall-1"}, code=2), "a node without a store that is shared")
     expect("not 0..65535" in check(folder, {"modbus_listen": ":x"}, code=2), "no address")
-    expect("\"6:00\" is no time of day" in check(folder, {"shift": ["6:00"]}, code=2), "no time of day")
+    expect("\"6:00\" is not a time of day" in check(folder, {"shift": ["6:00"]}, code=2), "no time of day")
     expect("there twice" in check(folder, {"stop_reason": ["a", "a"]}, code=2), "a reason twice")
     expect("colon" in check(folder, {"stop_reason": ["a: b"]}, code=2), "a reason with a colon")
     expect("same time" in check(folder, {"shift": ["06:00", "06:00"]}, code=2), "a shift twice")

@@ -1,5 +1,5 @@
-"""HTTP/1.1 on the wire: what is no request is answered with one 400 and the connection is closed, so that nothing can hide behind it; connections
-are kept, and slow or vanishing clients hold up nobody."""
+"""HTTP/1.1 on the wire: what is no request is answered with one 400 and the connection is closed, so that nothing can hide after it; connections
+are kept, and slow or vanishing clients hold up no other request."""
 
 import re
 import socket
@@ -44,7 +44,7 @@ def raw(client, sent, until_closed=True, seconds=10):
             while piece := link.recv(65536):
                 got += piece
         except ConnectionResetError:
-            pass  # the server closed while something of ours was on the way
+            pass  # the server closed while bytes of ours were in transit
         return got
 
 

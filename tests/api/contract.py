@@ -1,5 +1,5 @@
 """Holds what goes over the wire against openapi.json, as `dripfeed openapi` prints it: each answer and each request that was taken, whole. A member
-that the document does not name is a fault here, though a client has to bear it. What was held against it is counted."""
+that the document does not name is a fault here, though a client has to bear it. What was compared with it is counted."""
 
 import atexit
 import functools
@@ -139,7 +139,7 @@ def count(key):
 
 
 def never_validated():
-    """Routes and their statuses of success that openapi.json has and no answer was held against."""
+    """Routes and their statuses of success that openapi.json has and no answer was compared with."""
     described = {(method, path, int(status)) for method, path, _, operation in routes() for status in operation["responses"] if status.startswith("2")}
     return sorted(described - validated.keys())
 

@@ -68,7 +68,7 @@ def ports(folder):
     find(found, "port", "ok", "there", there, "may be used")
     find(found, "port", "ok", "there", f"in use by dripfeed serve", f"pid {client.server.process.pid}")
     find(found, "port", "fault", "gone", "is not there", "/dev/serial/by-id")
-    find(found, "port", "fault", "text", "is no serial port")
+    find(found, "port", "fault", "text", "is not a serial port")
     before = client.get("/machines/there")["status"]
     expect(before["line"] == "idle", f"the look at its port changed the line: {before}")
     client.server.stop()

@@ -21,7 +21,7 @@ def a_text_and_its_faults(client):
     expect(fault["line"] == 7 and fault["help"] and fault["end_line"] == 7 and fault["end_column_chars"] > fault["column_chars"], fault)
     expect(len(bad["outline"]) >= 1, "a text with a fault has no outline")
     expect(diagnose(client, "", dialect="fanuc")["outline"] == [], "an empty text")
-    # What only reading sees, not running: nothing is said of a travel.
+    # What reading alone finds, without a run: there is no finding of a travel.
     expect(diagnose(client, plain_program(3).replace("X100.", "X99000."), dialect="fanuc")["faults"] == [], "a text that is written was run")
 
 
@@ -129,7 +129,7 @@ def a_faster_text(client):
     expect(plain["text"] == client.call("GET", f"/programs/{stored}/text").body.decode() and plain["changes"] == [], plain)
     client.refuse(422, "POST", "/optimize", {"text": "M30", "program": stored}, words=["either text or program"])
     client.refuse(422, "POST", "/optimize", order | {"with": ["magic"]}, words=["there is no rule"])
-    client.refuse(422, "POST", "/optimize", order | {"free": ["R1-#2"]}, words=["is no range of variables"])
+    client.refuse(422, "POST", "/optimize", order | {"free": ["R1-#2"]}, words=["is not a range of variables"])
     client.refuse(422, "POST", "/optimize", order | {"own": "R1"}, words=["list of 64 texts"])
     client.refuse(422, "POST", "/optimize", order | {"dialect": "basic"}, words=["basic"])
     client.refuse(404, "POST", "/optimize", {"text": "M30", "machine": "nobody"})

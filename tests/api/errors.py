@@ -98,7 +98,7 @@ FAMILIES = [  # a text that is not a family: the place in it
 
 
 class Rows:
-    """Tries every row and tells of all that were answered otherwise."""
+    """Tries every row and names all that were answered differently."""
 
     def __init__(self, client):
         self.client, self.faults = client, []

@@ -25,7 +25,7 @@ def read(text):
     for at, line in enumerate(lines):
         if line.startswith("# HELP "):
             name = line.split(" ")[2]
-            expect(NAME.fullmatch(name) and name not in families, f"{name} begins twice, or is no name")
+            expect(NAME.fullmatch(name) and name not in families, f"{name} begins twice, or is not a name")
             expect(len(line.split(" ", 3)[3]) > 10 and line.endswith("."), f"no help: {line}")
             expect(lines[at + 1].startswith(f"# TYPE {name} "), f"no type behind {line}")
         elif line.startswith("# TYPE "):

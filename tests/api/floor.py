@@ -1,4 +1,4 @@
-"""What a shop floor looks at: the order of the jobs that wait, the lines of a program beside its family, how a machine was used, and why a job is as
+"""What a shop floor looks at: the order of the jobs that wait, the lines of a program with those of its family, how a machine was used, and why a job is as
 it is, as a word."""
 
 import datetime

@@ -176,7 +176,7 @@ def nothing_after_a_torn_block(folder):
     expect(failed["torn"] and failed["needs_confirmation"], f"{failed}")
     bench.refuse(job, "failed")
     interval = client.get(f"/jobs/{job}/ledger?limit=1")["interval"]
-    expect(interval["low"] <= got <= interval["high"], f"{got} bytes came, the ledger says {interval}")
+    expect(interval["low"] <= got <= interval["high"], f"{got} bytes came, the ledger has {interval}")
     next_job = client.queue(bench.release)
 
     def nothing_goes():

@@ -1,4 +1,4 @@
-"""What the server keeps is never older than the store: a token that another process revokes, a change by any way, and a line that moves on count with the
+"""What the server keeps is never older than the store: a token that another process revokes, a change of any kind, and a line that moves on count with the
 next request, however often the same was asked before."""
 
 from client import DC1, Client, HandControl, expect, hand_profile, in_folder, shop

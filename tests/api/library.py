@@ -146,7 +146,7 @@ def all_of_it(folder):
 
 
 def stores_of_old(folder):
-    """Every old schema: what it has is found without anybody's doing."""
+    """Every old schema: what it has is found without a person's help."""
     for version in sorted(int(path.stem[1:]) for path in SCHEMAS.glob("v*.sql")):
         data = folder / f"v{version}" / "data"
         data.mkdir(parents=True)

@@ -39,7 +39,7 @@ def many_members(folder):
 
 
 def others_do_not_wait(folder):
-    """A text of 30 MB with a key: nobody waits for as long as it takes. Before, all did, a stop included."""
+    """A text of 30 MB with a key: no other request waits for as long as it takes. Before, all did, a stop included."""
     control = HandControl()
     client = Client(folder).start()
     client.post("/machines", hand_profile(control))

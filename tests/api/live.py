@@ -111,7 +111,7 @@ def wait_events(watch, kinds):
 
 
 def events_are_as_described(folder):
-    """A receipt, a new machine and a DC1 that nothing waits for; then every kind of event of openapi.json has been held against it."""
+    """A receipt, a new machine and a DC1 that nothing waits for; then every kind of event of openapi.json has been compared with it."""
     client, control = bench(folder)
     watch = Watch(client)
     control.say(b"%\nO0700\nM30\n%\n")
@@ -124,7 +124,7 @@ def events_are_as_described(folder):
     wire.close()
     wait_events(watch, {"alarm"})
     missed = contract.events_never_validated()
-    expect(not missed, f"no event was held against openapi.json: {missed}")
+    expect(not missed, f"no event was compared with openapi.json: {missed}")
     watch.close()
     client.server.stop()
     control.close()

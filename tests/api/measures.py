@@ -111,7 +111,7 @@ def accuracy_of_a_roll(s):
     told = s.by_command("accuracy", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--mode", "explicit", "--name", "O0100", "--drip")
     expect(figures == a_line_later(told), f"the command says {told}, the server {figures}")
     expect(0 < figures["max_mm"] <= figures["chord_bound_mm"] < 0.0005, f"{figures}")
-    # Points of the hyperbola, all of them 0.02 mm along z and 0.05 mm along the radius beside their places.
+    # Points of the hyperbola, all of them 0.02 mm along z and 0.05 mm along the radius from their places.
     rows = [(2 * (100 * math.sqrt(1 + (z / 202.4) ** 2) + 0.05), z + 0.02) for z in range(-90, 91, 10)]
     csv = "x,z\n" + "".join(f"{x:.6f},{z:.6f}\n" for x, z in rows)
     cmm = s.post("/accuracy", order | {"cmm": csv, "best_fit": True})["cmm"]

@@ -1,5 +1,5 @@
 """Every field that names a thing, at its limits: 200 bytes are taken, and lead back to the thing by their Location; 201 bytes, 65,520 bytes, controls
-and what is no UTF-8 are refused with the field's pointer, and the server goes on."""
+and what is not UTF-8 are refused with the field's pointer, and the server goes on."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""What is wrong with an OpenAPI 3.1 document, in sentences: its shape, and where it tells of other routes than a table does."""
+"""What is wrong with an OpenAPI 3.1 document, in sentences: its shape, and where it names other routes than a table does."""
 
 import re
 
@@ -127,7 +127,7 @@ def resolves(document, reference):
 
 
 def differences(rights, document):
-    """Between {(method, path): role} and what the document says; a role of None is anybody's."""
+    """Between {(method, path): role} and what the document says; a role of None is every caller's."""
     told = {}
     for path, item in document["paths"].items():
         for method, operation in item.items():

@@ -11,7 +11,7 @@ from client import DC1, DC3, Client, HandControl, binary, expect, hand_profile, 
 from postgresql import Database
 
 BLOCKS = 500  # 7 s at 19200 baud
-LONGEST_GAP_S = 1.5  # 0.41 s were seen beside other tests; what waits for the database waits until it is back
+LONGEST_GAP_S = 1.5  # 0.41 s were seen while other tests ran; what waits for the database waits until it is back
 
 
 class Fed:

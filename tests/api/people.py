@@ -92,7 +92,7 @@ def locks(folder):
 
 
 def a_flood_of_sign_ins(folder):
-    """From another address of this computer, with names that nobody has: it gets its few places, and a person gets in between."""
+    """From another address of this computer, with names that no account has: it gets its few places, and a person gets in between."""
     client = Client(folder).start()
     add(client, "olga", "operator")
     client.must("PUT", "/users/olga/password", {"secret": "a long enough one"})

@@ -46,7 +46,7 @@ def words_are_taken(folder):
 
 def shortest(text):
     """The numbers in a JSON text that are longer than they have to be."""
-    bare = re.sub(r'"(?:[^"\\]|\\.)*"', '""', text)  # what stands in strings is no number
+    bare = re.sub(r'"(?:[^"\\]|\\.)*"', '""', text)  # what stands in strings is not a number
     return [one for one in NUMBER.findall(bare) if "." in one and len(one.rstrip("0")) > len(repr(float(one)))]
 
 

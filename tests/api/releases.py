@@ -70,7 +70,7 @@ def guards(client):
     expect(approved["approved_by"] == "admin" and approved["sign_off"] == "first part measured", f"{approved}")
     client.refuse(409, "POST", "/releases", {"program": unchecked, "machine": "lathe"}, words=["exists"])
     client.post(f"/releases/{release}/transitions", {"to": "obsolete"})
-    client.post("/releases", {"program": unchecked, "machine": "lathe"})  # the way is free again
+    client.post("/releases", {"program": unchecked, "machine": "lathe"})  # the release is possible again
 
 
 def a_programmer_hands_in(client):

@@ -47,7 +47,7 @@ def session_cookie(client):
 
 
 def reads(modbus):
-    """Whether a PLC gets an answer there: the exception of a unit that nobody has is one."""
+    """Whether a PLC gets an answer there: the exception of a unit that no machine has is one."""
     with socket.create_connection(("127.0.0.1", modbus), timeout=5) as plc:
         plc.sendall(bytes.fromhex("000100000006010400000001"))
         try:

@@ -117,7 +117,7 @@ def once(client, name, path, body, another, key):
 
 
 def eight_at_once(client):
-    """One order that is sent eight times at once acts once; who comes too early is told to come again."""
+    """One order that is sent eight times at once acts once; a request that comes too early is asked to come again."""
     before = len(client.get("/checks?limit=200")["items"])
     def send(_):
         return client.call("POST", "/checks", {"program": 1, "machine": "lathe"}, headers={"Idempotency-Key": "eight"})

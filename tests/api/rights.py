@@ -313,7 +313,7 @@ def try_row(client, stage, made, row):
 
 
 def make_groups(client, folder):
-    """HALL-ROLE has the role on the lathe and the mill, OTHER on a machine beside them, and is a viewer elsewhere."""
+    """HALL-ROLE has the role on the lathe and the mill, OTHER on a third machine, and is a viewer elsewhere."""
     client.post("/machines", shop.preset("fanuc-0i-mill", url=f"pty:{folder}/other") | {"name": "other"})
     client.must("PUT", "/groups/hall", {"machines": ["lathe"]})
     client.must("PUT", "/groups/others", {"machines": ["other"]})
@@ -361,7 +361,7 @@ def every_route(folder):
     expect(client.call("GET", "/api/openapi.json", role=None).document == contract.document(), "the server describes itself otherwise than the command")
     refused = {(row[0], row[1]) for row in rows(made) if "refused" in row[5]}
     missed = [one for one in contract.never_validated() if tuple(one[:2]) not in refused]
-    expect(not missed, f"no answer was held against openapi.json: {missed}")
+    expect(not missed, f"no answer was compared with openapi.json: {missed}")
     client.server.stop()
     control.close()
 

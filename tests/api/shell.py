@@ -1,4 +1,4 @@
-"""What bash completes and what the manual page says, beside what the commands' own help says."""
+"""What bash completes and what the manual page states, against the commands' own help."""
 
 import re
 import shutil

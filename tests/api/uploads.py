@@ -1,4 +1,4 @@
-"""Long bodies lie in files until they are answered: what they cost in memory, who waits beside them, and what is left of them when the disk is full, when
+"""Long bodies lie in files until they are answered: what they cost in memory, which requests wait meanwhile, and what is left of them when the disk is full, when
 it hangs, when the client leaves and when the server is killed."""
 
 import contextlib
@@ -203,7 +203,7 @@ def a_full_disk(folder):
 
 
 def a_disk_that_hangs(folder):
-    """The folder of the uploads stops answering: they wait and fail, and nobody else notices."""
+    """The folder of the uploads stops answering: they wait and fail, and no other request notices."""
     if missing := why_not():
         return print(f"skipped: a disk that hangs ({missing})")
     uploads = folder / "data" / "uploads"

@@ -108,7 +108,7 @@ def a_job_is_told_from_its_text_to_its_end(folder):
             verify(wrong, jobs_only.all()[0].headers, jobs_only.all()[0].body)
         except ValueError:
             continue
-        raise AssertionError("a message holds against another secret")
+        raise AssertionError("a message is valid under another secret")
     wait("the notes of all that came", lambda: {one["state"] for one in deliveries(client, hook)} == {"delivered"})
     states = {one["type"]: one for one in deliveries(client, hook)}
     expect({one["state"] for one in states.values()} == {"delivered"} and states["job.done"]["last_status"] == 204 and states["job.done"]["attempts"] == 1, f"{states}")
@@ -206,7 +206,7 @@ def nothing_is_lost_when_the_server_is_killed(folder):
     port = shop.free_port()
     hook = add(client, f"http://127.0.0.1:{port}/in", ["program.*", "release.*", "job.*"])
     job = feed(client, control)
-    client.server.kill()  # nothing of it was delivered: nobody listens there
+    client.server.kill()  # nothing of it was delivered: no program listens there
     receiver = Receiver(port=port)
     client.server.start()
     for one in deliveries(client, hook):
@@ -217,7 +217,7 @@ def nothing_is_lost_when_the_server_is_killed(folder):
     events = [hold(one, hook["secret"]) for one in receiver.all()]
     expect(len({one["id"] for one in events}) == len(wanted), f"{[one['type'] for one in events]}")
     expect({one["data"]["job"] for one in events if one["type"].startswith("job.")} == {job}, f"{events}")
-    # Killed again and again while events come: each release that was answered is told of.
+    # Killed again and again while events come: each release that was answered has its event.
     made = []
     for _ in range(3):
         for _ in range(5):
@@ -293,7 +293,7 @@ def what_is_refused(client, hook):
 
 
 def a_secret_is_in_no_log(folder):
-    """What is said of webhooks in the audit and the log: their receivers, never what signs."""
+    """What the audit and the log state of webhooks: their receivers, never what signs."""
     client, control = bench(folder)
     hook = add(client, "http://127.0.0.1:9/in")
     client.post(f"/webhooks/{hook['id']}/ping")

@@ -18,7 +18,7 @@ LARGE = "%\nO7003\n" + "".join(f"#{100 + n % 400}=[[[[{n}+#1]*2+#2]*3+#3]*4]\n" 
 
 
 def wait_for(what, condition):
-    """Workers run at nice 19: beside other tests their begin and their end take their time."""
+    """Workers run at nice 19: while other tests run, starting and ending them takes time."""
     return shop.wait_for(what, condition, seconds=60)
 
 

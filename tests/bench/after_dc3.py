@@ -1,4 +1,4 @@
-"""What comes in behind a control's DC3 on this machine, in real time: one pseudo-terminal a rate (or a TCP socket with --tcp), one program, and
+"""What comes in after a control's DC3 on this machine, in real time: one pseudo-terminal a rate (or a TCP socket with --tcp), one program, and
 the simulated control's histogram. Shown are the holds, the worst and the 99th percentile of characters after DC3, and the share of line time
 used while nothing held. By hand: after_dc3.py build/release/dripfeed [--seconds 30] [--tcp]"""
 
@@ -40,7 +40,7 @@ def measure(binary, folder, rate, seconds, tcp):
         host, far = f"tcp://127.0.0.1:{port}", f"tcp-listen://127.0.0.1:{port}"
     else:
         host = far = f"pty:{folder}/line"
-    # So quick that the line and the motion take turns at each rate.
+    # So quick that at each rate the line and the motion take turns in being the slower one.
     control = shop.Control(binary, far, folder / "m.json", "--operator", "2", "--speed", str(0.15 * baud / 9600)).start()
     sent = subprocess.run([binary, "send", folder / "p.nc", "--link", host, "--machine", folder / "m.json", "--unreleased", "--json", "--ledger",
                            folder / "p.ledger"], capture_output=True, text=True, timeout=seconds * 60 + 120, check=False)

@@ -1,6 +1,6 @@
 """Many simulated controls on one server, in real time: N lathes at 9600 baud on pseudo-terminals, each fed a program that lasts, for so many
-seconds. With --load a million-block check, a backup of the data and a watcher of the page run beside them. Shown are the processor time of the
-server and of the fleet, the server's memory, what came behind the DC3s (worst, 99th percentile), the line use while not held, and how often a
+seconds. With --load a million-block check, a backup of the data and a watcher of the page run at the same time. Shown are the processor time of the
+server and of the fleet, the server's memory, what came after the DC3s (worst, 99th percentile), the line use while not held, and how often a
 line was seen to stand for a reason of ours. With --never-held the controls run their blocks in no time, so that all lines send all the time.
 By hand: fleet.py build/release/dripfeed [--controls 512] [--seconds 300] [--load] [--never-held]"""
 
@@ -70,7 +70,7 @@ def load(server, folder, until, checked):
             try:
                 server.post("/checks", {"program": big["id"], "machine": "m1", "delivery": "memory"})
             except OSError:
-                if time.monotonic() < until:  # behind it the server is ended
+                if time.monotonic() < until:  # after it the server is ended
                     raise
             checked.append(time.monotonic() - begin)
 
@@ -97,7 +97,7 @@ def arm_all(server, release, names):
 
 def run(given, folder):
     binary = pathlib.Path(given.binary).resolve()
-    # A pty has no FIFO and no time-out of one, as the fleet is told. But a thread of the kernel carries its characters, and has to share the processors:
+    # A pty has no FIFO and no time-out of one, as the fleet's options state. But a thread of the kernel carries its characters, and has to share the processors:
     # the latency is for that.
     profile = shop.preset("fanuc-0i-lathe", baud=BAUD, framing="7E2", end_by_quiet_s=2.0, arming_minutes=60, unsent=4, latency_chars=6)
     profile["buffer"]["bytes"] = 2048

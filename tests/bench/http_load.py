@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What the HTTP side takes: requests a second beside nginx's static rate in the same run (wrk), how long a text and a job take, how long others wait
-beside an upload of 60 MB with a key, how long the largest families take, and what watchers cost.
+"""What the HTTP side takes: requests a second, and nginx's static rate in the same run (wrk), how long a text and a job take, how long others wait
+during an upload of 60 MB with a key, how long the largest families take, and what watchers cost.
 tests/bench/http_load.py build/dev/dripfeed [rates texts jobs families upload watchers]"""
 
 import json
@@ -85,7 +85,7 @@ def feed(client, control, name):
 
 
 def jobs(client, control, release):
-    """Beside a feed. Each is followed by one write of the disk by itself, because disks of virtual machines change from one second to the next."""
+    """During a feed. Each is followed by one write of the disk by itself, because disks of virtual machines change from one second to the next."""
     fed, connection, times, disk = feed(client, control, "O78"), client.connect(), [], []
     file = os.open(client.server.data / "probe", os.O_RDWR | os.O_CREAT)
     for n in range(2000):
@@ -195,7 +195,7 @@ def upload(client, release):
         print(f"  {name}:", milliseconds(times))
 
     def lock_of_another_process():
-        """What a writer that is no part of the server waits for the lock of the database."""
+        """What a writer that is not a part of the server waits for the lock of the database."""
         base, times = sqlite3.connect(client.server.data / "dripfeed.db", timeout=30, isolation_level=None), []
         while sender.is_alive():
             begin = time.perf_counter()

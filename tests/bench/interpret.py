@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How fast programs are interpreted: the whole process `dripfeed run --trace none`, best of a few runs, beside peers in the same run.
+"""How fast programs are interpreted: the whole process `dripfeed run --trace none`, best of a few runs, with peers in the same run.
 
   tests/bench/interpret.py [--binary build/release/dripfeed] [--blocks 1000000] [--passes 1000000] [--runs 5] [--big 0]
                            [--peer 'rs274 {file}'] [--lua lua5.4]

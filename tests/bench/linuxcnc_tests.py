@@ -4,7 +4,7 @@
   tests/bench/linuxcnc_tests.py FOLDER [--binary build/dev/dripfeed] [--verbose]
 
 FOLDER is tests/interp of LinuxCNC's source; nothing of it is kept here. Compared are the ends of all moves, feeds per minute, dwells and messages,
-in their order (canon.py). A test whose program LinuxCNC refuses agrees when the program is refused here, too. Tests that need what is no program
+in their order (canon.py). A test whose program LinuxCNC refuses agrees when the program is refused here, too. Tests that need what is not a program
 (Python, an INI file, a user interface, an interpreter in a plug) are counted apart. A test that differs needs a reason in `linuxcnc_reasons.py`:
 exits 1 when one has none, or when one that has a reason agrees.
 """

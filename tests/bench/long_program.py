@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A long program of plain moves, checked and translated: time and memory of the whole process, beside those of interpreting it.
+"""A long program of plain moves, checked and translated: time and memory of the whole process, with those of interpreting it.
 
   tests/bench/long_program.py --binary build/dev/dripfeed [--blocks 1000000] [--runs 3]
 
-The program is a spiral in G1 with a head and an end; it is made anew, so that no figure is of a text that was chosen. Each command is run so many
+The program is a spiral in G1 with a head and an end; it is made for each run, so that no figure is of a text that was chosen. Each command is run so many
 times; the median time and the largest memory (the resident set) are shown. Exits 1 where a command fails, a translation is not verified, or a
 translation has another number of blocks."""
 

@@ -8,7 +8,7 @@ Fanuc one (O9123, called by G65 with C0) and the SINUMERIK one (PROC CYCLE189) t
 0.001 over the top, the SINUMERIK one from 0.025 over it, so the Fanuc one gets a bottom that is 0.024 deeper. Compared, in inches:
 
   SINUMERIK and print   every move: kind, end and center
-  Fanuc and print       every full circle: direction, start, center, depth, in their order; the ways out of the bore and into it are others by
+  Fanuc and print       every full circle: direction, start, center, depth, in their order; the paths out of the bore and into it differ by
                         design (cutter compensation there). Comments are taken out of the Fanuc one.
 
 Exits 1 when one is off by more than 1e-4 inch.
@@ -136,7 +136,7 @@ def main():
     start = (X, Y, 1.4182)
     wanted = printed(given.printed)
     siemens = centered(trace(given.binary, "sinumerik-840d", SINUMERIK_CALLER, "CYCLE189.spf", given.sinumerik.read_bytes()), start)
-    # The macro stands behind its own test caller in one file.
+    # The macro stands after its own test caller in one file.
     macro = given.fanuc.read_bytes()
     macro = b"%\n" + without_comments(macro[macro.index(b"O9123") :])
     fanuc = centered(trace(given.binary, "fanuc", FANUC_CALLER, "O9123", macro), start)

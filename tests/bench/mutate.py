@@ -32,7 +32,7 @@ def code_of(line, dialect):
 class Fault:
     """`pattern` finds places in the code of a line, `change` gives the new text of a match. `at`: "line"; "any" where the line at which a control
     notices is not the line of the fault (an end that is missing); "only": the same, and a fault only where the program has one such place. `offset`:
-    how many lines behind the place the fault stands. `head`: definitions that it needs at the program's start. `when`, `unless`: only in programs
+    how many lines after the place the fault stands. `head`: definitions that it needs at the program's start. `when`, `unless`: only in programs
     whose code has, or has not, this. `drip`: seen when the program is fed block by block. `only`: the control that has an alarm for it."""
 
     def __init__(self, name, ids, pattern, change, at="line", offset=0, head="", when="", unless="", drip=False, only=""):
@@ -58,7 +58,7 @@ def replace(text):
     return lambda match: text
 
 
-# What only a mill, or only a program that nobody calls, tells.
+# What only a mill, or only a program that is not called, reports.
 LATHE = r"G50\s*S|G9[67]\s*S|G28\s*U|(?<![A-Z])[UW][-\d.#]"
 CALLED = r"M99|G65|G66|M98"
 MOVE = r"(?<![A-Z#\[(=$_\"])([XYZ])([-+]?\d+\.\d*|[-+]?\d+)(?![\d.])"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What comes after a control's DC3 while the machine is busy: feeds over TCP whose controls are this program's own, beside so many busy loops, with the links'
+"""What comes after a control's DC3 while the machine is busy: feeds over TCP whose controls are this program's own, while so many busy loops run, with the links'
 thread at real-time priority and without. Counted by the kernel's time of arrival and on line time, as a UART would see it. Shown are the worst and 99th percentile
 of characters after DC3 against the budget, and what the lines lost of their time. By hand: tests/bench/overrun_under_load.py build/dev/dripfeed [--feeds 8]
 [--busy 0 4 8] [--seconds 6] [--quota 20] [--page-out]"""

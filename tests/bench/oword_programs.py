@@ -103,7 +103,7 @@ class OWordProgram:
         self.put(f"{self.pick(scope.names)} = {self.bounded(scope)}")
 
     def several(self, scope, _):
-        """Assignments beside a move: all values are read first."""
+        """Assignments in the same block as a move: all values are read first."""
         one, other = self.random.sample(scope.names, 2)
         self.put(f"G0 X[{one}] {one}=[{other}] Y[{other}] {other}=[{one}+0.5]")
 

@@ -3,7 +3,7 @@
 
   tests/bench/renumber_real.py DIR --dialect D [--binary build/dev/dripfeed]
 
-What is refused is counted by its reason. A program that moves otherwise, or a command that ends by a signal, is a fault, and the exit is 1.
+What is refused is counted by its reason. A program that moves differently, or a command that ends by a signal, is a fault, and the exit is 1.
 """
 
 import argparse
@@ -19,7 +19,7 @@ def run(*command):
     return subprocess.run(command, capture_output=True, timeout=60)
 
 
-# Lines stay where they are, so the moves are the same text; of what is printed beside them the numbers of blocks are not.
+# Lines stay where they are, so the moves are the same text; of what is printed with them the numbers of blocks are not.
 def moves(options, path, folders):
     return run(options.binary, "run", str(path), "--dialect", options.dialect, *folders).stdout.splitlines()
 
@@ -51,7 +51,7 @@ def main():
                         reasons[re.sub(r'".*"|N?\d+', "…", why[1].decode(errors="replace"))[:70]] += 1
                     continue
                 before, after = (moves(options, path, folders) for path in (file, out))
-                counts["moves the same" if before == after else "moves otherwise"] += 1
+                counts["moves the same" if before == after else "moves differently"] += 1
                 if before != after:
                     faults.append(f"{file}: {blocks}: {first_difference(before, after)}")
     for what, count in counts.most_common():

@@ -115,7 +115,7 @@ class Writer:
             self.both(self.go(**self.somewhere("XY")))
         if self.random.random() < 0.5 and level == 98:
             self.set_absolute(False)
-            # In G91 Z and R count from other planes, so both are said anew.
+            # In G91 Z and R count from other planes, so both are stated again.
             again = f"{word('X', 7 * self.scale)} {word('Y', 2 * self.scale)} {word('Z', depth - reference)} {word('R', reference - start)}"
             self.ours.append(f"{again} K3")
             self.peers.append(f"{again} L3")
@@ -189,7 +189,7 @@ def peer_points(command, path, inch):
 
 
 def essential(points):
-    """Without moves that go nowhere, and without a peck's way back into its hole: a rapid straight down between a rapid up and a cut."""
+    """Without moves that go nowhere, and without a peck's return into its hole: a rapid straight down between a rapid up and a cut."""
     kept = []
     for index, point in enumerate(points):
         before = points[index - 1][1:] if index else (0.0, 0.0, 0.0)

@@ -5,7 +5,7 @@
 
 FOLDER holds one folder a repository. A folder NAME.d holds the programs cut from one memory dump, as NUMBER_O1234…: they call each other by the O number.
 Counted apart: programs that call what is not in their repository (they cannot run here), those that stop by an alarm of their own (a macro without its
-arguments, mostly), which is how they end on the control, too, those that go round for ever as they are written ("endless": until somebody resets the
+arguments, mostly), which is how they end on the control, too, those that go round for ever as they are written ("endless": until a person resets the
 control), and those that are not read (errors of the text). --state gives each run the values of a state file (a probing macro that asks for the
 active length offset needs one). --list writes one line a file that did not end: how, which, and what was missing.
 """

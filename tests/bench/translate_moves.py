@@ -5,7 +5,7 @@
 
 Each second program is a mill's: variables, arrays, conditions, loops, jumps, a subprogram with arguments, frames, arcs and drilling and boring cycles of its
 control; the others are a lathe's: turning and thread cycles, taps, polar and cylindrical interpolation. It is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
-that only stops on the way of the next one is no difference (cycles come down to their reference plane in one move or in two). Counts what is the
+that only stops on the path of the next one is no difference (cycles come down to their reference plane in one move or in two). Counts what is the
 same, what is refused, and what differs, which is a fault: exits 1 when there is any. --keep saves those.
 """
 
@@ -134,7 +134,7 @@ class Sinumerik(Maker):
         self.put(f"{label}:")
 
     def repeat(self):
-        """A part that is run once, then again by its REPEAT, or by one from elsewhere behind it."""
+        """A part that is run once, then again by its REPEAT, or by one from elsewhere after it."""
         label = f"PART{self.label()}"
         self.put(f"{label}A: R3=R3+1")
         self.nested(2)
@@ -321,7 +321,7 @@ class Fanuc(Maker):
 
 
 class Figures(Fanuc):
-    """Mazak and Mitsubishi mills drill figures of holes."""
+    """Mazak and Mitsubishi mills drill hole patterns."""
 
     def pattern(self):
         if self.chance.random() < 0.5:
@@ -498,7 +498,7 @@ class SinumerikLathe(Maker):
         self.put("G18")
 
     def tap(self):
-        """By a call, once or modal, or by G331 or G63 and back; the spindle turns again behind it."""
+        """By a call, once or modal, or by G331 or G63 and back; the spindle turns again after it."""
         side, lead, depth, dwell = self.chance.random() < 0.3, self.one_of("1.5", "0.75", "2"), self.number(-30, -5), self.one_of("", "0", "0.5")
         self.put("DIAMON\n" + ("G0 X60 Z-5" if side else "G0 X0 Z20"))
         place, start = ("60,45,2," + self.number(20, 40), "60") if side else ("10,0,2," + depth, "20")
@@ -620,7 +620,7 @@ class SinumerikIso(Sinumerik):
         super().drill()
 
     def text(self):
-        """A frame of one language beside one of the other is refused."""
+        """A frame of one language together with one of the other is refused."""
         text = "\n".join(line for line in super().text().split("\n") if line != "TRANS")
         return text + "%_N_O9002_SPF\nG0 Z33\nM17\n" if self.calls else text
 
@@ -670,7 +670,7 @@ def point(words):
 
 
 def without_stops(moves, detour):
-    """[(kind, words, start)], without moves of no length and without rapids that stop on the way of the next rapid."""
+    """[(kind, words, start)], without moves of no length and without rapids that stop on the path of the next rapid."""
     out, at = [], (0.0, 0.0, 0.0, 0.0)
     for kind, words in moves:
         if kind == "spline":  # a chord of a curve
@@ -703,7 +703,7 @@ def is_one_tap(one, other):
 
 
 def difference(a, b, breaks_chips=False):
-    """Rounded to the printed decimals a stop may lie on the way or just beside it, and a short move may be none: either on both sides is no difference."""
+    """Rounded to the printed decimals a stop may lie on the path or just off it, and a short move may be none: either on both sides is no difference."""
     found = [difference_by(a, b, detour, breaks_chips) for detour in (1e-6, 1e-5, 1e-7)]
     return found[0] if all(found) else ""
 
@@ -739,7 +739,7 @@ def difference_of(one, other, breaks_chips):
     if abs(changes[0] - changes[1]) > 1e-4:
         return "change of the lead"
     feeds = [value(move[1].get("F", "0")) or 0.0 for move in (one, other)]
-    # A time is that of a way, and of a short one the printed decimals are more.
+    # A time is that of a length, and of a short one the printed decimals are more.
     share = 1e-2 if one[1].get("F", "").endswith("/inv") else 1e-3
     return "feed" if abs(feeds[0] - feeds[1]) > max(1e-3, share * abs(feeds[0])) else ""
 

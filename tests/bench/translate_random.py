@@ -4,7 +4,7 @@
   tests/bench/translate_random.py [--count 500] [--seed 1] [--binary build/release/dripfeed] [--keep FOLDER]
 
 Half of the programs are macros of letters (Fanuc, to SINUMERIK and Mazak), half have parameters by position (SINUMERIK, to the three others).
-Moves of no length do not count. What is refused is counted; what moves otherwise is a fault, written to --keep, and the exit is 1. Values that
+Moves of no length do not count. What is refused is counted; what moves differently is a fault, written to --keep, and the exit is 1. Values that
 two controls compare with other tolerances (1e-12 of the value, 1e-7 in its translation) may differ by chance, once in some hundred programs.
 """
 
@@ -178,14 +178,14 @@ def main():
             if same(expected, moves_of(options.binary, there, target)):
                 counts[origin, "same"] += 1
                 continue
-            counts[origin, "moves otherwise"] += 1
-            print(f"program {number} of seed {options.seed}, {origin} to {target}, moves otherwise")
+            counts[origin, "moves differently"] += 1
+            print(f"program {number} of seed {options.seed}, {origin} to {target}, moves differently")
             if options.keep:
                 options.keep.mkdir(parents=True, exist_ok=True)
                 (options.keep / f"{options.seed}-{number}-{origin}-{target}.nc").write_text(text)
     for (origin, outcome), count in sorted(counts.items()):
         print(f"{origin:16} {outcome:16} {count}")
-    return 1 if any(outcome == "moves otherwise" for _, outcome in counts) else 0
+    return 1 if any(outcome == "moves differently" for _, outcome in counts) else 0
 
 
 if __name__ == "__main__":

@@ -95,7 +95,7 @@ def of_profile(document, binary):
         file = pathlib.Path(folder) / 'machine.json'
         file.write_text(json.dumps(document), encoding='utf-8')
         done = binary.run('check', '-', '--machine', str(file), stdin='%\nO1\nG21\nM30\n%\n')
-    return [] if done.returncode != 2 else [f'is no profile: {done.stderr.strip()}']
+    return [] if done.returncode != 2 else [f'is not a profile: {done.stderr.strip()}']
 
 
 def of_options(document, binary):
@@ -111,7 +111,7 @@ def of_json(name, block, page, binary):
     try:
         document = json.loads(block)
     except ValueError as error:
-        return [f'is no JSON: {error}']
+        return [f'is not JSON: {error}']
     kinds = {'profiles.md': lambda: of_profile(document, binary), 'operating.md': lambda: of_options(document, binary),
              'integrating.md': lambda: of_event(document, page), 'editor.md': lambda: []}  # the settings of an editor
     return kinds[name]() if name in kinds else ['is JSON of which no test knows what it is']

@@ -62,8 +62,8 @@ class Blocks(unittest.TestCase):
 
     def test_documents(self):
         self.assertEqual([], self.faults('profiles.md', 'json', '{"dialect": "fanuc"}'))
-        self.assert_refused('is no profile: dialect is missing', 'profiles.md', 'json', '{"name": "a"}')
-        self.assert_refused('is no JSON', 'profiles.md', 'json', '{')
+        self.assert_refused('is not a profile: dialect is missing', 'profiles.md', 'json', '{"name": "a"}')
+        self.assert_refused('is not JSON', 'profiles.md', 'json', '{')
         self.assert_refused('no option for check_seconds', 'operating.md', 'json', '{"data": "x", "check_seconds": 60}')
         self.assert_refused('no type job.lost', 'integrating.md', 'json', '{"type": "job.lost"}', 'types: `job.done`')
         self.assert_refused('no test knows', 'other.md', 'json', '{}')

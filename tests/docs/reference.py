@@ -1,5 +1,5 @@
 # The parts of docs/ that the binary writes: routes, members of a machine's profile, diagnostics. A test that they are current;
-# UPDATE_DOCS=1 writes them anew.
+# UPDATE_DOCS=1 writes them again.
 #   reference.py DRIPFEED [ROOT]
 import json
 import os

@@ -1,5 +1,5 @@
 # The drawings of docs/architecture.md: the states of a feed, of its line, of jobs, releases and orders, drawn from the tables in the
-# source that decide them. A test that they are current; UPDATE_DOCS=1 writes them anew.
+# source that decide them. A test that they are current; UPDATE_DOCS=1 writes them again.
 #   states.py [ROOT]
 import os
 import re

@@ -1,4 +1,4 @@
-"""Definition files (GUD, macros) and called programs of a SINUMERIK: found beside the program, by --path, and in the control's own directories,
+"""Definition files (GUD, macros) and called programs of a SINUMERIK: found next to the program, by --path, and in the control's own directories,
 whatever the case of their names; check and run see the same."""
 
 import subprocess

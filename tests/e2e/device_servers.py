@@ -89,7 +89,7 @@ def ser2net_raw(folder):
 
 
 def ser2net_is_taken(folder):
-    """A second client gets ser2net's own words, and they are told instead of taken for a control's."""
+    """A second client gets ser2net's own words, and they are reported instead of taken for a control's."""
     pty, machine, control = control_on_pty(folder)
     try:
         with Ser2net(folder, pty, "telnet(rfc2217),tcp") as server:
@@ -176,7 +176,7 @@ def pyserial_as_server(folder):
 
 
 def pyserial_as_client(folder):
-    """pyserial sets our simulated device server's port (it insists on every answer), reads its lines, and feeds the control behind it."""
+    """pyserial sets our simulated device server's port (it insists on every answer), reads its lines, and feeds the control at its port."""
     import serial
     port = rig.shop.free_port()
     machine = profile(folder, "pty:/unused")

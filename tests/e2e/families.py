@@ -1,4 +1,4 @@
-"""Every shipped family on every shipped machine that it is for, as macro and as plain blocks: rendered, checked, run, and the moves held against each
+"""Every shipped family on every shipped machine that it is for, as macro and as plain blocks: rendered, checked, run, and the moves compared with each
 other. A machine that it is not for and each kind of wrong value are refused by name, with no program. `tests/e2e/families.py BINARY`."""
 
 import concurrent.futures
@@ -28,7 +28,7 @@ NO_STOCK = {"worm", "worm-turned"}
 # No curve is given that an accuracy could be measured along.
 NO_CURVE = {"bezier-surface", "bolt-circle", "engrave-text", "face-mill", "island-pocket", "nurbs-surface", "rectangular-pocket", "seal-ring", "slot", "thread-mill",
             "turning-cycle", "worm", "worm-turned"}
-# A spindle that is an axis stands; the checks do not tell it from one that was forgotten.
+# A spindle that is an axis stands; the checks cannot distinguish it from one that was forgotten.
 WARNED = {("seal-ring", "sinumerik-810d-lathe"): {"spindle-not-turning"}, ("worm-turned", "sinumerik-810d-lathe"): {"spindle-not-turning"}}
 
 # Values that are in their ranges and do not go together.
@@ -198,7 +198,7 @@ def refused(family, machine, text, *values):
     done = ask("render", *arguments)
     expect(done.returncode == 1 and done.stdout == "", f"{family.name} {values}: a program was rendered")
     document = ask("render", *arguments, "--json").stdout
-    answer = json.loads(document) if document else None  # a table that is wrong is no family
+    answer = json.loads(document) if document else None  # a table that is wrong is not a family
     expect(answer is None and any("=@" in one for one in values) or answer["text"] is None and any(one["severity"] == "error" for one in answer["diagnostics"]),
            f"{family.name} {values}: {answer}")
     for one in [text] if isinstance(text, str) else text:
@@ -265,7 +265,7 @@ def lists_from_tables(folder):
     machine, values = first_machine(family), (f"point_x=@{table}", f"point_y=@{table}:high")
     expect(trace_of(family, machine, "macro", folder, *values) == trace_of(family, machine, "macro", folder), "the points of a table")
     table.write_text("\n".join(["point_x mm; high mm", *rows[:2], "70.7; tall", *rows[3:]]) + "\n")
-    refused(family, machine, ["points.csv:4:7: error[family-syntax]", "'tall' is no number"], *values)
+    refused(family, machine, ["points.csv:4:7: error[family-syntax]", "'tall' is not a number"], *values)
     refused(family, machine, ["points.csv:1:1: error", "no column is called low"], values[0], f"point_y=@{table}:low")
     done = ask("render", family.path, "--machine", machine, "--set", f"point_x=@{folder}/no_such.csv")
     expect(done.returncode != 0 and not done.stdout and "no_such.csv" in done.stderr, f"a table that is not there: {done.stderr}")

@@ -1,4 +1,4 @@
-"""What the shipped families cut, from their traces, beside shapes that are computed here in another manner: by distance and by bisection, not by the
+"""What the shipped families cut, from their traces, against shapes that are computed here in another manner: by distance and by bisection, not by the
 families' formulas. `tests/e2e/family_shapes.py BINARY`."""
 
 import math
@@ -154,7 +154,7 @@ def worm_by_points(folder):
 
 
 def flank_distance(center, side, turn, lead, hand, pitch_radius=20.0, module=4.0):
-    """From a point to a flank of the groove beside it, in the part's own space; `turn` is where the tool stands around x."""
+    """From a point to a flank of the groove next to it, in the part's own space; `turn` is where the tool stands around x."""
     def flank(r, t):
         x = side * (pi * module / 4 + (r - pitch_radius) * tan(radians(20))) + hand * lead * t / (2 * pi)
         return (x, -r * sin(t), r * cos(t))

@@ -23,12 +23,12 @@ def killed_in_a_feed(folder):
         server.kill()
         time.sleep(0.1)
         got = control.stop()
-        verify(server.data)  # what the dead one left
+        verify(server.data)  # what the killed server left
         server.start()
         after = server.job(job)
         expect(after["state"] == "interrupted", f"turn {turn}: the job is {after['state']}")
         interval = server.get(f"/jobs/{job}/ledger?limit=1")["interval"]
-        expect(interval["low"] <= got["bytes"] <= interval["high"], f"turn {turn}: {got['bytes']} bytes arrived, the ledger says {interval}")
+        expect(interval["low"] <= got["bytes"] <= interval["high"], f"turn {turn}: {got['bytes']} bytes arrived, the ledger has {interval}")
         print(f"turn {turn}: {interval['low']} <= {got['bytes']} <= {interval['high']}", flush=True)
         if after["needs_confirmation"]:
             server.post("/machines/lathe/confirm-reset", {"reason": "reset after the crash"})

@@ -33,7 +33,7 @@ def applied(text, edits):
 
 def wrong_messages(_):
     client = Client()
-    client.raw(frame(b"this is no JSON"))
+    client.raw(frame(b"this is not JSON"))
     expect(client.refused() == -32700, "no JSON")
     client.raw(frame(b'{"jsonrpc":"2.0","id":1,"method":"a","method":"b"}'))
     expect(client.refused() == -32700, "a member twice")
@@ -158,7 +158,7 @@ def read_then_run(folder):
 
 
 def endless_runs_yield(_):
-    """A program that runs for long keeps nobody waiting."""
+    """A program that runs for long keeps no request waiting."""
     client = Client("--dialect", "fanuc", "--seconds", "600")
     client.start()
     client.open(URI, "%\nO1\nG21 G17 G90 G94\n#1=0\nN1 #1=#1+1\nG01 X[#1/1000000.] F100.\nIF[#1LT900000000]GOTO1\nM30\n%\n")
@@ -399,7 +399,7 @@ def settings(folder):
 
 
 def called_programs(folder):
-    """A fault of a called program stands where it is called, with its own place beside it."""
+    """A fault of a called program stands where it is called, with its own place as a note."""
     (folder / "O0055.nc").write_text("%\nO0055\nWHILE[#1LT3]DO1\nM99\n%\n")
     main = folder / "calls.nc"
     client = Client("--dialect", "fanuc")

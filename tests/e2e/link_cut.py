@@ -23,7 +23,7 @@ def cut(folder, url):
     expect(ended["torn"] and ended["needs_confirmation"], "the block is not known as torn")
     expect("between wire byte" in ended["reason"], f"the interval is not named: {ended['reason']}")
     interval = server.get(f"/jobs/{job}/ledger")["interval"]
-    expect(interval["low"] <= report["bytes"] <= interval["high"], f"{report['bytes']} bytes arrived, the ledger says {interval}")
+    expect(interval["low"] <= report["bytes"] <= interval["high"], f"{report['bytes']} bytes arrived, the ledger has {interval}")
     expect(server.alive(), "the server is gone")
 
     # A new control on the same line: nothing may come, and nothing can be armed.

@@ -15,7 +15,7 @@ CHAR_S = 11 / 9600
 
 
 class Plug:
-    """Echoes what is written to a pty, each character one line time after the one before; `delay_s` more for the way back."""
+    """Echoes what is written to a pty, each character one line time after the one before; `delay_s` more for the return."""
 
     def __init__(self, folder, delay_s=0.0, echoes=True):
         self.master, slave = os.openpty()

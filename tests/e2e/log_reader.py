@@ -1,5 +1,5 @@
-"""A log that nobody reads: the server's standard error is a pipe that is full. A feed goes through, the API answers, what did not fit is dropped
-and counted, the count is in the log once somebody reads again; and a server with such a pipe ends in time."""
+"""A log that no process reads: the server's standard error is a pipe that is full. A feed goes through, the API answers, what did not fit is dropped
+and counted, the count is in the log once it is read again; and a server with such a pipe ends in time."""
 
 import fcntl
 import os

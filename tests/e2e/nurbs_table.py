@@ -1,6 +1,6 @@
-"""The NURBS profile on the CVM-800 as chords and as macro, beside table 2 of "NURBS by macro against CAM": blocks, bytes, time and error, and what
+"""The NURBS profile on the CVM-800 as chords and as macro, against table 2 of "NURBS by macro against CAM": blocks, bytes, time and error, and what
 the paper's points say again. `tests/e2e/nurbs_table.py BINARY` prints it. The paper does not print its control points: ours are a curve in the same
-box, 10 mm flat mill and 3 mm depth aside, so the times are held against each other, not made equal."""
+box, 10 mm flat mill and 3 mm depth aside, so the times are compared with each other, not made equal."""
 
 import csv
 import io
@@ -70,7 +70,7 @@ def main():
             print(f"{steps} points: macro less chords {b - a:+.3f} s of {a:.2f} s; a point is computed in "
                   f"{1000 * rows['macro', steps]['time']['compute_s'] / steps:.1f} ms and lasts {1000 * a / steps:.0f} ms at 300 mm/min")
             expect(abs(b - a) < 0.01 * a, "the macro takes longer than its chords: the control would starve")
-        # To 0.01 mm by steps as long as the chord error lets them be, proved before each is cut, beside as many equal steps as that takes.
+        # To 0.01 mm by steps as long as the chord error lets them be, proved before each is cut, against as many equal steps as that takes.
         adaptive = {mode: row(folder, mode, 4, "--set", "stepping=adaptive", "--set", "chord_error=0.01 mm") for mode in ("macro", "explicit")}
         for mode, one in adaptive.items():
             line(f"adaptive, {mode}", one)

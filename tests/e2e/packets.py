@@ -58,7 +58,7 @@ def lrzsz_receives_what_we_send(folder):
 
 
 def lrzsz_takes_a_batch(folder):
-    """YMODEM tells the name and the length: rb makes a file of that name and cuts what fills the last block."""
+    """YMODEM carries the name and the length: rb makes a file of that name and cuts what fills the last block."""
     path = program(folder)
     received = folder / "received"
     received.mkdir()
@@ -115,7 +115,7 @@ def what_breaks_is_kept_apart(folder):
 
 
 def two_signals_end_a_transfer_that_nobody_answers(folder):
-    """The receiver asks, takes a packet and says nothing more: the first signal waits for a block's end, the second ends the job by name and tells
+    """The receiver asks, takes a packet and says nothing more: the first signal waits for a block's end, the second ends the job by name and ends
     the receiver by CAN CAN."""
     path = program(folder)
     ours, theirs = folder / "ours", folder / "theirs"

@@ -89,7 +89,7 @@ def machine_that_stands(rig, port, job):
 
 
 def restarts(rig, port, asked):
-    """What was answered stays answered, what was rung with nobody there is missed, and the next ring counts."""
+    """What was answered stays answered, what was rung while no server was there is missed, and the next ring counts."""
     rig.server.kill()
     verify(rig.server.data)
     rig.server.start()
@@ -158,7 +158,7 @@ def rtu_with_faults(folder):
 
 
 def rtu_through_a_pair(folder):
-    """socat's pseudo-terminals as the line: mbpoll reads the words at the one end, then a program goes the same way."""
+    """socat's pseudo-terminals as the line: mbpoll reads the words at the one end, then a program follows on the same line."""
     ends = [folder / "host", folder / "machine"]
     pair = subprocess.Popen(["socat", *[f"pty,rawer,link={end}" for end in ends]])
     try:

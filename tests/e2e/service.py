@@ -88,7 +88,7 @@ def no_call_is_forbidden(folder):
     rig.server.stop()
     used = set(re.findall(r"^\d+ +(?:<\.\.\. )?(\w+)[( ]", traced.read_text(errors="replace"), re.M))
     expect({"write", "ioctl", "sched_setscheduler"} <= used, f"the trace is none: {sorted(used)}")
-    as_root = {"fchown"} if os.geteuid() == 0 else set()  # by SQLite, for files beside the database; the unit's user is another
+    as_root = {"fchown"} if os.geteuid() == 0 else set()  # by SQLite, for files next to the database; the unit's user is another
     forbidden = used - allowed_calls() - as_root - {"exited", "resumed", "killed"}
     expect(not forbidden, f"the unit forbids {sorted(forbidden)}")
     print(f"{len(used)} calls are used, all allowed")

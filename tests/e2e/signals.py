@@ -103,7 +103,7 @@ def a_transfer_outlives_the_readers_of_its_outputs(folder):
     control.wait_for(len(program.read_bytes()))
     control.say(DC3)
     sending.wait(20)
-    # It is done; that nobody could be told of it is a failure of the command, and no crash.
+    # It is done; that it could not be reported is a failure of the command, and no crash.
     expect(sending.returncode == FAILED, f"{sending.returncode}")
     waiting = sends(program, f"pty:{folder}/line.tty?{LINE}")
     time.sleep(0.3)

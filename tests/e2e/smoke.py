@@ -1,4 +1,4 @@
-"""deploy/run --smoke's script, on the binary that was built. Safety is asserted, speed is not: a test machine is nobody's alone."""
+"""deploy/run --smoke's script, on the binary that was built. Safety is asserted, speed is not: a test machine is shared."""
 
 import pathlib
 import subprocess

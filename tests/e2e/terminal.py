@@ -33,7 +33,7 @@ def line(folder):
 
 
 class Terminal:
-    """picocom with a keyboard and a screen; the screen is looked at by nobody but must be read."""
+    """picocom with a keyboard and a screen; no person looks at the screen, but it must be read."""
 
     def __init__(self, device, log):
         self.log = log

@@ -130,7 +130,7 @@ def what_is_refused(folder):
     certificate, key = make_certificate(folder, "first")
     _, other = make_certificate(folder, "other")
     for arguments, word in ((["--tls-cert", certificate], "--tls-key go together"), (["--tls-cert", certificate, "--tls-key", other], f"{other} is no key"),
-                            (["--tls-cert", key, "--tls-key", key], f"{key} is no certificate"), (["--proxy", "localhost"], "is not an IP address"),
+                            (["--tls-cert", key, "--tls-key", key], f"{key} is not a certificate"), (["--proxy", "localhost"], "is not an IP address"),
                             (["--listen", "0.0.0.0:0"], "--tls-cert")):
         done = subprocess.run([str(binary()), "serve", "--data", str(folder / "data"), "--listen", "127.0.0.1:0", *map(str, arguments)][: 4 if arguments[0] == "--listen" else None]
                               + ([str(a) for a in arguments] if arguments[0] == "--listen" else []), capture_output=True, text=True, timeout=30)
@@ -223,7 +223,7 @@ def events_come_at_once(watching, connection, server, here):
 
 
 def forwarded_by_a_stranger(folder):
-    """Who is no named proxy says nothing of the host or of TLS."""
+    """Who is not a named proxy says nothing of the host or of TLS."""
     (folder / "other").mkdir()
     server = Serving(folder / "other")
     connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=20)

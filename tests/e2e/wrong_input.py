@@ -1,4 +1,4 @@
-"""Wrong input at every door: the command, the REST API, a family, a profile. Each is told what is wrong and where, nothing is stored, nothing
+"""Wrong input at every door: the command, the REST API, a family, a profile. Each answer states what is wrong and where, nothing is stored, nothing
 crashes."""
 
 import json

@@ -1,5 +1,5 @@
-# Refuses every way between floating point and text but dialects/text/number, and everything that depends on a locale: a decimal
-# comma in a feed is a crash. Types are guessed from declarations, as far as text can tell. Exceptions, with reasons: conversions.txt.
+# Refuses every conversion between floating point and text but dialects/text/number, and everything that depends on a locale: a decimal
+# comma in a feed is a crash. Types are guessed from declarations, as far as text shows. Exceptions, with reasons: conversions.txt.
 import os
 import re
 import sys
@@ -24,7 +24,7 @@ FORMAT = re.compile(r'\{\w*:(?:[^{}]?[<>^])?[-+ ]?#?0?(?:\d+|\{\w*\})?'
                     r'(?:(?:\.(?:\d+|\{\w*\}))?L?[aAeEfFgG]|\.(?:\d+|\{\w*\})L?|L\w?)\}')
 DECLARED = re.compile(r'\b(?:double|float)\b\s*&?\s*((?:[A-Za-z_]\w*\s*(?:(?:=|\{)[^,;()]*)?,\s*)*[A-Za-z_]\w*)')
 INTEGER = re.compile(r'\b(?:int|unsigned|long|short|size_t|bool|char|auto|u?int\d+_t)\b\s*&?\s*([A-Za-z_]\w*)')
-# The blank before it tells a shift from the end of a template; clang-format sees to it.
+# The blank before it distinguishes a shift from the end of a template; clang-format sees to it.
 STREAMED = re.compile(r'(?<=\s)(?:<<|>>)\s*(?:(\d+\.\d*)|((?:[A-Za-z_]\w*(?:\.|->|::))*[A-Za-z_]\w*)(?!\s*[\w(.\[]|->|::|\s*<(?!<)))')
 
 

@@ -1,4 +1,4 @@
-# Shows that the lint of conversions refuses every way past dialects/text/number, takes an exception only with its reason, and
+# Shows that the lint of conversions refuses every conversion outside of dialects/text/number, takes an exception only with its reason, and
 # leaves whole numbers alone.
 import unittest
 

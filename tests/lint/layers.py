@@ -42,7 +42,7 @@ def _of_include(root, rules, path, row, target, edges):
         return _of_own(root, rules, row, target[1:-1], edges)
     if re.fullmatch(r'<[^>]+>', target):
         return _of_foreign(root, rules, path, row, target[1:-1])
-    return f'an include that is no name: {target}'
+    return f'an include that is not a name: {target}'
 
 
 def _of_own(root, rules, row, name, edges):

@@ -57,7 +57,7 @@ class Layers(bad_tree.BadTree):
         self.refuse('dialects/ir/bad.cpp', '#include <dialects/text/span.h>\n', 'write it in quotes')
 
     def test_an_include_by_macro(self):
-        self.refuse('dialects/ir/bad.cpp', '#include HEADER\n', 'an include that is no name')
+        self.refuse('dialects/ir/bad.cpp', '#include HEADER\n', 'an include that is not a name')
 
     def test_third_party_headers(self):
         for path, header, group in (('dialects/ir/bad.cpp', 'nlohmann/json.hpp', 'json'), ('server/app/bad.cpp', 'boost/asio.hpp', 'asio'),

@@ -1,8 +1,10 @@
 # Phrases that must not return to what people read: README, docs, the page's English, the messages of the program (its string
-# literals), and the comments of headers. docs/style.md has what to write instead.
+# literals), and all comments: C++, Python with its docstrings, and TypeScript. docs/style.md has what to write instead.
+import io
 import json
 import re
 import sys
+import tokenize
 
 import tree
 
@@ -13,12 +15,16 @@ EVERYWHERE = (
     r'way back', r'by the way', r'in (?:its|their) own way',
 )
 # In messages also words that docs use for places: a file beside another, a server behind a proxy.
-IN_MESSAGES = (r'ways?', r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing')
+IN_MESSAGES = (r'ways?', r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing', r'no more (?:armed|in)', r'(?:held|holds?) against',
+               r'beyond all places', r'what no run shows', r'one of both', r'otherwise than', r'(?:counts?|ends?|named) otherwise')
 
 # In comments also words that stand for "after", "in the same block as", "path" and "reports".
-IN_COMMENTS = (r'behind', r'beside', r'tells?', r'told', r'ways?')
+IN_COMMENTS = (r'behind', r'beside', r'tells?', r'told', r'ways?', r'(?:held|holds?) against')
+# The page has places: a text beside a picture.
+IN_PAGE_COMMENTS = tuple(one for one in IN_COMMENTS if one != 'beside')
+PAGE = ('.ts', '.tsx', '.mjs')
 # What these words are right for: a port that a device server stands before, two things that are alike, what is in transit.
-RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telnet|RFC 2217|gateway|address|others)|told\s+apart'
+RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telnet|RFC 2217|gateway|address|others|real nginx)|told\s+apart|look-behind'
                    r'|(?:on\s+(?:its|their)|under|gives?|given|gave)\s+way', re.I)
 # Test names, by the words that they are made of.
 IN_TEST_NAMES = re.compile(r'(?:Nobody|Somebody|Anybody|Anew|Behind|Beside|Tells?|Told|Ways|(?:Is|Are|And)Said)(?![a-z])')
@@ -29,6 +35,7 @@ LITERAL = re.compile(r'"(?:anybody|[a-z]+(?:-[a-z]+)+)"')  # a role, the name of
 FILES = re.compile(r'^store/sqlite/schema')
 COMMENTS_LATER = re.compile(r'^store/sqlite/schema')
 NOT_SWEPT = {'docs/style.md'}  # it names them
+NAMES_THEM = {'tests/lint/phrases.py', 'tests/lint/phrases_test.py'}
 
 
 def pattern(phrases):
@@ -49,6 +56,11 @@ def faults(root):
         if not COMMENTS_LATER.match(path):
             found += _in_comments(path, tree.read(root, path), comments)
             found += _in_test_names(path, tree.read(root, path))
+    for path in tree.files(root, ('tests', 'deploy'), ('.py',)):
+        if path not in NAMES_THEM:
+            found += _in_python(path, tree.read(root, path), comments)
+    for path in tree.files(root, ('web', 'tests'), PAGE):
+        found += _in_comments(path, tree.read(root, path), pattern(EVERYWHERE + IN_PAGE_COMMENTS))
     for key, value in json.loads(tree.read(root, 'web/src/i18n/en.json')).items():
         found += [f'web/src/i18n/en.json: {key}: {m[0]}' for m in messages.finditer(value)]
     return found
@@ -66,6 +78,15 @@ def _in_comments(path, text, wanted):
     comments = re.sub(r'`[^`\n]*`', lambda m: ' ' * len(m[0]), comments)
     comments = RIGHT.sub(lambda m: re.sub(r'\S', ' ', m[0]), comments)
     return [f'{path}:{tree.line_of(text, m.start())}: {" ".join(m[0].split())} in a comment' for m in wanted.finditer(comments)]
+
+
+def _in_python(path, text, wanted):
+    found = []
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT or token.type == tokenize.STRING and token.string.startswith('"""'):
+            words = re.sub(r'`[^`\n]*`', ' ', RIGHT.sub(' ', token.string))
+            found += [f'{path}:{token.start[0]}: {" ".join(m[0].split())} in a comment' for m in wanted.finditer(words)]
+    return found
 
 
 def _in_test_names(path, text):

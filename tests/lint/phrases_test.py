@@ -21,7 +21,7 @@ class Phrases(bad_tree.BadTree):
         self.assert_refused(phrases.faults, 'figure of holes')
 
     def test_messages(self):
-        for sentence in ('the feed behind it', 'a pole beside a code', 'a way out', 'nobody armed it', 'it goes to 5'):
+        for sentence in ('the feed behind it', 'a pole beside a code', 'a way out', 'nobody armed it', 'it goes to 5', 'held against the part', 'a move beyond all places'):
             self.write('dialects/text/a.cpp', f'// What it is.\nauto a = "{sentence}";\n')
             self.assert_refused(phrases.faults, 'dialects/text/a.cpp:2')
 
@@ -44,6 +44,19 @@ class Phrases(bad_tree.BadTree):
             self.write('tests/unit/a_test.cpp', f'TEST(Text, {name}) {{\n')
             self.assert_refused(phrases.faults, name)
         self.write('tests/unit/a_test.cpp', 'TEST_F(Told, ATellerOfWayside) {\n')
+        self.assert_clean(phrases.faults)
+
+    def test_comments_of_python(self):
+        for text in ('# nobody is there\n', 'def a():\n    """One of them, and what\n    stands behind it."""\n'):
+            self.write('tests/api/a.py', text)
+            self.assert_refused(phrases.faults, 'tests/api/a.py')
+        self.write('tests/api/a.py', '# `nobody` of the system, behind the real nginx\nprint("nobody")\n')
+        self.assert_clean(phrases.faults)
+
+    def test_comments_of_the_page(self):
+        self.write('web/src/a.ts', 'export const a = 1; // drawn anew\n')
+        self.assert_refused(phrases.faults, 'web/src/a.ts:1: anew')
+        self.write('web/src/a.ts', "// The text beside its picture.\nexport const nobody = 'nobody';\n")
         self.assert_clean(phrases.faults)
 
     def test_page(self):

@@ -7,7 +7,7 @@ TOPS = ('dialects', 'checks', 'protocol', 'store', 'server')
 CODE = ('.cpp', '.h')
 SKIPPED = re.compile(r'^(\.git|build.*|node_modules|dist|data|__pycache__|\.cache)$')
 
-# A comment, a raw string, a string or a character: whatever starts first wins, so that a quote inside a comment is no string.
+# A comment, a raw string, a string or a character: whatever starts first wins, so that a quote inside a comment is not a string.
 # The look-behind keeps the digit separator of 1'000 from opening a character.
 TOKEN = re.compile(
     r'(?P<comment>//[^\n]*|/\*.*?\*/)'

@@ -4,8 +4,8 @@
 //
 // - A round of a table's test program costs a fixed time besides its statements. Ten statements share it in tables 1 to
 //   3; in table 4, whose one statement is a round, it is most of the time. What it is (the timer is read, the reading
-//   ahead stops for it) the paper does not say. It is no part of the cost model, because the programs have no room for
-//   it: a point of the fourth takes 9 ms with ten blocks.
+//   ahead stops for it) the paper does not say. It is not a part of the cost model, because the programs have no room
+//   for it: a point of the fourth takes 9 ms with ten blocks.
 // - Variables with names cost for reading and for writing. Reading R parameters and operators cost next to nothing: the
 //   third program has 122 and 88 of them in 16 ms. Blocks are what costs, which is the paper's own fourth rule.
 //

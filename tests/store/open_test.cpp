@@ -32,7 +32,7 @@ TEST_F(OpenTest, AMissingFileIsMadeOnlyWhenAsked) {
 
 TEST_F(OpenTest, OtherFilesAreLeftAlone) {
   const std::string text = folder_.file("text.db");
-  write(text, "this is no database, but a long enough text to be read as the header of one, which it is not at all");
+  write(text, "this is not a database, but a long enough text to be read as the header of one, which it is not at all");
   const std::string before = bytes_of(text);
   EXPECT_EQ(refusal(sqlite::open(text)), ErrorCode::not_a_store);
   EXPECT_EQ(bytes_of(text), before);

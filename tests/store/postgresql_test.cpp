@@ -1,4 +1,4 @@
-// What only a store on a server has: a database that others use, connections that break, an owner who lost his lock.
+// What only a store on a server has: a database that others use, connections that break, an owner that lost its lock.
 #include <fmt/format.h>
 
 #include "store/postgresql/open.h"

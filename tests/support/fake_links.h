@@ -137,7 +137,7 @@ class FakeLinkThread final : public app::LinkThread {
   void set_cts(const std::string& url, bool on) {
     act([&] { cables_[url].listener->on_cts(on); });
   }
-  void settle() {
+  void run_posted() {
     act([] {});
   }
   // Time passes, from one deadline to the next.

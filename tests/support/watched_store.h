@@ -1,4 +1,4 @@
-// A store with a person who looks at each commit of the ledger before it is made: he may let it through, hold it up or
+// A store with a person who looks at each commit of the ledger before it is made, and may let it through, hold it up or
 // fail it; and an audit that may be closed. All else goes to the store under it.
 #pragma once
 

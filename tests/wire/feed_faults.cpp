@@ -1,6 +1,6 @@
 // A feed against the simulated control in virtual time, with one fault a run: plain DC codes, the same with the resets
-// and alarms of a remote buffer (protocol B), and RTS/CTS. Whatever breaks, the end has a name, what can be noticed is
-// noticed, and no block is completed that was broken off.
+// and alarms of a remote buffer (protocol B), and RTS/CTS. Whatever breaks, the feed ends with a cause, what can be
+// noticed is noticed, and no block is completed that was broken off.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -97,7 +97,7 @@ class FaultRun {
 
   [[nodiscard]] bool over() const { return feed_->counters().ended_at > Time::zero(); }
 
-  // The start of the wire and nothing else, and never on from a break.
+  // What was sent is the beginning of the expected wire, and nothing follows a break.
   void expect_nothing_made_up() const {
     ASSERT_TRUE(wire_.starts_with(sent_)) << where;
     if (feed_->state() == State::torn || feed_->state() == State::failed) {
@@ -106,7 +106,7 @@ class FaultRun {
     }
   }
 
-  // A feed that is not over says why it waits.
+  // A feed that is not over states why it waits.
   void expect_a_name() const {
     if (!over()) {
       EXPECT_NE(feed_->stall(), feed::Stall::none) << where << " " << feed::name(feed_->state());
@@ -144,8 +144,8 @@ class FaultRun {
 
   [[nodiscard]] State state() const { return feed_->state(); }
   [[nodiscard]] bool is_shut_in_the_end() const {
-    const bool behind_the_end = feed_->state() == State::trailer || feed_->state() == State::draining;
-    return behind_the_end && feed_->stall() == feed::Stall::cts_off && kind_ == Kind::rtscts;
+    const bool after_the_end = feed_->state() == State::trailer || feed_->state() == State::draining;
+    return after_the_end && feed_->stall() == feed::Stall::cts_off && kind_ == Kind::rtscts;
   }
   [[nodiscard]] FaultKind fault() const { return fault_.kind; }
   [[nodiscard]] simulator::ControlReport report() const { return control_->report(); }

@@ -1,4 +1,4 @@
-// Holds `dripfeed openapi` against the recommended rules of Redocly, all of them, with warnings as faults.
+// Checks `dripfeed openapi` by the recommended rules of Redocly, all of them, with warnings as faults.
 //   node schema/lint.mjs       the description of ../build/dev/dripfeed, or of $DRIPFEED
 // Spectral's are run by hand: tests/bench/api_lint.sh.
 import { execFileSync } from 'node:child_process';

@@ -99,7 +99,7 @@ function View({ here }: { here: Route }) {
   }
 }
 
-// A badge that is scanned while somebody is signed in: from here on it is its person. A badge that is not valid changes
+// A badge that is scanned while a person is signed in: from here on it is its person. A badge that is not valid changes
 // nothing.
 function useBadge(here: Route): void {
   const [badge] = here.parameters;

@@ -69,7 +69,7 @@ test('each point of a verdict is waived by itself, or all of them at once', () =
   assert.equal(hindranceOf(verdict({ verdict: 'warn', waivers: [p] }), kNow), 'not_waived', 'a point that the verdict does not have');
 });
 
-test('the sums of the past reach back so many days, and are held against the forecast', () => {
+test('the sums of the past reach back so many days, and are compared with the forecast', () => {
   assert.equal(rangeBegin(null, 1_800_000_012_345), null);
   assert.equal(rangeBegin(1, 1_800_000_012_345), 1_800_000_000_000 - 86_400_000);
   assert.equal(rangeBegin(7, 1_800_000_000_000), rangeBegin(7, 1_800_000_059_999), 'the same within a minute');

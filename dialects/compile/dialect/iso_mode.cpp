@@ -115,7 +115,7 @@ std::span<const ir::CodeRow> iso_m_codes() {
   return rows;
 }
 
-// A part is no program: what every program has, its host has, and which branch the run takes is to be seen there.
+// A part is not a program: what every program has, its host has, and which branch the run takes is to be seen there.
 bool concerns_host(const text::Diagnostic& d) {
   constexpr DiagnosticId kIds[] = {DiagnosticId::missing_program_number, DiagnosticId::missing_tape_mark,
                                    DiagnosticId::missing_program_end, DiagnosticId::unreachable,

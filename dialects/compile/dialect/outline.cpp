@@ -14,7 +14,7 @@ namespace {
 
 using ir::StatementKind;
 
-// Blocks whose number no one jumps to are no places that people look for.
+// Blocks whose number no one jumps to are nothing that people look for.
 std::unordered_set<std::uint32_t> jumped_to(const ir::Program& program) {
   std::unordered_set<std::uint32_t> numbers;
   for (const ir::Jump& jump : program.jumps)

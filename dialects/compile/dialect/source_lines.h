@@ -9,7 +9,8 @@
 
 namespace dripfeed::compile {
 
-// Of line `number`, from 1, without its end; empty at the begin of the text for 0 and for lines that it has not.
+// Of line `number`, from 1, without its end; empty at the beginning of the text for 0 and for lines that it does not
+// have.
 inline text::Span span_of_line(const text::Source& source, std::uint32_t number) {
   const std::string_view line = number == 0 ? std::string_view() : source.line(number);
   const auto begin = static_cast<std::uint32_t>(line.empty() ? 0 : line.data() - source.text().data());

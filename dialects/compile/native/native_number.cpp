@@ -34,7 +34,7 @@ NativeNumber number_in_place(const NativeConstant& old, std::string_view old_tex
   if (text::format_fixed(value, kMostDecimals) == text::format_fixed(old.value, kMostDecimals))
     return {.text = std::string(old_text), .why = {}};
   if (old.takes_integer && std::abs(value - std::nearbyint(value)) > kNoise)
-    return refused(fmt::format("it takes whole numbers (INT), and {} is none", text::format_shortest(value)));
+    return refused(fmt::format("it takes whole numbers (INT), and {} is not one", text::format_shortest(value)));
   // What the program has by itself, the control reads.
   const int most = most_digits == 0 ? kNoLimit : std::max(static_cast<int>(most_digits), int{old.digits});
   std::string out;

@@ -7,7 +7,7 @@
 
 namespace dripfeed::compile {
 
-// A text in quotes of the family language: one line, no quotes in it, and '?' for what is no UTF-8.
+// A text in quotes of the family language: one line, no quotes in it, and '?' for what is not UTF-8.
 std::string quoted_text(std::string_view text);
 // "roll-2" of "/parts/Roll 2.nc": a family's name.
 std::string proposed_family_name(std::string_view path);

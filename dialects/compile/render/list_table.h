@@ -18,8 +18,8 @@ struct TableColumn {
 
 // The column of that name, with the unit after its name ("x mm", "x [mm]") for cells that have none. An empty name is
 // the parameter's own, or the table's only column. Cells are checked by the parameter of `family`; a family with faults
-// and a parameter that is no list are left to who binds it. A list of points takes one column an axis, which is named
-// x, y or z; `column` is empty.
+// and a parameter that is not a list are left to who binds it. A list of points takes one column an axis, which is
+// named x, y or z; `column` is empty.
 TableColumn list_of_column(const text::Source& table, std::string_view column, const text::Source& family,
                            std::string_view parameter);
 

@@ -80,7 +80,7 @@ class Merging {
     if (!is_plain()) return refuse("it has jumps, loops or calls: only plain blocks are merged");
     const RecordedRun before = run_of(read.program);
     if (!before.is_whole || before.result.ended != interpreter::Ended::end)
-      return refuse("its run does not come to its end");
+      return refuse("its run does not reach its end");
     find_lines(before);
     for (std::uint32_t line = 1; line < lines_.size();) line = group_from(line);
     if (out_.groups.empty()) return std::move(out_);
@@ -187,7 +187,7 @@ class Merging {
     return best.last_line + 1;
   }
 
-  // How far the corners lie off the line from the begin of the first move to the end of the last; nothing: too far, or
+  // How far the corners lie off the line from the start of the first move to the end of the last; nothing: too far, or
   // the chain turns back.
   [[nodiscard]] std::optional<double> chain_off(std::uint32_t first, std::uint32_t last) const {
     const Place from = place(lines_[first].motion->start);
@@ -304,7 +304,7 @@ class Merging {
     return text.substr(begin(number), begin(number + 1) - begin(number));
   }
 
-  // The group's last block with the center as it lies from the begin of the first arc.
+  // The group's last block with the center as it lies from the start of the first arc.
   [[nodiscard]] std::string arc_of(const MergedGroup& group, std::string_view bytes) const {
     const auto offset = static_cast<std::uint32_t>(bytes.data() - source_.text().data());
     const Motion& first = *lines_[group.first_line].motion;
@@ -322,13 +322,13 @@ class Merging {
     return out;
   }
 
-  // Empty, or why the new text must not be used: it is run, and held against the old run.
+  // Empty, or why the new text must not be used: it is run, and compared with the old run.
   std::string fault_of(const RecordedRun& before) {
     const text::Source made(source_.name(), out_.text);
     const ir::ReadResult read = dialect_.read(made, control_);
     if (text::has_error(read.diagnostics)) return "the control would object to the shorter program";
     const RecordedRun after = run_of(read.program);
-    if (after.result.ended != interpreter::Ended::end) return "the shorter program would end otherwise";
+    if (after.result.ended != interpreter::Ended::end) return "the shorter program would end differently";
     std::size_t n = 0;
     auto group = out_.groups.begin();
     for (const Motion& m : before.motions) {

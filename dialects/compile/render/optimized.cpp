@@ -23,7 +23,7 @@ namespace {
 
 // All that a motion is, but for where in the text it comes from, what computing it cost, and its text.
 bool is_same(const ir::Motion& a, const ir::Motion& b) {
-  // What is not known is no number, and equals itself here.
+  // What is not known is not a number, and equals itself here.
   const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
   const auto all_same = [&](const auto& x, const auto& y) { return std::ranges::equal(x, y, same); };
   return a.kind == b.kind && a.plane == b.plane && a.feed_mode == b.feed_mode && a.length_offset == b.length_offset &&
@@ -221,7 +221,7 @@ class Optimization {
         return {};
       }
       if (old_run.result.ended != new_run.result.ended)
-        return fmt::format("the faster program would end otherwise ({})", interpreter::name_of(new_run.result.ended));
+        return fmt::format("the faster program would end differently ({})", interpreter::name_of(new_run.result.ended));
       if (!old_run.is_whole || old_run.result.ended == interpreter::Ended::limit) {
         attempt.not_verified = "it runs too long to be compared whole";
         return {};

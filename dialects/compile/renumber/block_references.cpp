@@ -123,7 +123,7 @@ class Finder {
     if (e.op != ir::Operator::constant || e.span.empty()) return unclear("the block that it names is calculated");
     const std::string_view written = e.span.in(text_);
     const text::Span digits = digits_of(text_, e.span);
-    if (!text::parse_integer(digits.in(text_))) return unclear(fmt::format("{} is no plain block number", written));
+    if (!text::parse_integer(digits.in(text_))) return unclear(fmt::format("{} is not a plain block number", written));
     add(static_cast<std::uint32_t>(e.value), digits);
   }
 

@@ -69,7 +69,7 @@ class Restarter {
     if (std::string why = places_.why_not(line); !why.empty())
       return RestartRefusal{DiagnosticId::restart_no_block, std::move(why)};
     const LineSeen& seen = whole.seen(line);
-    if (seen.visits == 0) return RestartRefusal{DiagnosticId::restart_no_block, "the program never comes to this line"};
+    if (seen.visits == 0) return RestartRefusal{DiagnosticId::restart_no_block, "the program never reaches this line"};
     if (seen.obstacle == RestartObstacle::in_shape || seen.visits == 1) {
       if (seen.obstacle != RestartObstacle::none)
         return RestartRefusal{DiagnosticId::restart_inside, std::string(words_of(seen.obstacle))};
@@ -154,7 +154,7 @@ class Restarter {
     for (const interpreter::RunDiagnostic& one : rest.result.diagnostics)
       if (one.diagnostic.severity == text::Severity::error)
         return differs(fmt::format("line {} of it: {}", one.line, text::message_of(one.diagnostic)));
-    if (!rest.point) return differs("it does not come there");
+    if (!rest.point) return differs("it does not get there");
     out.moves_before = draft.run.moves_before(draft.point.ordinal);
     const RestartProof proof{.whole = draft.run,
                              .rest = rest,

@@ -42,7 +42,7 @@ class Comparison {
     }
     if (a < whole.size()) return fmt::format("it ends before line {}", whole[a].place.line);
     if (b < rest.size()) return "it does not end where the program ends";
-    return of_.whole.result.ended == of_.rest.result.ended ? "" : "it ends otherwise";
+    return of_.whole.result.ended == of_.rest.result.ended ? "" : "it ends differently";
   }
 
  private:

@@ -73,7 +73,7 @@ struct RestartRun {
   [[nodiscard]] std::size_t moves_before(std::uint64_t ordinal) const;
 };
 
-// `line`: whose begin is kept. What only the control holds is not known in the run.
+// `line`: whose start is kept. What only the control holds is not known in the run.
 RestartRun run_for_restart(const ir::Program& program, const ir::Control& control, interpreter::ProgramFinder& finder,
                            const interpreter::RunOptions& options, std::uint32_t line);
 

@@ -1,4 +1,4 @@
-// The text is read as a block of the control's own language: what is no code of a group that stays in effect is
+// The text is read as a block of the control's own language: what is not a code of a group that stays in effect is
 // refused.
 #include "dialects/compile/translate/caller_modes.h"
 
@@ -29,8 +29,9 @@ std::expected<std::vector<ir::CodeRow>, std::string> read_caller_modes(const Dia
   const text::Source source("modes", std::string(text));
   const ir::ReadResult read = dialect.read(source, control);
   const auto refuse = [&](text::Span span) {
-    return std::unexpected(fmt::format("\"{}\" is no mode of {}: codes that stay in effect are, as in \"G18 G95 G97\"",
-                                       span.empty() ? text : span.in(source.text()), control.title));
+    return std::unexpected(
+        fmt::format("\"{}\" is not a mode of {}: codes that stay in effect are, as in \"G18 G95 G97\"",
+                    span.empty() ? text : span.in(source.text()), control.title));
   };
   for (const text::Diagnostic& d : read.diagnostics)
     if (d.severity == text::Severity::error) return refuse(d.span);

@@ -29,7 +29,7 @@ using ir::StatementKind;
 
 struct Step {
   std::uint32_t line = 0;
-  std::string words{};   // of one that is no move: "T5", "M 150"
+  std::string words{};   // of one that is not a move: "T5", "M 150"
   bool is_known = true;  // false: what it does is not known, only what it says
   ir::Motion motion{};   // of a move or dwell, where `words` is empty
 };
@@ -60,7 +60,7 @@ class OpaqueLines {
       const ir::Statement& s = of.program.statements[i];
       if (!states_more(of.program, s, of.control)) continue;
       if (i < main.first || i >= main.last)
-        elsewhere_ = fmt::format("line {} of a called program does what no run shows", s.line);
+        elsewhere_ = fmt::format("line {} of a called program has effects that a run does not show", s.line);
       lines_.insert(s.line);
       const auto uses = passes::variables_of(of.program, s);
       if (std::ranges::any_of(uses, [](const passes::VariableUseAt& use) { return !use.set; }))
@@ -83,7 +83,7 @@ class Steps {
  public:
   Steps(const ComparedProgram& of, const OpaqueLines& opaque) : of_(of), opaque_(opaque) {}
 
-  // Why it cannot be held against another; "" when it can.
+  // Why it cannot be compared with another; "" when it can.
   std::string run(std::uint32_t switches, const std::function<std::string()>& used_up) {
     ir::Control control = of_.control;
     control.semantics.unset_is_unknown = true;
@@ -104,7 +104,7 @@ class Steps {
   std::string gap(const RecordedRun& run) {
     for (const interpreter::RunDiagnostic& d : run.result.diagnostics)
       if (d.diagnostic.severity == text::Severity::error || d.diagnostic.id == text::DiagnosticId::call_target_missing)
-        return fmt::format("its run meets in line {}: {}", d.line, text::message_of(d.diagnostic));
+        return fmt::format("its run finds in line {}: {}", d.line, text::message_of(d.diagnostic));
     for (const interpreter::NotInterpreted& lost : run.result.not_interpreted) {
       if (lost.effects_known) continue;
       const std::string place = fmt::format(" in line {}", lost.first_line);
@@ -126,17 +126,17 @@ class Steps {
   std::string gap_of_called(const std::string& name) {
     if (ir::section_named(of_.program, name)) return {};  // OpaqueLines has looked at it
     const ir::Program* called = of_.library.find(name);
-    if (called == nullptr) return "it calls " + name + ", which is not at hand";
+    if (called == nullptr) return "it calls " + name + ", which is not available";
     if (called->is_standard) return {};
     const bool has_more = std::ranges::any_of(
         called->statements, [&](const ir::Statement& s) { return states_more(*called, s, of_.control); });
-    return has_more ? name + ", which it calls, does what no run shows" : std::string();
+    return has_more ? name + ", which it calls, has effects that a run does not show" : std::string();
   }
 
   std::string add(const Visit& visit, const RecordedRun& run) {
     if (opaque_.has(visit.line)) {
       if (opaque_.is_computed(visit.line))
-        return fmt::format("line {} does what no run shows, with values that are computed", visit.line);
+        return fmt::format("line {} has effects that a run does not show, with values that are computed", visit.line);
       Step step{.line = visit.line, .is_known = false};
       step.words = words_of_line(of_.meaning, visit.line);
       steps_.push_back(std::move(step));

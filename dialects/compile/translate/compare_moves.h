@@ -1,5 +1,5 @@
 // Whether two programs of one control move the axes the same. Both are run, and their moves, tools, stops and what they
-// do that no run shows (M functions, reference returns, data that outlives the program) are held against each other in
+// do that no run shows (M functions, reference returns, data that outlives the program) are compared with each other in
 // order. What a run took from outside, or did not understand, is unknown for both: then nothing is compared, and `why`
 // says so.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace dripfeed::compile {
 
-// Coordinates are held against each other to a millionth of a millimetre or degree: what two spellings of one number
+// Coordinates are compared with each other to a millionth of a millimetre or degree: what two spellings of one number
 // differ by is less, what a control rounds to is more.
 inline constexpr double kSameCoordinate = 1e-6;
 

@@ -195,7 +195,7 @@ std::string InlineMoves::run(const ir::Program& program, ProgramLibrary& library
         result.ended == interpreter::Ended::end && std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
           return s.line == result.last.line && s.kind == StatementKind::program_end;
         });
-    if (!ends) return "a text that is no main program with its end";
+    if (!ends) return "a text that is not a main program with its end";
     if (!runs_.back().is_whole) return "a run of that many moves";
   }
   return lost_with_shape(program);

@@ -256,7 +256,7 @@ std::optional<InlineMoves::Difference> InlineMoves::first_difference(const ir::P
     return Difference{*lost, "the translation does not write what is written here"};
   if (run.is_whole && ended) return std::nullopt;
   const std::uint32_t last = wanted.empty() ? 1 : wanted.back().line;
-  return Difference{owners_.empty() ? last : owners_.front(), "the translation does not come to its end"};
+  return Difference{owners_.empty() ? last : owners_.front(), "the translation does not reach its end"};
 }
 
 // In order; the translation may write more, to variables that it needs itself.

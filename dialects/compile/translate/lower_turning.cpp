@@ -124,7 +124,7 @@ class Lowering {
       return;
     }
     if (!before.x || !before.z)
-      return findings_.cannot(passes::not_known("a turning cycle that begins at a place not known here"));
+      return findings_.cannot(passes::not_known("a turning cycle that begins at a position not known here"));
     if (cycle == kThread && !lead_) return findings_.cannot(passes::not_known("the lead of a thread, not known here,"));
     const ExpressionId x0 = constant(*before.x);
     const ExpressionId z0 = constant(*before.z);
@@ -201,7 +201,7 @@ class Lowering {
     if (!value || !*increment) return value;
     const std::optional<double>& place = axis == Address::x ? before.x : before.z;
     if (!place) {
-      findings_.cannot(passes::not_known("a turning cycle that begins at a place not known here"));
+      findings_.cannot(passes::not_known("a turning cycle that begins at a position not known here"));
       return std::nullopt;
     }
     return sum(constant(*place), *value, 1.0);
@@ -233,7 +233,7 @@ class Lowering {
     }
     const std::optional<LatheFacts::Repeated> done = facts_.repeat(index_, here);
     if (!done)
-      return findings_.cannot(passes::not_known("a turning cycle whose numbers or whose place are not known here"));
+      return findings_.cannot(passes::not_known("a turning cycle whose numbers or position are not known here"));
     if (done->fails || done->motions.size() > kMostMoves) return findings_.cannot("a turning cycle with such numbers");
     moves(done->motions, done->inch ? 25.4 : 1.0);
     if (!first_codes_.empty() || !first_words_.empty())

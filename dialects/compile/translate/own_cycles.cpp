@@ -21,8 +21,7 @@ std::vector<text::Diagnostic> own_cycles(const ir::Program& program, const ir::C
     const ir::Program* found = in_text || library == nullptr ? nullptr : library->find(name);
     const bool is_own = in_text || (found != nullptr && !found->is_standard);
     if (!is_own || !reported.insert(name).second) continue;
-    out.push_back(
-        passes::diagnose(passes::of_call("a program of the shop's own with the name " + name), s.span, to.title));
+    out.push_back(passes::diagnose(passes::of_call("the shop's own program with the name " + name), s.span, to.title));
   }
   return out;
 }

@@ -105,7 +105,7 @@ std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, Bloc
   const std::optional<Function> function = plain_function_of(motion.kind);
   if (!function) return cannot("a thread within it");
   if (motion.machine_coordinates || (motion.gaps & ir::kEndUnknown) != 0)
-    return cannot("a place that is not known here");
+    return cannot("a position that is not known here");
   const bool arc = is_arc(motion.kind);
   const bool feeds = motion.kind != MotionKind::rapid;
   if (arc && motion.plane != terms_.plane) return cannot("an arc in another plane");

@@ -78,7 +78,7 @@ std::expected<std::optional<TapCut>, std::string> tap_at(std::span<const Motion>
   if (!axis || (*axis != 0 && *axis != 2)) return cannot("a move along another axis than X or Z");
   const std::uint16_t unknown = in.axes_unknown | out.axes_unknown;
   if ((unknown & (1U << *axis)) != 0 || in.machine_coordinates || ((in.gaps | out.gaps) & ir::kEndUnknown) != 0)
-    return cannot("a place that is not known here");
+    return cannot("a position that is not known here");
   if (in.surface_speed_m_min != 0.0 || in.spindle_rpm <= 0.0 || in.spindle_rpm != out.spindle_rpm)
     return cannot("a speed that is not known or not the same in and out");
   tap.axis = *axis;

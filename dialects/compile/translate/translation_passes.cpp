@@ -64,7 +64,7 @@ std::span<const TranslationPass> Converter::passes_of(ConvertMode mode) {
   using C = Converter;
   static constexpr std::array kMacro = {
       TranslationPass{"axes that only one of the machines has", "on the program as written", &C::refuse_unlike_axes},
-      TranslationPass{"cycles of the shop's own", "a program that is named like a standard cycle is none",
+      TranslationPass{"cycles of the shop's own", "a program that is named like a standard cycle is not a cycle",
                       &C::refuse_own_cycles},
       TranslationPass{"M99 of a main program", "later passes see jumps alone", &C::translate_main_returns},
       TranslationPass{"parts in ISO mode", "from here on the program has one language", &C::splice_iso},

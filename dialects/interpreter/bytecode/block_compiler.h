@@ -27,7 +27,7 @@ class BlockCompiler {
   CodeBuilder& builder_;
   ExpressionCompiler& expressions_;
   bool drills_ = false;                // the block at hand has the code of a drilling cycle
-  bool words_belong_to_code_ = false;  // a code takes the axis words for something that is no move
+  bool words_belong_to_code_ = false;  // a code takes the axis words for something that is not a move
 };
 
 }  // namespace dripfeed::interpreter

@@ -90,7 +90,7 @@ class ContourCutter {
       const ir::Motion& m = moves[i];
       const bool arc = m.kind == MotionKind::arc_cw || m.kind == MotionKind::arc_ccw;
       if ((m.axes_unknown & m.axes_commanded & (1U << kX | 1U << kZ)) != 0)
-        return {0, "along a contour whose places are not known"};
+        return {0, "along a contour whose points are not known"};
       if (!arc && m.kind != MotionKind::linear) return {kAlarmShape, {}};
       if (!arc && m.start[kX] == m.end[kX] && m.start[kZ] == m.end[kZ]) continue;
       add(m, arc);

@@ -29,7 +29,7 @@ class Sections {
       }
       const std::uint32_t line = piece.segment.line;
       Relief relief;
-      if (!take(relief)) return {{}, {}, "with a relief cut that is no plain one, in line " + std::to_string(line)};
+      if (!take(relief)) return {{}, {}, "with a relief cut that is not a plain one, in line " + std::to_string(line)};
       ContourPiece bridge;
       bridge.segment = {.from = relief.begin(), .to = relief.end(), .center = {}, .line = line};
       out.front.push_back(bridge);

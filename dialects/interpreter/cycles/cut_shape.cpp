@@ -120,7 +120,7 @@ class ShapeCutter {
     return reversal;
   }
 
-  // Travels and levels with the allowances; the first move leads to the shape and is no part of it.
+  // Travels and levels with the allowances; the first move leads to the shape and is not a part of it.
   void build() {
     const double dx = data_.allowance_x_mm;
     const double dz = data_.allowance_z_mm;

@@ -9,7 +9,7 @@
 
 namespace dripfeed::interpreter {
 
-// The move to where the touch is expected, or to the touch where it is known. After it neither the place of the axis
+// The move to where the touch is expected, or to the touch where it is known. After it neither the position of the axis
 // nor the lengths of tools are known.
 void measure_tool(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
                   BlockResult& result);

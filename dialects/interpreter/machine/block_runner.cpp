@@ -1,4 +1,4 @@
-// From template to plain block, and what came of it.
+// From template to plain block, and its result.
 #include "dialects/interpreter/machine/block_runner.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ const std::array<NoteRow, 30>& counted_notes() {
   static const std::array<NoteRow, 30> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the move to the reference point", ir::Function::reference_return}},
-      {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
+      {kNoteArcNotComputed, {"arcs from or to a position that is not known"}},
       {kNoteArcInFrame, {"arcs that a frame stretches"}},
       {kNoteArcUndefined, {"CIP through points that make no circle"}},
       {kNoteCompInFrame, {"compensation of the radius in a plane that a frame tilts"}},
@@ -64,7 +64,8 @@ const std::array<NoteRow, 30>& counted_notes() {
       {kNoteFrameValue, {"a scaling factor or angle that is left to a parameter", ir::Function::scale}},
       {kNoteDirectAngle, {"the angle of a line (,A) whose ends do not follow from it", ir::Function::linear}},
       {kNoteHoleWithoutDepth, {"a drilling cycle without a depth", ir::Function::drill}},
-      {kNoteTransformed, {"moves on a face or cylinder from a place that is not known", ir::Function::transformation}},
+      {kNoteTransformed,
+       {"moves on a face or cylinder from a position that is not known", ir::Function::transformation}},
   }};
   return rows;
 }
@@ -118,7 +119,7 @@ void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
            code.group == ir::ModalGroup::frame;
   };
   if (std::ranges::any_of(block_.codes, takes_letters)) return;
-  // On a face or cylinder Y is no axis of the machine.
+  // On a face or cylinder Y is not an axis of the machine.
   const bool has_y = state_.transformation.shape != Transformation::Shape::none && !state_.transformation.by_rotary;
   const std::uint64_t foreign = rules_.foreign_axes & ~(has_y ? bit_of(ir::Address::y) : 0);
   for (const ir::PlainWord& word : words) {

@@ -25,7 +25,7 @@ void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::str
                          !made.arguments.front().starts_with("R-");
   if (is_beyond && !control_.from_profile && made.severity == text::Severity::error) {
     made.severity = text::Severity::warning;
-    made.notes.push_back({made.span, "a machine profile that states the R parameters settles this"});
+    made.notes.push_back({made.span, "a machine profile that states the R parameters decides this"});
   }
   const bool certain = !uncertain_ || id == DiagnosticId::call_target_missing;
   if (!certain && made.severity == text::Severity::error) {

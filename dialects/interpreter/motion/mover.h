@@ -93,7 +93,7 @@ class Mover {
   // chamfers and roundings: mover_corner.cpp
   [[nodiscard]] PathPiece piece_of(const ir::Motion& motion, PlaneAxes axes) const;
   void put_point(AxisValues& at, PlaneAxes axes, PlanePoint point) const;
-  // Moves that lie in the plane alone and whose places are known.
+  // Moves that lie in the plane alone and whose positions are known.
   [[nodiscard]] static bool is_flat(const ir::Motion& motion, PlaneAxes axes);
   void drop_corner();
   // The last motion of the buffer is the move after the corner that waits, and may have a corner at its own end.

@@ -21,7 +21,7 @@ void Mover::put_point(AxisValues& at, PlaneAxes axes, PlanePoint point) const {
   at[axes.q] = kept_of(axes.q, point.q);
 }
 
-// Moves that lie in the plane alone and whose places are known.
+// Moves that lie in the plane alone and whose positions are known.
 bool Mover::is_flat(const ir::Motion& motion, PlaneAxes axes) {
   if (((motion.axes_unknown >> axes.p | motion.axes_unknown >> axes.q) & 1U) != 0) return false;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)

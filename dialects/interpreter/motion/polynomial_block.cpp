@@ -124,7 +124,7 @@ void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, con
     return fail(result, "the length of its parameter (PL) is not in 0.0001 to 99999.9999");
   const Bends bends = bends_of(block, rules, state, interval);
   const Polynomial curve(state.position, target.end, bends);
-  if (!curve.is_finite()) return fail(result, "its coefficients (PO) lead to no place");
+  if (!curve.is_finite()) return fail(result, "its coefficients (PO) give no position");
   const auto moved = static_cast<std::uint16_t>(target.commanded | curve.bent());
   const bool known = ((state.unknown & moved) | target.unknown) == 0 &&
                      (block.unknown & (kPolynomialWords | bit_of(Address::knot_distance))) == 0;

@@ -22,8 +22,8 @@ class TransformedPieces {
   TransformedPieces(const TransformedPlane& plane, ModalState& state, MotionBuffer& out)
       : plane_(plane), t_(plane_.made), state_(state), out_(out), real_(plane.real) {}
 
-  // The state's axes stand at its end then. False where it starts at a place that is not known: the axes then go there
-  // in one.
+  // The state's axes stand at its end then. False where it starts at a position that is not known: the axes then go
+  // there in one.
   bool bring(const ir::Motion& motion);
 
  private:

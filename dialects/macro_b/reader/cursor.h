@@ -13,7 +13,7 @@
 
 namespace dripfeed::macro_b {
 
-// Faults go to one list for the whole program; failed() is of the current block. A text that is no program at all
+// Faults go to one list for the whole program; failed() is of the current block. A text that is not a program at all
 // has a fault in every line, so that the list ends at kMostFaults.
 class Faults {
  public:

@@ -52,7 +52,7 @@ const ir::CodeRow* BlockLowering::row_of(char letter, std::int32_t number10) con
   return &(letter == 'G' ? control_.g_codes : control_.m_codes)[static_cast<std::size_t>(index[at])];
 }
 
-// Ten times a written number; -1 for a computed one, -2 for one that is no code number (G1.25).
+// Ten times a written number; -1 for a computed one, -2 for one that is not a code number (G1.25).
 std::int32_t BlockLowering::number10_of(ExpressionId value) const {
   const ir::Expression& e = program_.at(value);
   if (e.op != Operator::constant) return -1;
@@ -237,7 +237,7 @@ void BlockLowering::name_contour_control(std::uint32_t first_code, std::uint32_t
   }
 }
 
-// M[3.5] is M4, as it is where the number comes from a variable; M3.5 is no code.
+// M[3.5] is M4, as it is where the number comes from a variable; M3.5 is not a code.
 std::int32_t BlockLowering::whole_m_number10(const RawWord& word, std::int32_t number10) const {
   const bool calculated = word.span.in(program_.source.text()).substr(1).starts_with('[');
   const ir::Expression* value = calculated && number10 != -1 ? &program_.at(word.value) : nullptr;

@@ -139,7 +139,7 @@ void Parser::check_variable_name(std::string_view name) {
   const bool plain =
       std::ranges::all_of(name, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
   if (name.empty() || !plain || !is_letter(name.front()))
-    faults_.report(syntax_error, span, {fmt::format("{} is no name of a variable", name)},
+    faults_.report(syntax_error, span, {fmt::format("{} is not a name of a variable", name)},
                    ir::AlarmDetail::name_characters);
   else if (name.size() > kMost)
     faults_.report(name_too_long, span, {std::string(name), std::to_string(name.size()), std::to_string(kMost)},
@@ -282,7 +282,7 @@ void Parser::go_to(ExpressionId condition) {
     jump.computed = target;
   } else if (value.value < 1.0 || value.value > grammar_.highest_block_number ||
              (value.has_point && at.in(cursor_.whole_text()) != "[")) {
-    faults_.fail(syntax_error, at, {fmt::format("GOTO {} is no block number", at.in(cursor_.whole_text()))},
+    faults_.fail(syntax_error, at, {fmt::format("GOTO {} is not a block number", at.in(cursor_.whole_text()))},
                  ir::AlarmDetail::jump_number);
     return;
   } else {

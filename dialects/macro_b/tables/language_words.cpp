@@ -18,7 +18,7 @@ RoleText text_of(const Keyword& keyword) {
     case KeywordRole::end_if: return {ir::WordSort::keyword, "end of a condition"};
     case KeywordRole::go_to: return {ir::WordSort::keyword, "jump to a block number"};
     case KeywordRole::while_word: return {ir::WordSort::keyword, "loop as long as the condition holds"};
-    case KeywordRole::do_word: return {ir::WordSort::keyword, "begin of a loop"};
+    case KeywordRole::do_word: return {ir::WordSort::keyword, "start of a loop"};
     case KeywordRole::end_word: return {ir::WordSort::keyword, "end of a loop"};
     case KeywordRole::function: return {ir::WordSort::function, ir::about_operator(keyword.op)};
     case KeywordRole::infix: return {ir::WordSort::keyword, ir::about_operator(keyword.op)};

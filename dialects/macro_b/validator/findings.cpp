@@ -79,7 +79,7 @@ void Findings::add_variable(std::uint32_t number, text::Span span) {
   if (finding == nullptr || !is_option) return;
   finding->severity = text::Severity::warning;
   finding->notes.push_back(
-      {span, "some machines have it by an option: \"variables\" of the machine's profile settles it"});
+      {span, "some machines have it by an option: \"variables\" of the machine's profile decides this"});
 }
 
 std::vector<text::Diagnostic> Findings::take() {

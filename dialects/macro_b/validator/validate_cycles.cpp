@@ -98,7 +98,7 @@ class CycleCheck {
     }
     for (const ir::Label* label : {begin, end}) named_twice(code, *label);
     if (!begins_straight(begin->statement))
-      findings_.add(cycle_shape_invalid, code.span, {fmt::format("N{} is no G00 or G01 move", *first)});
+      findings_.add(cycle_shape_invalid, code.span, {fmt::format("N{} is not a G00 or G01 move", *first)});
     blocks_of(code, *begin, *end);
   }
 

@@ -267,7 +267,7 @@ std::string ProgramPrinter::word(const ir::Word& word, bool p_is_angle) const {
   const double magnitude = std::abs(value.value);
   const int whole_digits = magnitude < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
   const int room = static_cast<int>(control_.limits.digits) - whole_digits;
-  // Computed values get the places that the trace has, and an inch one more than the control has for a millimetre;
+  // Computed values get the decimals that the trace has, and an inch one more than the control has for a millimetre;
   // written ones keep theirs.
   const int wanted =
       value.span.empty() ? std::max(kComputedDecimals, control_.limits.linear_decimals + 1) : kWrittenDecimals;

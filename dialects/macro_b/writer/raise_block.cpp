@@ -198,7 +198,7 @@ void BlockRaiser::code(const ir::Code& code) {
   if (f == Function::machine_function) return draft_.codes.push_back(code);
   const bool factors = f == Function::scale && code.argument == ir::kFrameAboutPoint;
   if (factors && counts_factors_ && from_.semantics.scale_unit != to_.semantics.scale_unit)
-    return cannot(*statement_, passes::by_parameter("scaling, whose factors count otherwise here"));
+    return cannot(*statement_, passes::by_parameter("scaling, whose factors are counted differently here"));
   if (f == Function::work_offset && code.argument > kLastPlainOffset) {
     ir::Code extended = code_of(Function::work_offset, 1);
     extended.argument = code.argument > kExtendedOffset

@@ -142,7 +142,7 @@ class Drilling {
     if (!pattern) return place_.cannot(passes::computed(name + " with computed arguments"));
     if (pattern->count < 1.0 || pattern->count > kMostHoles) return place_.cannot(name + " with that number of holes");
     const auto points = ir::holes_of(*pattern, place_.in_plane());
-    if (!points) return place_.cannot(passes::not_known(name + " from a place that is not known here"));
+    if (!points) return place_.cannot(passes::not_known(name + " from a position that is not known here"));
     for (const ir::PlanePoint& point : *points) position(point);
     if (!is_cycle_) holes_.motion_again(false);
   }

@@ -75,7 +75,7 @@ class Parameters {
       return cannot(passes::of_call("the parameter " + name + ", which gives a value back (VAR),"), symbol.span);
     if (symbol.dimension1 != 0)
       return cannot(passes::of_call("the parameter " + name + ", which is an array,"), symbol.span);
-    if (!is_number) return cannot(passes::of_value("the parameter " + name + ", which is no number,"), symbol.span);
+    if (!is_number) return cannot(passes::of_value("the parameter " + name + ", which is not a number,"), symbol.span);
     result_.numbers.emplace(id, number);
 
     ir::Variable raw;  // without a type: what the caller gave

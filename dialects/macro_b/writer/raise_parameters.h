@@ -6,7 +6,7 @@
 //   GROOVE(R1,4)                              G65 <GROOVE> A#101 B4.
 //
 // Parameters become the local variables of their letters (passes/macro_arguments.h). What is handed over by reference,
-// and what is no number, has no such variable.
+// and what is not a number, has no such variable.
 #pragma once
 
 #include <map>

@@ -115,7 +115,7 @@ void Parser::modal_call(text::Span head) {
     return numbered_call(head, StatementKind::modal_call);
   }
   if (cursor_.kind() != TokenKind::name)
-    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no program to be called"});
+    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a program to be called"});
   const std::string_view name = cursor_.text();
   cursor_.advance();
   if (find_keyword(name) != nullptr) {

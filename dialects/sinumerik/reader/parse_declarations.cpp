@@ -86,7 +86,7 @@ bool Parser::parameter(ir::Symbol& symbol) {
   symbol.by_reference = cursor_.take_name("VAR");
   const Keyword* keyword = cursor_.kind() == TokenKind::name ? find_keyword(cursor_.text()) : nullptr;
   if (keyword == nullptr || keyword->role != Role::type) {
-    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no type of a parameter"});
+    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a type of a parameter"});
     return false;
   }
   cursor_.advance();
@@ -99,8 +99,8 @@ bool Parser::parameter(ir::Symbol& symbol) {
   return defined_name(keyword->type, string_length, symbol);
 }
 
-// DEF REAL X, DEF INT G1: an axis, an address or a code is no name, the control makes no symbol of it (12200). By the
-// manual no single letter is one, but programs have such: of the letters that a machine may give to axes or keep as
+// DEF REAL X, DEF INT G1: an axis, an address or a code is not a name, the control makes no symbol of it (12200). By
+// the manual no single letter is one, but programs have such: of the letters that a machine may give to axes or keep as
 // addresses (A, I, U ...), those are axes that it is known to have.
 bool Parser::is_code_or_address() {
   const text::Span head = cursor_.span();
@@ -131,7 +131,7 @@ bool Parser::defined_name(ir::ValueType type, std::uint16_t string_length, ir::S
   if (is_code_or_address()) return false;
   join_short_name();
   if (cursor_.kind() != TokenKind::name) {
-    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no name"});
+    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a name"});
     return false;
   }
   symbol.name = lower_.name(cursor_.text());
@@ -203,7 +203,7 @@ void Parser::definition(text::Span head) {
   const bool global = skip_value_attributes();
   const Keyword* keyword = cursor_.kind() == TokenKind::name ? find_keyword(cursor_.text()) : nullptr;
   if (keyword == nullptr || keyword->role != Role::type)
-    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no type of a variable"});
+    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a type of a variable"});
   cursor_.advance();
   std::uint16_t string_length = 0;
   if (keyword->type == ir::ValueType::string && cursor_.is_symbol('[')) {

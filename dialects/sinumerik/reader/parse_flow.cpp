@@ -112,7 +112,7 @@ bool Parser::jump_target(ir::Jump& jump) {
     cursor_.advance();
     const auto number = cursor_.kind() == TokenKind::number ? text::parse_integer(cursor_.text()) : std::nullopt;
     if (!number || *number > 999'999'999) {
-      give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no block number"});
+      give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a block number"});
       return false;
     }
     jump.number = static_cast<std::uint32_t>(*number);
@@ -133,7 +133,7 @@ bool Parser::jump_target(ir::Jump& jump) {
   }
   if (cursor_.kind() != TokenKind::name && cursor_.kind() != TokenKind::string &&
       cursor_.kind() != TokenKind::variable && !cursor_.is_symbol('(')) {
-    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no jump target"});
+    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a jump target"});
     return false;
   }
   const ir::ExpressionId target = expression();
@@ -166,7 +166,7 @@ void Parser::repeat_statement(text::Span head, bool one_block) {
   ir::Repeat repeat;
   repeat.one_block = one_block;
   if (!section_label(repeat.first, repeat.first_number))
-    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no label"});
+    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a label"});
   if (!one_block) (void)section_label(repeat.last, repeat.last_number);
   if (cursor_.kind() == TokenKind::address && to_upper(cursor_.first()) == 'P' && cursor_.span().size() == 1) {
     const text::Span p = cursor_.span();

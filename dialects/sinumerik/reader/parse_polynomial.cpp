@@ -1,6 +1,6 @@
 // PO[X]=(xe,a2,a3) and X=PO(xe,a2,a3,a4,a5) (PGA, "Polynomial interpolation"): the end is the axis word itself, what
 // follows are the coefficients of the powers from the second on. What is left out at the end is 0. A denominator,
-// PO[]=(…), and the polynomials of other axes are kept as written, and said.
+// PO[]=(…), and the polynomials of other axes are kept as written, and reported.
 #include "dialects/ir/polynomial_words.h"
 #include "dialects/sinumerik/reader/parse.h"
 #include "dialects/sinumerik/tables/name_index.h"

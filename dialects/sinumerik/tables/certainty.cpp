@@ -16,7 +16,7 @@ constexpr ir::OutsideRow kOpen[] = {
      "program or give its folder with --path"},
     {call_target_missing,
      "the called program decides this: put it into the folder of this one or give its folder with --path"},
-    {unknown_address, "a machine profile with its axes settles this", true},
+    {unknown_address, "a machine profile with its axes decides this", true},
 };
 
 }  // namespace

@@ -40,7 +40,7 @@ constexpr VerbText kVerbs[] = {
     {Verb::call_path, "calls a program by its path"},
     {Verb::call_external, "calls a program of another device"},
     {Verb::call_iso, "calls a program in ISO mode"},
-    {Verb::execute, "carries a text out as a block"},
+    {Verb::execute, "executes a text as a block"},
     {Verb::macro, "declares a macro"},
     {Verb::call_modal, "calls a program after each block that moves"},
     {Verb::return_word, "return to the calling program"},

@@ -75,7 +75,7 @@ void soften_unreached(const ir::Program& program, std::vector<text::Diagnostic>&
     const auto i = static_cast<std::size_t>(std::distance(statements.begin(), after)) - 1;
     if (reached[i] || of_cycle[i] || ir::is_structure(statements[i].kind)) continue;
     d.severity = text::Severity::warning;
-    d.notes.push_back({d.span, "no run comes to this block: the control does not read it"});
+    d.notes.push_back({d.span, "no run reaches this block: the control does not read it"});
   }
 }
 

@@ -91,7 +91,7 @@ class Names {
           check_.report(parameters ? DiagnosticId::parameter_defined_twice : DiagnosticId::name_defined_twice,
                         symbol.span, {name(symbol)});
       d.notes.push_back({entry->second->span, "the first one is here"});
-      if (parameters) d.notes.push_back({symbol.span, "no name reaches the value that callers give in this place"});
+      if (parameters) d.notes.push_back({symbol.span, "the value that callers give in this place has no name"});
     }
   }
 

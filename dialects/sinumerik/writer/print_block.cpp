@@ -205,7 +205,7 @@ std::string BlockPrinter::word(const ir::Word& w, std::span<const ir::Word> word
 }
 
 int BlockPrinter::position_decimals(const ir::Expression& e) const {
-  // Computed values get the places that the trace has, and an inch one more than the control has for a millimetre;
+  // Computed values get the decimals that the trace has, and an inch one more than the control has for a millimetre;
   // written ones keep theirs.
   return std::max(control_.limits.linear_decimals + 1, e.span.empty() ? kComputedDecimals : kPlainDecimals);
 }

@@ -49,7 +49,7 @@ bool uses_locals(const ir::Program& program) {
   });
 }
 
-// O9010 is no name here, L9010 is. R parameters are the same in both; a macro has local variables of its own.
+// O9010 is not a name here, L9010 is. R parameters are the same in both; a macro has local variables of its own.
 void raise_call(const Raising& raising, const ir::Statement& s, bool locals) {
   ir::Program& program = raising.program;
   ir::Call& call = program.calls[s.payload];

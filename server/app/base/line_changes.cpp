@@ -13,7 +13,7 @@ namespace {
 
 using Ids = std::vector<std::size_t>;
 
-// One number for each different line, so that lines are held against each other once.
+// One number for each different line, so that lines are compared with each other once.
 class Numbers {
  public:
   Ids of(std::span<const std::string_view> lines) {

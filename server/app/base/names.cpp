@@ -29,7 +29,7 @@ bool is_printable(std::uint32_t code) {
          std::ranges::none_of(kUnprintable, [&](Range range) { return range.first <= code && code <= range.last; });
 }
 
-// The next code point, taken off the front of `text`; nothing where that is no UTF-8.
+// The next code point, taken off the front of `text`; nothing where that is not UTF-8.
 std::optional<std::uint32_t> take_code(std::string_view& text) {
   constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};  // by the number of bytes
   const auto first = static_cast<std::uint8_t>(text.front());

@@ -1,4 +1,4 @@
-// A round covers the calls of settle() that came before it began.
+// A round covers the calls of wait_for_round() that came before it began.
 #include "server/app/base/round_thread.h"
 
 #include <utility>
@@ -32,12 +32,12 @@ void RoundThread::wake() {
   woken_.notify_one();
 }
 
-bool RoundThread::settle(std::chrono::milliseconds patience) {
+bool RoundThread::wait_for_round(std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
   const std::uint64_t mine = ++wanted_;
   due_ = true;
   woken_.notify_one();
-  settled_.wait_for(lock, patience, [&] { return done_ >= mine || over_; });
+  round_over_.wait_for(lock, patience, [&] { return done_ >= mine || over_; });
   return done_ >= mine;
 }
 
@@ -66,7 +66,7 @@ void RoundThread::loop(const std::stop_token& stop) {
     const std::lock_guard lock(mutex_);
     done_ = covers;
     over_ = last;
-    settled_.notify_all();
+    round_over_.notify_all();
   }
 }
 

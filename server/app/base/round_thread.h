@@ -29,7 +29,7 @@ class RoundThread {
   void wake();
   // Until a round is over that began after this call, for so long at most. False: it is not over, or there are no
   // rounds any more. Not from inside a round.
-  bool settle(std::chrono::milliseconds patience);
+  bool wait_for_round(std::chrono::milliseconds patience);
   // One last round, then no more.
   void stop();
 
@@ -42,10 +42,10 @@ class RoundThread {
   std::function<void()> round_;
   LineMutex mutex_{"a round thread"};
   std::condition_variable_any woken_;
-  std::condition_variable_any settled_;
+  std::condition_variable_any round_over_;
   bool due_ = false;
   bool over_ = false;
-  std::uint64_t wanted_ = 0;  // calls of settle()
+  std::uint64_t wanted_ = 0;  // calls of wait_for_round()
   std::uint64_t done_ = 0;    // ... whose round is over
   std::jthread thread_;       // last: it uses all of the above
 };

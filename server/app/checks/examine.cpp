@@ -149,14 +149,14 @@ bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, b
     const std::string without = axes_without_reference(*e.profile, second_reference);
     if (without.empty()) return false;
     report.checks.not_checked.add(
-        fmt::format("{}: \"reference_mm\"{} of {} in the machine's profile settles it", one.name,
+        fmt::format("{}: \"reference_mm\"{} of {} in the machine's profile decides this", one.name,
                     second_reference ? " and \"second_reference_mm\"" : "", without),
         one.first_line);
     return true;
   }
   if (one.function == ir::Function::machine_function) {
     report.checks.not_checked.add(
-        fmt::format("{}: what it does is not known; \"machine_functions\" of the machine's profile settles it",
+        fmt::format("{}: what it does is not known; \"machine_functions\" of the machine's profile decides this",
                     one.name),
         one.first_line);
     return true;

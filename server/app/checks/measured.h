@@ -1,5 +1,5 @@
 // Measuring what a program cuts and how long it takes, without keeping a verdict; and what a measuring machine found,
-// held against the same nominal.
+// compared with the same nominal.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace dripfeed::app {
 
 struct Measured {
   CheckReport report;
-  family::Geometry geometry;  // what it was held against
+  family::Geometry geometry;  // what it was compared with
   ir::MachineKind kind = ir::MachineKind::mill;
   bool x_is_diameter = false;
 };

@@ -26,7 +26,7 @@ struct PathPicture {
   PictureView view = PictureView::isometric;
   std::string cut;  // path data as in SVG ("M1 2 3 4"), of whole numbers from 0, 0 at the top left
   std::string rapid;
-  bool has_all_cuts = false;  // it was run to its end, and no cut lies at a place that is not known
+  bool has_all_cuts = false;  // it was run to its end, and no cut lies at a position that is not known
 };
 
 // The cuts fill the drawing; of rapids, parts may lie outside of it. Without any line both texts are empty.

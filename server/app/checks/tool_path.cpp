@@ -205,7 +205,7 @@ ToolPath PathRecorder::finish(const Followed::Run& run) {
     before = unknown ? nullptr : &rows_[i].spot;
     if (unknown) continue;
     if (from == nullptr || !is_move) {
-      // A place that nothing leads away from is no part of a path.
+      // A place that nothing leads away from is not a part of a path.
       const bool leads_on = i + 1 < rows_.size() && rows_[i + 1].kind != PathKind::begin;
       row.kind = PathKind::begin;
       row.feed = 0.0F;

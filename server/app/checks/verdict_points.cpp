@@ -19,9 +19,9 @@ class Points {
     checks::for_each_check(report_.checks, [this](const auto& one) { take(one.findings); });
     if (report_.checks.has_unknown_effects) add("it has effects that are not known: see what was not checked");
     if (report_.checks.gouge && report_.checks.gouge->has_unjudged_cuts)
-      add("some cuts were not held against stock and part");
+      add("some cuts were not compared with stock and part");
     if (report_.checks.accuracy && report_.checks.accuracy->has_unmeasured_cuts)
-      add("some cuts were not held against the nominal");
+      add("some cuts were not compared with the nominal");
     if (points_.size() > kMostPoints) points_.clear();
     return std::move(points_);
   }

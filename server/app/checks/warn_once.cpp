@@ -13,7 +13,7 @@ constexpr text::DiagnosticId kOnce[] = {text::DiagnosticId::missing_tape_mark, t
                                         text::DiagnosticId::missing_decimal_point,
                                         text::DiagnosticId::variable_out_of_range, text::DiagnosticId::not_interpreted};
 
-// Next to the note that says what settles it stands another: a likely slip.
+// Next to the note that states what decides it stands another: a likely slip.
 bool is_slip(const text::Diagnostic& one) { return one.id == text::DiagnosticId::unknown_name && one.notes.size() > 1; }
 
 }  // namespace
@@ -25,7 +25,7 @@ void warn_once(std::vector<text::Diagnostic>& diagnostics) {
     if (std::ranges::find(kOnce, one.id) == std::end(kOnce)) continue;
     if (seen.emplace(one.id, one.elsewhere.get()).second) continue;
     one.severity = text::Severity::note;
-    one.notes.clear();  // the first says what settles it
+    one.notes.clear();  // the first states what decides it
   }
 }
 

@@ -18,7 +18,7 @@
 
 namespace dripfeed::app {
 
-// The family that a program is held against.
+// The family that a program is compared with.
 struct NominalCase {
   std::string family;
   store::Revision revision = 0;

@@ -1,4 +1,4 @@
-// The ledger hands to the follower, so it is settled, and stopped, first.
+// The ledger hands to the follower, so it is waited for, and stopped, first.
 #include "server/app/jobs/books.h"
 
 #include <algorithm>
@@ -38,13 +38,13 @@ void Books::read_for(std::uint64_t session, std::shared_ptr<ContentSource> sourc
   texts_.read_for(session, std::move(source));
 }
 
-bool Books::settle() {
+bool Books::wait_until_booked() {
   const auto until = std::chrono::steady_clock::now() + kPatience;
   const auto left = [&] {
     return std::max(std::chrono::milliseconds(0),
                     std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now()));
   };
-  return ledger_.settle(left()) && follower_.settle(left());
+  return ledger_.wait_for_round(left()) && follower_.wait_for_round(left());
 }
 
 }  // namespace dripfeed::app

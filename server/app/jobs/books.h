@@ -37,9 +37,9 @@ class Books {
   void forget(std::uint64_t session) { texts_.arming_is_over(session); }
   // Until what the lines did by now is booked and the jobs follow it. False when that takes longer than people should
   // wait for an answer; it happens all the same, as soon as the disk lets it.
-  bool settle();
+  bool wait_until_booked();
   // Until the texts are read as far ahead as they may be. For a test, whose feeds take no time of their own.
-  bool read_ahead(std::chrono::milliseconds patience) { return texts_.settle(patience); }
+  bool read_ahead(std::chrono::milliseconds patience) { return texts_.wait_for_round(patience); }
   // See JobFollower.
   [[nodiscard]] Asks asks_of(const std::string& machine) const { return follower_.asks_of(machine); }
   [[nodiscard]] const LineTotals& totals() const { return follower_.totals(); }

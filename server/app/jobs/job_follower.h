@@ -28,7 +28,7 @@ class JobFollower {
 
   // What the ledger has booked, newest last. From the ledger's thread: kept until the next round.
   void take(std::vector<Booked> lines, const std::string& complaint);
-  bool settle(std::chrono::milliseconds patience) { return thread_.settle(patience); }
+  bool wait_for_round(std::chrono::milliseconds patience) { return thread_.wait_for_round(patience); }
   // Who asks while nothing is armed. From any thread.
   [[nodiscard]] Asks asks_of(const std::string& machine) const { return asks_.of(machine); }
   [[nodiscard]] const LineTotals& totals() const { return totals_; }

@@ -355,7 +355,7 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
     }
   }
   if (!note.empty()) books_.note(id, note);
-  static_cast<void>(books_.settle());
+  static_cast<void>(books_.wait_until_booked());
   auto now = store_.jobs().get(id);
   if (!now) return std::unexpected(from_store(now.error()));
   return std::move(*now);
@@ -404,7 +404,7 @@ Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
   auto disarmed = command(id, feed::Command::disarm, "job.cancel", "", actor);
   if (disarmed) return disarmed->state == store::JobState::queued ? cancel_queued(*disarmed, actor) : disarmed;
   // The control may have asked for it in between; after a round its row says so.
-  static_cast<void>(books_.settle());
+  static_cast<void>(books_.wait_until_booked());
   const auto now = store_.jobs().get(id);
   if (!now) return std::unexpected(from_store(now.error()));
   if (now->state == store::JobState::armed) return disarmed;
@@ -484,7 +484,7 @@ Result<void> Jobs::clear_line(const std::string& machine, std::string_view reaso
 Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {
   const std::string name(machine);
   const auto hold = lines_.hold(name);
-  static_cast<void>(books_.settle());  // what was torn is in the books before it is confirmed
+  static_cast<void>(books_.wait_until_booked());  // what was torn is in the books before it is confirmed
   auto job = lift(store_.jobs().confirm_reset(name, reason, stamp(actor)));
   if (!job && job.error().code == ErrorCode::not_found) return confirm_without_job(name, reason, actor);
   if (!job) return job;

@@ -67,7 +67,7 @@ class Jobs {
   // A stopped job goes on; a held one goes on "as if DC1" had come, with the reason in the ledger and the audit.
   Result<store::Job> resume(store::Id job, std::string_view reason, std::string_view actor);
   // The books follow the lines now: a job that its line ended is not armed in the store any more.
-  void settle() { static_cast<void>(books_.settle()); }
+  void wait_until_booked() { static_cast<void>(books_.wait_until_booked()); }
   // Whether the text's own number is from O8000 to O9999: the machine builder's in many controls, so that a memory load
   // of it needs a right of its own.
   [[nodiscard]] bool protects_number(std::string_view text_sha256);

@@ -58,7 +58,7 @@ class LedgerWriter {
   // is at its port now. "" where it lets.
   [[nodiscard]] std::string why_refused(const std::string& machine);
   void wake() { thread_.wake(); }
-  bool settle(std::chrono::milliseconds patience) { return thread_.settle(patience); }
+  bool wait_for_round(std::chrono::milliseconds patience) { return thread_.wait_for_round(patience); }
   // One last round.
   void stop() { thread_.stop(); }
 

@@ -1,5 +1,5 @@
-// A restart of a stored program for a stored machine: what compile::restart_at makes of it, and its approach held
-// against the part as the blocks before the line have left it. Nothing is stored and nothing is sent.
+// A restart of a stored program for a stored machine: what compile::restart_at makes of it, and its approach compared
+// with the part as the blocks before the line have left it. Nothing is stored and nothing is sent.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct RestartMade {
   text::Source source;  // that its diagnostics are in
   std::string sha256;   // of its text; empty without one
   std::vector<ApproachFinding> findings;
-  std::string not_held;  // why it was not held against the part; empty: it was
+  std::string not_held;  // why it was not compared with the part; empty: it was
 
   // A text was made, and nothing is known of it that forbids to send it.
   [[nodiscard]] bool is_possible() const;

@@ -54,7 +54,7 @@ std::expected<Shifts, std::string> Shifts::of(std::span<const std::string> begin
   shifts.begins_min_.clear();
   for (const std::string& begin : begins) {
     const auto minutes = minutes_of(begin);
-    if (!minutes) return std::unexpected(fmt::format("\"{}\" is no time of day: use HH:MM", begin));
+    if (!minutes) return std::unexpected(fmt::format("\"{}\" is not a time of day: use HH:MM", begin));
     shifts.begins_min_.push_back(*minutes);
   }
   std::ranges::sort(shifts.begins_min_);

@@ -14,7 +14,7 @@ namespace dripfeed::app {
 struct LocalTime {
   std::int64_t from_ms = 0;  // since 1970
   std::int64_t to_ms = 0;
-  std::string name;  // of its begin: "2026-11-27 06:00", of a day "2026-11-27"
+  std::string name;  // of its start: "2026-11-27 06:00", of a day "2026-11-27"
 };
 
 class Shifts {

@@ -80,7 +80,7 @@ Result<StopReason> StopReasons::state(store::Id id, std::string_view reason, std
                                       std::string_view actor) {
   if (std::ranges::find(offered_, reason) == offered_.end())
     return fail(ErrorCode::invalid,
-                fmt::format("\"{}\" is no reason of this shop: {}", reason, fmt::join(offered_, ", ")));
+                fmt::format("\"{}\" is not a reason of this shop: {}", reason, fmt::join(offered_, ", ")));
   if (note.size() > kLongestNote)
     return fail(ErrorCode::invalid, fmt::format("a note has {} bytes at most", kLongestNote));
   if (const std::string why = note.empty() ? std::string() : why_no_name(note); !why.empty())

@@ -15,7 +15,7 @@
 
 namespace dripfeed::app {
 
-// The type without its parameters, in small letters; application/octet-stream for none, or what is no type.
+// The type without its parameters, in small letters; application/octet-stream for none, or what is not a type.
 std::string media_type_of(std::string_view stated);
 
 // As what a stored file is handed out: its own type where a program may show that without running any of it, or

@@ -1,4 +1,4 @@
-// The lines that mean something are held against each other as texts are, and shown as they are written.
+// The lines that mean something are compared with each other as texts are, and shown as they are written.
 #include "server/app/library/compare.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Two programs held against each other: as texts, by what their lines mean, and by the moves that they make. Each
+// Two programs compared: as texts, by what their lines mean, and by the moves that they make. Each
 // answer stands alone, and "equal" is stated only where both were understood whole.
 #pragma once
 

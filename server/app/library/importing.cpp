@@ -49,7 +49,7 @@ Result<std::vector<store::Program>> known_in(store::Store& store, const std::str
   return found;
 }
 
-void settle(Imported& done, ImportOutcome outcome, std::string why = {}) {
+void end_with(Imported& done, ImportOutcome outcome, std::string why = {}) {
   done.outcome = outcome;
   done.why = std::move(why);
 }
@@ -67,7 +67,7 @@ Result<void> look_at(const TextToImport& one) {
 Imported Importer::import(const TextToImport& one) {
   Imported done{.name = one.name, .folder = one.folder, .bytes = one.text.size()};
   done.sha256 = hash::sha256_hex(one.text);
-  if (const auto placed = place(one, done); !placed) settle(done, ImportOutcome::failed, placed.error().text);
+  if (const auto placed = place(one, done); !placed) end_with(done, ImportOutcome::failed, placed.error().text);
   if (done.outcome != ImportOutcome::failed) brought_[{one.folder, one.name}] = done.sha256;
   return done;
 }
@@ -84,7 +84,7 @@ Result<void> Importer::place(const TextToImport& one, Imported& done) {
   if (before != brought_.end() && before->second != done.sha256 && !one.follows)
     return fail(ErrorCode::refused, "this import has brought another text of this name into this folder");
   if (before != brought_.end() && !one.follows && plan_.only_look) {
-    settle(done, ImportOutcome::same);
+    end_with(done, ImportOutcome::same);
     return {};
   }
   auto known = known_in(store_, one.folder, one.name);
@@ -95,7 +95,7 @@ Result<void> Importer::place(const TextToImport& one, Imported& done) {
                                : fmt::format("archived by {}: {}", archived->archived.by, archived->archived.reason);
   std::erase_if(*known, [](const store::Program& program) { return program.is_archived(); });
   if (known->empty() && !why_archived.empty()) {
-    settle(done, ImportOutcome::skipped, why_archived);
+    end_with(done, ImportOutcome::skipped, why_archived);
     return {};
   }
   if (known->empty()) return place_new(one, done);
@@ -109,7 +109,7 @@ Result<void> Importer::place_new(const TextToImport& one, Imported& done) {
   done.dialect = one.dialect.empty() ? plan_.dialect : one.dialect;
   if (done.dialect.empty())
     done.dialect = compile::infer_dialect({one.name, std::string(one.text.substr(0, kHead_bytes))}).name;
-  settle(done, ImportOutcome::added);
+  end_with(done, ImportOutcome::added);
   if (plan_.only_look) return {};
   const auto kept = programs_.keep_text(done.dialect, one.text);
   if (!kept) return std::unexpected(kept.error());
@@ -129,14 +129,14 @@ Result<void> Importer::place_revision(const TextToImport& one, const store::Prog
   done.program = known.id;
   if (known.newest.sha256 == done.sha256) {
     done.revision = known.newest.revision;
-    settle(done, ImportOutcome::same);
+    end_with(done, ImportOutcome::same);
     return {};
   }
   if (plan_.known == KnownName::skip) {
-    settle(done, ImportOutcome::skipped, "the name is in use with another text");
+    end_with(done, ImportOutcome::skipped, "the name is in use with another text");
     return {};
   }
-  settle(done, ImportOutcome::revised);
+  end_with(done, ImportOutcome::revised);
   if (plan_.only_look) return {};
   const auto kept = programs_.keep_text(one.text);
   if (!kept) return std::unexpected(kept.error());
@@ -167,7 +167,7 @@ std::string why_no_program(std::string_view bytes) {
   const bool is_other =
       std::ranges::any_of(kOtherFiles, [&](std::string_view begin) { return head.starts_with(begin); });
   const auto strange = static_cast<std::size_t>(std::ranges::count_if(head, is_strange));
-  return is_other || strange * kControlsIn > head.size() ? "is no text of a program" : "";
+  return is_other || strange * kControlsIn > head.size() ? "is not a text of a program" : "";
 }
 
 }  // namespace dripfeed::app

@@ -38,7 +38,7 @@ Result<void> take_ranges(const std::vector<std::string>& texts, std::vector<opti
     const auto range = range_of(text);
     if (!range)
       return fail(ErrorCode::invalid,
-                  fmt::format("\"{}\" is no range of variables: write R100-R199 or #150-#160", text));
+                  fmt::format("\"{}\" is not a range of variables: write R100-R199 or #150-#160", text));
     out.push_back(*range);
   }
   return {};

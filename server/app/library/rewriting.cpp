@@ -1,4 +1,4 @@
-// Each text that comes out is read again and held against the one before.
+// Each text that comes out is read again and compared with the one before.
 #include "server/app/library/rewriting.h"
 
 #include <algorithm>

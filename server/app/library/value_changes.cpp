@@ -1,6 +1,6 @@
 // Each parameter is moved a little, and the numbers of the text that follow it are its own. A changed number that
 // follows one parameter alone gives that parameter's new value; then the family is rendered with all of them and every
-// number is held against what came.
+// number is compared with what came.
 #include "server/app/library/value_changes.h"
 
 #include <algorithm>

@@ -108,7 +108,8 @@ Named DropFile::give_name(const std::string& name, bool overwrite, const std::at
   if (::fsync(descriptor_) != 0) return std::unexpected(kNotTaken);
   digest_ = sum_.hex();
   const auto read_back = sha256_of_file(path_);
-  if (!read_back || *read_back != digest_) return std::unexpected("the file reads back otherwise than written");
+  if (!read_back || *read_back != digest_)
+    return std::unexpected("the file that was read back differs from what was written");
   const std::string path = fmt::format("{}/{}", folder_, name);
   if (!overwrite) {
     if (const Named named = take_free_name(path, given_up); !named) return named;

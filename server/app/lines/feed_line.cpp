@@ -59,7 +59,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
       if (const auto done = feed_.command(command, now()); !done) {
         result = std::unexpected(std::string(feed::message(done.error())));
       }
-      settle();
+      pump_and_publish();
     });
     return result;
   }
@@ -69,7 +69,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
       if (job != order_job_) return;  // a window of a job that is over
       reserve_ = std::max(reserve_, wire_offset);
       feed_.extend_reserve(wire_offset, now());
-      settle();
+      pump_and_publish();
     });
   }
 
@@ -77,7 +77,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     thread_.post([this, serial] {
       if (!of_answer_ || serial != answer_serial_) return;  // of an answer that is over
       feed_.extend_reserve(feed_.wire_bytes(), now());
-      settle();
+      pump_and_publish();
     });
   }
 
@@ -88,7 +88,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (!finished.empty() && link_.settings().receive.hold != receive::Hold::none) {
       thread_.post([this] {
         input_->tick(now());
-        settle();
+        pump_and_publish();
       });
     }
     return finished;
@@ -122,7 +122,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::expected<void, std::string> hear_first() {
     if (link_.get() == nullptr) return {};
     take_input();
-    settle();
+    pump_and_publish();
     return link_.all_heard();
   }
 
@@ -133,13 +133,13 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const feed::Job job{.facts = answer.facts, .source = answer.source.get(), .expires_after = answer.expires_after};
     if (const auto armed = feed_.arm(job, now()); !armed) {
       const std::string_view state = feed::name(feed_.state());
-      settle();
+      pump_and_publish();
       return std::unexpected(fmt::format("{} (the line is {})", feed::message(armed.error()), state));
     }
     source_ = std::move(answer.source);
     of_answer_ = true;
     ++answer_serial_;
-    settle();
+    pump_and_publish();
     return {};
   }
 
@@ -154,7 +154,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
                         .reserve = order.reserve};
     if (const auto armed = feed_.arm(job, now()); !armed) {
       const std::string_view state = feed::name(feed_.state());
-      settle();
+      pump_and_publish();
       return std::unexpected(fmt::format("{} (the line is {})", feed::message(armed.error()), state));
     }
     // The feed reads the source until it is over, so the source lives until the next order.
@@ -163,7 +163,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     order_job_ = order.job;
     session_ = order.session;
     reserve_ = order.reserve;
-    settle();
+    pump_and_publish();
     return {};
   }
 
@@ -176,29 +176,29 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     feed_.line(feed::LineChange::cts_on, now());
     feed_.line(feed::LineChange::dsr_on, now());
     feed_.line(feed::LineChange::link_up, now());
-    settle();
+    pump_and_publish();
   }
   void on_receive(std::span<const std::byte> bytes) override {
     link_.heard(bytes);
     take(bytes);
-    settle();
+    pump_and_publish();
   }
-  void on_writable() override { settle(); }
+  void on_writable() override { pump_and_publish(); }
   void on_cts(bool on) override {
     link_.signal(on ? WireKind::cts_on : WireKind::cts_off);
     feed_.line(on ? feed::LineChange::cts_on : feed::LineChange::cts_off, now());
-    settle();
+    pump_and_publish();
   }
   void on_dsr(bool on) override {
     link_.signal(on ? WireKind::dsr_on : WireKind::dsr_off);
     feed_.line(on ? feed::LineChange::dsr_on : feed::LineChange::dsr_off, now());
-    settle();
+    pump_and_publish();
   }
   void on_lost(std::string_view reason) override {
     link_.was_lost(reason);
     feed_.line(feed::LineChange::link_down, now());
     if (input_) input_->link_lost(now());
-    settle();
+    pump_and_publish();
   }
 
   // --- ticks
@@ -212,7 +212,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
     feed_.tick(time);
     if (input_) input_->tick(time);
-    settle();
+    pump_and_publish();
   }
 
   [[nodiscard]] std::optional<feed::Time> deadline() const override {
@@ -241,7 +241,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
   // --- pump
   // -------------------------------------------------------------------------------------------------------------
-  void settle() {
+  void pump_and_publish() {
     pump();
     // The report says what the events changed; only a start that found nothing armed leaves no other trace.
     while (const auto event = feed_.next_event()) {

@@ -194,7 +194,7 @@ class ModbusLine final : public Line, private BusUser {
     expire();
     const bool rings = watch_.bell().want() != modbus::Doorbell::Want::nothing && clock_.now() >= bell_at_;
     const auto request = rings ? std::nullopt : sender_.next_request(clock_.now());
-    settle();  // before a request that may take long: the job may just have stopped
+    publish_events();  // before a request that may take long: the job may just have stopped
     if (rings) {
       serve_bell(bus, lock);
     } else if (request) {
@@ -204,11 +204,11 @@ class ModbusLine final : public Line, private BusUser {
     } else {
       return wait();
     }
-    settle();
+    publish_events();
     return wait();
   }
 
-  void settle() {
+  void publish_events() {
     while (sender_.next_event()) {
     }  // the report says all that the events changed
     publish();

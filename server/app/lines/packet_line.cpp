@@ -92,7 +92,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
       if (const auto done = sender_.command(command, now()); !done) {
         result = std::unexpected(std::string(feed::message(done.error())));
       }
-      settle();
+      pump_and_publish();
     });
     return result;
   }
@@ -102,7 +102,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
       if (job != order_job_) return;  // a window of a job that is over
       reserve_ = std::max(reserve_, wire_offset);
       sender_.extend_reserve(wire_offset, now());
-      settle();
+      pump_and_publish();
     });
   }
 
@@ -126,7 +126,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   std::expected<void, std::string> hear_first() {
     if (link_.get() == nullptr) return {};
     take_input();
-    settle();
+    pump_and_publish();
     return link_.all_heard();
   }
 
@@ -138,7 +138,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
                         .reserve = order.reserve};
     if (const auto armed = sender_.arm(job, now(), order.file_name); !armed) {
       const std::string_view state = packet::name(sender_.state());
-      settle();
+      pump_and_publish();
       return std::unexpected(fmt::format("{} (the line is {})", feed::message(armed.error()), state));
     }
     // The sender reads the source until the job is over, so the source lives until the next order.
@@ -146,39 +146,39 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     order_job_ = order.job;
     session_ = order.session;
     reserve_ = order.reserve;
-    settle();
+    pump_and_publish();
     return {};
   }
 
   void on_up() override {
     link_.came_up();
     sender_.link(true, now());
-    settle();
+    pump_and_publish();
   }
   void on_receive(std::span<const std::byte> bytes) override {
     link_.heard(bytes);
     sender_.receive(bytes, now());
-    settle();
+    pump_and_publish();
   }
-  void on_writable() override { settle(); }
+  void on_writable() override { pump_and_publish(); }
   // A packet that CTS holds back is answered late, which is a stall with a name.
   void on_cts(bool on) override { link_.signal(on ? WireKind::cts_on : WireKind::cts_off); }
   void on_dsr(bool on) override {
     link_.signal(on ? WireKind::dsr_on : WireKind::dsr_off);
     if (link_.settings().watch_dsr) sender_.link(on, now());
-    settle();
+    pump_and_publish();
   }
   void on_lost(std::string_view reason) override {
     link_.was_lost(reason);
     sender_.link(false, now());
-    settle();
+    pump_and_publish();
   }
 
   void tick(feed::Time time) override {
     ticked_at_ = time;
     link_.tick(time);
     sender_.tick(time);
-    settle();
+    pump_and_publish();
   }
 
   [[nodiscard]] std::optional<feed::Time> deadline() const override {
@@ -188,7 +188,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     return due;
   }
 
-  void settle() {
+  void pump_and_publish() {
     pump();
     while (const auto event = sender_.next_event()) {
       if (event->kind == packet::EventKind::start_unarmed) ++unarmed_starts_;

@@ -55,7 +55,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
     std::expected<void, std::string> result;
     thread_.run([&] {
       if (const auto done = receiver_.stop(now()); !done) result = std::unexpected(std::string(message(done.error())));
-      settle();
+      pump_and_publish();
     });
     return result;
   }
@@ -83,20 +83,20 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
     link_.came_up();
     receiver_.link(true, now());
     if (!over_) begin();
-    settle();
+    pump_and_publish();
   }
   void on_receive(std::span<const std::byte> bytes) override {
     link_.heard(bytes);
     receiver_.receive(bytes, now());
-    settle();
+    pump_and_publish();
   }
-  void on_writable() override { settle(); }
+  void on_writable() override { pump_and_publish(); }
   void on_cts(bool) override {}
   void on_dsr(bool) override {}
   void on_lost(std::string_view reason) override {
     link_.was_lost(reason);
     receiver_.link(false, now());
-    settle();
+    pump_and_publish();
   }
 
   void tick(feed::Time time) override {
@@ -107,7 +107,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
       restart_at_.reset();
       begin();
     }
-    settle();
+    pump_and_publish();
   }
 
   [[nodiscard]] std::optional<feed::Time> deadline() const override {
@@ -124,7 +124,7 @@ class PacketReceiveLine final : public Line, private LinkListener, private Ticke
     raw_.insert(raw_.end(), bytes.begin(), bytes.end());
   }
 
-  void settle() {
+  void pump_and_publish() {
     pump();
     while (const auto event = receiver_.next_event()) {
       if (event->kind == packet::ReceiveEventKind::frame) took_frame();

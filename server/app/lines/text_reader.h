@@ -18,7 +18,7 @@ class TextReader {
   // From any thread. A text belongs to one arming of a job, whatever its machine does before or after.
   void read_for(std::uint64_t session, std::shared_ptr<ContentSource> source);
   void arming_is_over(std::uint64_t session);
-  bool settle(std::chrono::milliseconds patience) { return thread_.settle(patience); }
+  bool wait_for_round(std::chrono::milliseconds patience) { return thread_.wait_for_round(patience); }
 
  private:
   void round();

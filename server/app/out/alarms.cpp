@@ -343,8 +343,8 @@ Result<store::Alarm> Alarms::shelve(store::Id id, std::uint32_t minutes, std::st
   const auto before = lift(store_.alarms().get(id));
   if (!before) return before;
   if (severity_of(before->kind) == Severity::critical) {
-    return fail(ErrorCode::refused, fmt::format("alarm {} ({}) is critical: it is acknowledged and its cause ended, "
-                                                "it may not be shelved",
+    return fail(ErrorCode::refused, fmt::format("alarm {} ({}) is critical: it may not be shelved; acknowledge it "
+                                                "and end its cause",
                                                 id, before->kind));
   }
   const std::int64_t now_ms = clock_.wall_ms();

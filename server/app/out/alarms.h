@@ -75,7 +75,7 @@ class Alarms {
   Result<store::Alarm> unshelve(store::Id alarm, std::string_view actor);
 
   // Until what was raised by now is written, where it is its time.
-  bool settle(std::chrono::milliseconds patience) { return thread_.settle(patience); }
+  bool wait_for_round(std::chrono::milliseconds patience) { return thread_.wait_for_round(patience); }
   void stop() { thread_.stop(); }
 
  private:

@@ -1,5 +1,5 @@
-// Live events: a ring of transitions, numbered and resumable, and a snapshot of progress per machine that is no part of
-// it. A watcher that is too slow gets `reset` and reloads; it never delays another.
+// Live events: a ring of transitions, numbered and resumable, and a snapshot of progress per machine that is not a part
+// of it. A watcher that is too slow gets `reset` and reloads; it never delays another.
 #pragma once
 
 #include <cstdint>

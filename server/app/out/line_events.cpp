@@ -27,7 +27,8 @@ bool LineEvents::publish(const Progress& shown) {
                                                   .cause = std::string(shown.report.stall),
                                                   .text = shown.report.link_error},
                                                  {"dripfeed", clock_.wall_ms()});
-  if (!written) spdlog::warn("{}: its line's state is no event: {}", shown.machine, store::message_of(written.error()));
+  if (!written)
+    spdlog::warn("{}: its line's state is not an event: {}", shown.machine, store::message_of(written.error()));
   return written.has_value();
 }
 

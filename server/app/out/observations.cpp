@@ -92,7 +92,7 @@ Observations::Observations(const Clock& clock, Look look)
       look_(std::move(look)),
       instance_(clock.wall_ms() / 1000),
       thread_("mtconnect", kLookEvery, Urgency::usual, [this] { round(); }) {
-  static_cast<void>(thread_.settle(std::chrono::seconds(2)));  // the first answer has values already
+  static_cast<void>(thread_.wait_for_round(std::chrono::seconds(2)));  // the first answer has values already
 }
 
 void Observations::round() {

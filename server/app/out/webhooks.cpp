@@ -64,7 +64,7 @@ Result<void> Webhooks::check(const store::WebhookSettings& settings) const {
         {.pointer = fmt::format("/types/{}", i),
          .line = 0,
          .column = 0,
-         .text = fmt::format("\"{}\" is no type of event: see GET /api/v1/event-types", settings.types[i])});
+         .text = fmt::format("\"{}\" is not a type of event: see GET /api/v1/event-types", settings.types[i])});
   }
   if (faults.empty()) return {};
   std::string text = fmt::format("the webhook's {} {}", faults.front().pointer.substr(1), faults.front().text);

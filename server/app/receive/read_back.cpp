@@ -1,4 +1,4 @@
-// Memory loads that are punched back and compared. The transfer itself is over when its job is; what came of the
+// Memory loads that are punched back and compared. The transfer itself is over when its job is; the result of the
 // read-back stands next to it by name: "waiting for read-back", "equal", "differs: …", "expired: …", "superseded: …".
 #include "server/app/receive/read_back.h"
 

@@ -116,7 +116,7 @@ void Receiving::take(const std::string& machine, const machine::Profile& profile
       if (waiting_[machine].device == transfer.device) return;
       waiting_[machine].device = transfer.device;
       alarm(machine, AlarmKind::device_text,
-            fmt::format("the device server reports \"{}\": that is no program", transfer.device));
+            fmt::format("the device server reports \"{}\": that is not a program", transfer.device));
       return quarantine(machine, reception, transfer);
     case receive::Fault::too_long:
     case receive::Fault::link_lost:

@@ -310,7 +310,7 @@ bool Receiving::cancel_waiting(const std::string& machine) {
   waiting.expires_at = {};
   const store::Id id = std::exchange(waiting.job, 0);
   if (id == 0) return any;
-  jobs_.settle();  // the request itself disarmed what waited
+  jobs_.wait_until_booked();  // the request itself disarmed what waited
   const auto job = store_.jobs().get(id);
   if (!job || (job->state != store::JobState::queued && job->state != store::JobState::armed)) return any;
   const auto cancelled = jobs_.cancel(id, actor_of(machine));

@@ -1,4 +1,4 @@
-"""What goes on beside the lines: large uploads, clients that vanish, checks that eat memory, SIGHUP. Each runs in a thread of its own while a run of the server
+"""What goes on while the lines feed: large uploads, clients that vanish, checks that eat memory, SIGHUP. Each runs in a thread of its own while a run of the server
 lasts; that the server is gone ends it."""
 
 import json
@@ -71,7 +71,7 @@ def disk_full(served, chance, judge):
         try:
             os.posix_fallocate(file.fileno(), 0, max(1, (free.f_bavail - chance.randrange(3)) * free.f_frsize))
         except OSError:
-            pass  # somebody else took the last of it
+            pass  # another process took the last of it
         time.sleep(chance.uniform(0.3, 2.0))
     filler.unlink()
     until = time.monotonic() + 12  # as long as nothing new begins

@@ -160,7 +160,7 @@ class FedLine(threading.Thread):
         self.rest(0.3)
 
     def drop_answer(self):
-        """One that a request brought about and nobody wants."""
+        """One that a request brought about and no person wants."""
         if self.status()["line"] != "answering":
             return
         self.permit.set("answer")

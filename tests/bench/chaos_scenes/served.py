@@ -36,7 +36,7 @@ class Served:
         self.verifies = b"ledger" in subprocess.run([self.binary, "--help"], capture_output=True, check=False).stdout
 
     def start(self, log_is_read=True):
-        """With a log that nobody reads its pipe fills up."""
+        """With a log that no process reads its pipe fills up."""
         self.log_is_read = log_is_read
         command = [self.binary, "serve", "--data", str(self.data), "--listen", f"127.0.0.1:{self.port}"]
         if log_is_read:

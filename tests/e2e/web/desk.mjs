@@ -179,7 +179,7 @@ async function mend(page) {
   return body.items[0].id;
 }
 
-// Somebody else saves while one writes: both texts are there, and one's own is saved on top.
+// Another person saves while one writes: both texts are there, and one's own is saved on top.
 async function conflict(page, program) {
   await write(page, kPump.replace('X110.', 'X112.'));
   await rig.call('POST', `/programs/${program}/revisions`, { text: kPump.replace('X110.', 'X113.') }, 'admin', { 'If-Match': '"2"' });

@@ -112,6 +112,8 @@ async function drawings(page) {
   }
   await page.goto(`${url}/docs/architecture#the-state-machines`);
   await shot(page, 'docs-drawing');
+  const present = page.locator('.docs-list [aria-current]');
+  expect(await present.evaluate((one) => one.getBoundingClientRect().bottom <= window.innerHeight), 'the list of pages shows the present one');
 }
 
 async function withoutScripts(page) {

@@ -82,7 +82,7 @@ async function refuses() {
 const kTwoTools = '%\nO0802\nG21 G18 G90 G54\nT0101\nM3 S500\nG0 X100. Z10.\nG1 Z-20. F0.2\nT0202\nG0 X200. Z50.\nG1 X120.\nM30\n%\n';
 const figures = (page) => page.getByRole('region', { name: 'Statistics' });
 
-// Lengths and times by tool; what is written is held against what is stored.
+// Lengths and times by tool; what is written is compared with what is stored.
 async function figuresOfText() {
   await rig.machine('lathe', { jobs: 0 });
   await withPage(kDesk, async (page) => {

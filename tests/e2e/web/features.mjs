@@ -1,6 +1,6 @@
 // What shops look for in such a page (docs/features.md), each with a picture, in the demo shop. It is walked by hand:
 //   SCREENSHOTS=dir python3 tests/e2e/round.py build/dev/dripfeed features.mjs
-// Only the feature itself is shown here; the tests beside this file try each one thoroughly.
+// Only the feature itself is shown here; the other tests in this folder try each one thoroughly.
 import { expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
 
 const url = process.env.DRIPFEED_URL;

@@ -89,7 +89,7 @@ async function stillStop(page) {
   await page.evaluate(() => {
     window.shifts = [];
     new PerformanceObserver((list) => {
-      // Below that it is a part of a pixel, of which nobody sees a move.
+      // Below that it is a part of a pixel, whose moves are not seen.
       for (const { value, sources } of list.getEntries().filter((entry) => entry.value > 0.0001))
         window.shifts.push(`${value} by ${sources.map(({ node }) => node?.className || node?.nodeName).join(' ')}`);
     }).observe({ type: 'layout-shift', buffered: false });
@@ -171,7 +171,7 @@ async function torn(page) {
   await accessible(page, 'the alarms');
 }
 
-// A dialog stays while somebody else acts, and says why its order is blocked.
+// A dialog stays while another person acts, and states why its order is blocked.
 async function dialogStays(page) {
   const [job] = await rig.machine('dialog');
   await signIn(page, url, tokens.operator);
@@ -331,7 +331,7 @@ async function viewer(page) {
     await page.goto(`${url}/#/${view}`);
     await page.getByRole('heading', { level: 1 }).waitFor();
     await page.waitForTimeout(200);
-    const enabled = page.locator('main button:not([aria-disabled="true"], .sort, .arrange *)'); // what changes the view of the browser alone is no order
+    const enabled = page.locator('main button:not([aria-disabled="true"], .sort, .arrange *)'); // what changes the view of the browser alone is not an order
     const labels = (await enabled.allInnerTexts()).filter((label) => !/^(Show|Export as CSV$)/.test(label));
     expect(labels.length === 0, `a viewer has no order under ${view} (${labels.join(', ') || 'none'})`);
   }

@@ -73,14 +73,14 @@ async function approve(page) {
   await page.getByRole('heading', { name: /What has changed since release/ }).waitFor();
   await page.getByRole('list', { name: 'O0900, revision 2' }).getByText('X112.').waitFor();
   await page.locator('.compared').getByText('Motions').waitFor();
-  expect(true, 'text and motions are held against the last one released there');
+  expect(true, 'text and motions are compared with the last one released there');
   await shot(page, 'review-since');
   await decide(page, 'Return it…', 'X112 is beside the drawing');
   await dialog(page).getByRole('button', { name: 'Return it' }).click();
   await until(async () => (await state(next)) === 'draft', 'it is returned');
 }
 
-// What only warns needs a name and a reason; who drafted it is told that another must approve.
+// What only warns needs a name and a reason; the person who drafted it reads that another must approve.
 async function waiveAndFourEyes(page) {
   await rig.machine('mill-7', { jobs: 0 });
   await rig.call('PUT', '/groups/careful', { machines: ['mill-7'], four_eyes: true });

@@ -68,7 +68,7 @@ export async function requestRoot<T>(path: string): Promise<T> {
   return (await response.json()) as T;
 }
 
-// An answer that is no JSON.
+// An answer that is not JSON.
 export const requestText = (path: string, { method = 'GET', ...options }: Options & { method?: Method } = {}): Promise<string> => answerOf(method, path, options);
 
 // An answer as it came: a program may be in any encoding.

@@ -550,7 +550,7 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * a person takes its line over from a server that is not heard of any more
+         * a person takes its line over from a server that no longer answers
          * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_machines_name_take_over"];
@@ -1128,13 +1128,13 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * hold a revision against another one, or another program's: text, meaning, motions
+         * compare a revision with another one, or with another program's: text, meaning, motions
          * @description Needs the role `viewer`.
          */
         get: operations["get_programs_id_compare"];
         put?: never;
         /**
-         * hold a text that is being written against a revision: text, meaning, motions; it is not stored
+         * compare a text that is being written with a revision: text, meaning, motions; it is not stored
          * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_programs_id_compare"];
@@ -1803,7 +1803,7 @@ export interface paths {
         put?: never;
         post?: never;
         /**
-         * cancel it: who asked for it, or an admin
+         * cancel it: only the person who asked for it, or an admin
          * @description Needs the role `programmer`. A token with scopes needs `checks`. Takes effect once under an `Idempotency-Key`.
          */
         delete: operations["delete_work_id"];
@@ -2240,7 +2240,7 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV for who accepts that
+         * sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV where the request accepts that
          * @description Needs the role `viewer`.
          */
         get: operations["get_history_sums"];
@@ -2438,7 +2438,7 @@ export interface paths {
         options?: never;
         head?: never;
         /**
-         * change what is given of a webhook
+         * change the given members of a webhook
          * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
          */
         patch: operations["patch_webhooks_id"];
@@ -2454,7 +2454,7 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * a new secret, shown once; the one before signs as well for some hours
+         * a new secret, shown once; the previous one also signs for some hours
          * @description Needs the role `admin`. A token with scopes needs `setup`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_webhooks_id_rotate"];
@@ -2572,7 +2572,7 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * one receipt, held against the stored program of its name
+         * one receipt, compared with the stored program of its name
          * @description Needs the role `viewer`.
          */
         get: operations["get_receipts_id"];
@@ -2936,7 +2936,7 @@ export interface webhooks {
         get?: never;
         put?: never;
         /**
-         * an order is not wanted any more
+         * an order is no longer wanted
          * @description Posted to webhooks that want this type, until it is taken.
          */
         post: operations["webhook_order_cancelled"];
@@ -3036,7 +3036,7 @@ export interface webhooks {
         get?: never;
         put?: never;
         /**
-         * a release may not be transferred any more
+         * a release may no longer be transferred
          * @description Posted to webhooks that want this type, until it is taken.
          */
         post: operations["webhook_release_obsolete"];
@@ -3056,7 +3056,7 @@ export interface webhooks {
         get?: never;
         put?: never;
         /**
-         * a job was queued, or it is no more armed and back in the queue
+         * a job was queued, or it is no longer armed and back in the queue
          * @description Posted to webhooks that want this type, until it is taken.
          */
         post: operations["webhook_job_queued"];
@@ -3476,7 +3476,7 @@ export interface webhooks {
         get?: never;
         put?: never;
         /**
-         * a person put an alarm off
+         * a person shelved an alarm
          * @description Posted to webhooks that want this type, until it is taken.
          */
         post: operations["webhook_alarm_shelved"];
@@ -3726,11 +3726,11 @@ export interface components {
             acknowledged_by: string | null;
             /** @description since when; milliseconds since 1970, UTC */
             acknowledged_at_ms: number | null;
-            /** @description who put it off */
+            /** @description who shelved it */
             shelved_by: string | null;
             /** @description it asks for no person until then; milliseconds since 1970, UTC */
             shelved_until_ms: number | null;
-            /** @description why it was put off */
+            /** @description why it was shelved */
             shelf_reason: string | null;
             /** @description that it is about */
             job: number | null;
@@ -3766,11 +3766,11 @@ export interface components {
             acknowledged_by: string | null;
             /** @description since when; milliseconds since 1970, UTC */
             acknowledged_at_ms: number | null;
-            /** @description who put it off */
+            /** @description who shelved it */
             shelved_by: string | null;
             /** @description it asks for no person until then; milliseconds since 1970, UTC */
             shelved_until_ms: number | null;
-            /** @description why it was put off */
+            /** @description why it was shelved */
             shelf_reason: string | null;
             /** @description that it is about */
             job: number | null;
@@ -4009,16 +4009,16 @@ export interface components {
              */
             how: "renumber" | "add_blanks" | "remove_blanks" | "upper_case" | "lower_case";
             /**
-             * @description which blocks have a number then: those that have one now, all, or none but those that are named; not given: numbered
+             * @description which blocks have a number afterwards: those that have one now, all, or only those that are named; not given: numbered
              * @enum {string|null}
              */
             numbering?: "numbered" | "all" | "none" | null;
             /** @description first number of a program; not given: 10 */
             first?: number | null;
-            /** @description from number to number; not given: 10 */
+            /** @description from one number to the next; not given: 10 */
             step?: number | null;
         };
-        /** @description a text that is being written, and what it is held against */
+        /** @description a text that is being written, and what it is compared with */
         CompareText: {
             /** @description the whole text */
             text?: string | null;
@@ -4027,7 +4027,7 @@ export interface components {
             /** @description whose control counts; not given: the one that each text looks like */
             machine?: string | null;
         };
-        /** @description a program, and what it is held against */
+        /** @description a program, and what it is compared with */
         AccuracyOrder: {
             /** @description id of the program */
             program: number;
@@ -4056,7 +4056,7 @@ export interface components {
             /** @description the points are shifted and turned to fit best, too */
             best_fit?: boolean | null;
         };
-        /** @description a program, and what it is held against */
+        /** @description a program, and what it is compared with */
         GougeOrder: {
             /** @description id of the program */
             program: number;
@@ -4203,7 +4203,7 @@ export interface components {
             reason: string;
             /** @description one of the verdict's points, as it stands there; not given: all of it */
             point?: string | null;
-            /** @description from then on it counts no longer, in milliseconds since 1970; not given: it does not end */
+            /** @description from then on it no longer counts, in milliseconds since 1970; not given: it does not end */
             expires_at_ms?: number | null;
         };
         /**
@@ -4272,7 +4272,7 @@ export interface components {
         };
         /** @description how a secret is changed */
         Rotate: {
-            /** @description for which the secret before signs as well; 0: it is void at once; not given: 24 */
+            /** @description for which the previous secret also signs; 0: it is void at once; not given: 24 */
             keep_hours?: number | null;
         };
         /** @description which dead deliveries are tried again */
@@ -4350,7 +4350,7 @@ export interface components {
                  */
                 role: "viewer" | "operator" | "programmer" | "approver" | "admin";
             }[] | null;
-            /** @description whether the user may sign in no more; not given: false */
+            /** @description whether the user may no longer sign in; not given: false */
             disabled?: boolean | null;
         };
         /** @description a new password or PIN */
@@ -4739,7 +4739,7 @@ export interface components {
                     origin?: string | null;
                 } | null;
             } | null;
-            /** @description in what this machine's control differs from its usual one */
+            /** @description how this machine's control differs from the usual one */
             control?: {
                 /** @description of the control, for people */
                 title?: string | null;
@@ -5138,7 +5138,7 @@ export interface components {
             days: {
                 /** @description as 2026-11-24 */
                 day: string;
-                /** @description its begin; milliseconds since 1970, UTC */
+                /** @description its start; milliseconds since 1970, UTC */
                 from_ms: number;
                 /** @description its end; milliseconds since 1970, UTC */
                 to_ms: number;
@@ -5807,7 +5807,7 @@ export interface components {
                 at_ms: number;
                 /** @description that it is for; null: for all of them */
                 point: string | null;
-                /** @description from then on it counts no longer; null: it does not end; milliseconds since 1970, UTC */
+                /** @description from then on it no longer counts; null: it does not end; milliseconds since 1970, UTC */
                 expires_at_ms: number | null;
             }[];
         };
@@ -5898,7 +5898,7 @@ export interface components {
                 line_s: number;
                 /** @description standstills while the control waits for blocks */
                 stalls: number;
-                /** @description how much longer the program takes by them */
+                /** @description how much longer the program takes because of them */
                 stall_s: number;
                 /** @description of the program; 0: none */
                 first_stall_line: number;
@@ -6249,7 +6249,7 @@ export interface components {
                 line_s: number;
                 /** @description standstills while the control waits for blocks */
                 stalls: number;
-                /** @description how much longer the program takes by them */
+                /** @description how much longer the program takes because of them */
                 stall_s: number;
                 /** @description of the program; 0: none */
                 first_stall_line: number;
@@ -6512,7 +6512,7 @@ export interface components {
                 at_ms: number;
                 /** @description that it is for; null: for all of them */
                 point: string | null;
-                /** @description from then on it counts no longer; null: it does not end; milliseconds since 1970, UTC */
+                /** @description from then on it no longer counts; null: it does not end; milliseconds since 1970, UTC */
                 expires_at_ms: number | null;
             }[];
         };
@@ -6530,7 +6530,7 @@ export interface components {
             /** @description one sentence */
             text: string;
         };
-        /** @description two revisions held against each other */
+        /** @description two revisions, compared */
         Comparison: {
             /** @description of the path */
             first: {
@@ -6553,7 +6553,7 @@ export interface components {
             /** @description line by line; forms of the end of a block, blank lines and blanks at the end of a line do not count */
             text: {
                 /**
-                 * @description what came of it
+                 * @description the result
                  * @enum {string}
                  */
                 answer: "equal" | "differs" | "not_compared";
@@ -6582,7 +6582,7 @@ export interface components {
             /** @description as the dialect's reader understands it: block numbers, blanks, comments, the case of letters, leading zeros and forms of decimals do not count */
             meaning: {
                 /**
-                 * @description what came of it
+                 * @description the result
                  * @enum {string}
                  */
                 answer: "equal" | "differs" | "not_compared";
@@ -6611,7 +6611,7 @@ export interface components {
             /** @description whether both move the axes the same, in order, with the same feeds, tools and states */
             motions: {
                 /**
-                 * @description what came of it
+                 * @description the result
                  * @enum {string}
                  */
                 answer: "equal" | "differs" | "not_compared";
@@ -6874,7 +6874,7 @@ export interface components {
                 name: string | null;
                 /** @description its first; null: none */
                 comment: string | null;
-                /** @description with the line ends that it came with */
+                /** @description with its own line ends */
                 text: string;
             }[];
         };
@@ -7073,7 +7073,7 @@ export interface components {
             title: string;
             /** @description what a comment stands in */
             comment: {
-                /** @description its begin */
+                /** @description its start */
                 open: string;
                 /** @description null: the end of the line */
                 close: string | null;
@@ -7159,7 +7159,7 @@ export interface components {
             is_cut_off: boolean;
             /** @description the program ran to its end */
             ran: boolean;
-            /** @description what the run met and did not know, as a verdict has it */
+            /** @description what the run found and did not know, as in a verdict */
             not_known: string[];
             /** @description of reading, validating and running the text; the first of each kind */
             diagnostics: {
@@ -7281,7 +7281,7 @@ export interface components {
             cut: string;
             /** @description path data; may lie outside of the drawing; empty: no rapid is known */
             rapid: string;
-            /** @description it was run to its end, and no cut lies at a place that is not known */
+            /** @description it was run to its end, and no cut lies at a position that is not known */
             has_all_cuts: boolean;
         };
         /** @description what a text amounts to; without the programs that it calls */
@@ -7346,7 +7346,7 @@ export interface components {
             is_cut_off: boolean;
             /** @description the program ran to its end */
             ran: boolean;
-            /** @description what the run met and did not know, as a verdict has it */
+            /** @description what the run found and did not know, as in a verdict */
             not_known: string[];
             /** @description of reading, validating and running the text; the first of each kind */
             diagnostics: {
@@ -7477,7 +7477,7 @@ export interface components {
             };
             /** @description the text was validated before it ran */
             validated: boolean;
-            /** @description points that were measured at a part, held against the nominal */
+            /** @description points that were measured at a part, compared with the nominal */
             cmm?: {
                 /** @description measured points */
                 points: number;
@@ -7569,7 +7569,7 @@ export interface components {
             line_s: number;
             /** @description standstills while the control waits for blocks */
             stalls: number;
-            /** @description how much longer the program takes by them */
+            /** @description how much longer the program takes because of them */
             stall_s: number;
             /** @description of the program; 0: none */
             first_stall_line: number;
@@ -7686,7 +7686,7 @@ export interface components {
                     text: string;
                 } | null;
             }[];
-            /** @description what came of values */
+            /** @description the result for a set of values */
             standard: {
                 /** @description all checks */
                 passes: boolean;
@@ -7844,7 +7844,7 @@ export interface components {
                 /** @description one sentence */
                 text: string;
             }[];
-            /** @description why the moves were not held against the part; null: they were */
+            /** @description why the moves were not compared with the part; null: they were */
             not_held: string | null;
             /** @description nearest line before it where a restart is possible; null: none was looked for, or found */
             safe_before: number | null;
@@ -7983,7 +7983,7 @@ export interface components {
             confirmed_by: string | null;
             /** @description what they wrote */
             confirm_reason: string | null;
-            /** @description what came of reading the program back from the control */
+            /** @description the result of reading the program back from the control */
             read_back: string | null;
             /**
              * @description the same as one word
@@ -8129,9 +8129,9 @@ export interface components {
             };
             /** @description machines and parts by name; days and shifts newest first */
             groups: {
-                /** @description of the machine; number of the part, empty: not known; the day, or day and begin of the shift, by the server's clock */
+                /** @description of the machine; number of the part, empty: not known; the day, or day and start of the shift, by the server's clock */
                 name: string;
-                /** @description begin of the day or shift; milliseconds since 1970, UTC */
+                /** @description start of the day or shift; milliseconds since 1970, UTC */
                 from_ms: number | null;
                 /** @description its end; milliseconds since 1970, UTC */
                 to_ms: number | null;
@@ -8317,7 +8317,7 @@ export interface components {
             /** @description as the operator wrote it */
             text: string;
             /**
-             * @description what came of it
+             * @description the result
              * @enum {string}
              */
             outcome: "answered" | "queued" | "armed" | "refused" | "stored";
@@ -9020,7 +9020,7 @@ export interface components {
             local: boolean;
             /** @description null: it is enabled, or a person disabled it */
             why_disabled: string | null;
-            /** @description until then the secret before signs as well; milliseconds since 1970, UTC */
+            /** @description until then the previous secret also signs; milliseconds since 1970, UTC */
             old_secret_until_ms: number | null;
             /** @description events that were forgotten before they could be sent */
             missed: number;
@@ -9047,7 +9047,7 @@ export interface components {
             local: boolean;
             /** @description null: it is enabled, or a person disabled it */
             why_disabled: string | null;
-            /** @description until then the secret before signs as well; milliseconds since 1970, UTC */
+            /** @description until then the previous secret also signs; milliseconds since 1970, UTC */
             old_secret_until_ms: number | null;
             /** @description events that were forgotten before they could be sent */
             missed: number;
@@ -9366,7 +9366,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `sign_in_not_begun`: this browser did not begin this sign-in by the provider, or it took too long, or was used; `provider_refused`: the OpenID Connect provider refuses the sign-in; `id_token_refused`: what the provider signed is not taken: the detail names the rule; `name_taken`: the provider's name for the person belongs to another account here, or is no name; `account_waits`: an administrator has to enable the account, or it is locked; `no_role`: no group of the person at the provider gives a role here; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
+        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `sign_in_not_begun`: this browser did not begin this sign-in by the provider, or it took too long, or was used; `provider_refused`: the OpenID Connect provider refuses the sign-in; `id_token_refused`: what the provider signed is not taken: the detail names the rule; `name_taken`: the provider's name for the person belongs to another account here, or is not a name; `account_waits`: an administrator has to enable the account, or it is locked; `no_role`: no group of the person at the provider gives a role here; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
         Problem409: {
             headers: {
                 [name: string]: unknown;
@@ -9393,7 +9393,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `no_json`: the body is no JSON, or is encoded */
+        /** @description `no_json`: the body is not JSON, or is encoded */
         Problem415: {
             headers: {
                 [name: string]: unknown;
@@ -9440,7 +9440,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `unavailable`: the server cannot do it for now; `provider_unanswered`: the OpenID Connect provider gives no answer, or none that can be used; passwords and PINs go on; `overloaded`: too many requests wait: send it again; `disk_full`: the disk is full: running work is finished, nothing new begins */
+        /** @description `unavailable`: the server cannot do it for now; `provider_unanswered`: the OpenID Connect provider gives no answer, or none that can be used; passwords and PINs still work; `overloaded`: too many requests wait: send it again; `disk_full`: the disk is full: running work is finished, nothing new begins */
         Problem503: {
             headers: {
                 /** @description seconds after which asking again may help */
@@ -9451,7 +9451,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `no_room`: the body could not be kept on the disk; `over_quota`: the store has as much as its options let in: a person makes room */
+        /** @description `no_room`: the body could not be kept on the disk; `over_quota`: the store has reached the limit of its options: a person must make room */
         Problem507: {
             headers: {
                 [name: string]: unknown;
@@ -10061,13 +10061,13 @@ export interface operations {
                 from?: string;
                 /** @description how many changes at most */
                 count?: number;
-                /** @description an XPath; not taken, and refused as MTConnect has it */
+                /** @description an XPath; not supported: refused as MTConnect prescribes */
                 path?: string;
-                /** @description a number in the past; not taken, and refused as MTConnect has it */
+                /** @description a number in the past; not supported: refused as MTConnect prescribes */
                 at?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 interval?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 heartbeat?: string;
             };
             header?: never;
@@ -10109,13 +10109,13 @@ export interface operations {
                 from?: string;
                 /** @description how many changes at most */
                 count?: number;
-                /** @description an XPath; not taken, and refused as MTConnect has it */
+                /** @description an XPath; not supported: refused as MTConnect prescribes */
                 path?: string;
-                /** @description a number in the past; not taken, and refused as MTConnect has it */
+                /** @description a number in the past; not supported: refused as MTConnect prescribes */
                 at?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 interval?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 heartbeat?: string;
             };
             header?: never;
@@ -10230,13 +10230,13 @@ export interface operations {
                 from?: string;
                 /** @description how many changes at most */
                 count?: number;
-                /** @description an XPath; not taken, and refused as MTConnect has it */
+                /** @description an XPath; not supported: refused as MTConnect prescribes */
                 path?: string;
-                /** @description a number in the past; not taken, and refused as MTConnect has it */
+                /** @description a number in the past; not supported: refused as MTConnect prescribes */
                 at?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 interval?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 heartbeat?: string;
             };
             header?: never;
@@ -10281,13 +10281,13 @@ export interface operations {
                 from?: string;
                 /** @description how many changes at most */
                 count?: number;
-                /** @description an XPath; not taken, and refused as MTConnect has it */
+                /** @description an XPath; not supported: refused as MTConnect prescribes */
                 path?: string;
-                /** @description a number in the past; not taken, and refused as MTConnect has it */
+                /** @description a number in the past; not supported: refused as MTConnect prescribes */
                 at?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 interval?: string;
-                /** @description of a stream; not taken, and refused as MTConnect has it */
+                /** @description of a stream; not supported: refused as MTConnect prescribes */
                 heartbeat?: string;
             };
             header?: never;
@@ -10328,7 +10328,7 @@ export interface operations {
     get_machines: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -10752,7 +10752,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description a person takes its line over from a server that is not heard of any more */
+            /** @description a person takes its line over from a server that no longer answers */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10999,7 +10999,7 @@ export interface operations {
     get_users: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -11393,7 +11393,7 @@ export interface operations {
     get_tokens: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -11560,7 +11560,7 @@ export interface operations {
     get_audit: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -11805,7 +11805,7 @@ export interface operations {
     get_families: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -11986,7 +11986,7 @@ export interface operations {
     get_parts: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -12169,7 +12169,7 @@ export interface operations {
     get_programs: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -12356,7 +12356,7 @@ export interface operations {
     get_programs_id_text: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
             };
             header?: never;
@@ -12398,7 +12398,7 @@ export interface operations {
     get_programs_id_lines: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
                 /** @description the first line, from 1 */
                 from?: string;
@@ -12444,7 +12444,7 @@ export interface operations {
     get_programs_id_revisions: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -12544,11 +12544,11 @@ export interface operations {
     get_programs_id_compare: {
         parameters: {
             query?: {
-                /** @description id of the program that it is compared with; the same one without */
+                /** @description id of the program that it is compared with; not given: the same one */
                 with?: number;
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
-                /** @description of the text that it is compared with; the newest without */
+                /** @description of the text that it is compared with; not given: the newest */
                 with_revision?: number;
                 /** @description for which the motions are computed */
                 machine?: string;
@@ -12562,7 +12562,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description hold a revision against another one, or another program's: text, meaning, motions */
+            /** @description compare a revision with another one, or with another program's: text, meaning, motions */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -12608,7 +12608,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description hold a text that is being written against a revision: text, meaning, motions; it is not stored */
+            /** @description compare a text that is being written with a revision: text, meaning, motions; it is not stored */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -12642,11 +12642,11 @@ export interface operations {
     get_programs_id_path: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
-                /** @description for which motions and times are computed; no times without */
+                /** @description for which motions and times are computed; not given: no times */
                 machine?: string;
-                /** @description how the text would go to the control; memory without */
+                /** @description how the text would go to the control; not given: memory */
                 delivery?: "drip" | "memory";
             };
             header?: never;
@@ -12688,7 +12688,7 @@ export interface operations {
     get_programs_id_picture: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
             };
             header?: never;
@@ -12730,13 +12730,13 @@ export interface operations {
     get_programs_id_stock: {
         parameters: {
             query?: {
-                /** @description of the text; the newest without */
+                /** @description of the text; not given: the newest */
                 revision?: number;
                 /** @description whose tools cut */
                 machine?: string;
-                /** @description how the text would go to the control; memory without */
+                /** @description how the text would go to the control; not given: memory */
                 delivery?: "drip" | "memory";
-                /** @description the blank as `box X0 X1 Y0 Y1 Z0 Z1` or `cylinder DIAMETER Z0 Z1`, in mm; without: that of the family */
+                /** @description the blank as `box X0 X1 Y0 Y1 Z0 Z1` or `cylinder DIAMETER Z0 Z1`, in mm; not given: that of the family */
                 stock?: string;
             };
             header?: never;
@@ -12966,7 +12966,7 @@ export interface operations {
     get_attachments: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -13201,7 +13201,7 @@ export interface operations {
     get_search: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -13808,7 +13808,7 @@ export interface operations {
     get_checks: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -14241,7 +14241,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description cancel it: who asked for it, or an admin */
+            /** @description cancel it: only the person who asked for it, or an admin */
             204: {
                 headers: {
                     [name: string]: unknown;
@@ -14272,7 +14272,7 @@ export interface operations {
     get_releases: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -14555,7 +14555,7 @@ export interface operations {
     get_orders: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -14844,7 +14844,7 @@ export interface operations {
     get_jobs: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -15447,7 +15447,7 @@ export interface operations {
     get_history_sums: {
         parameters: {
             query?: {
-                /** @description what the sums are grouped by; the machine without */
+                /** @description what the sums are grouped by; not given: the machine */
                 by?: "machine" | "part" | "day" | "shift";
                 /** @description only those of this machine */
                 machine?: string;
@@ -15464,7 +15464,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV for who accepts that */
+            /** @description sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV where the request accepts that */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -15536,7 +15536,7 @@ export interface operations {
     get_alarms: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -15792,7 +15792,7 @@ export interface operations {
     get_webhooks: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -15978,7 +15978,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description change what is given of a webhook */
+            /** @description change the given members of a webhook */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16028,7 +16028,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description a new secret, shown once; the one before signs as well for some hours */
+            /** @description a new secret, shown once; the previous one also signs for some hours */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16107,7 +16107,7 @@ export interface operations {
     get_webhooks_id_deliveries: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -16250,7 +16250,7 @@ export interface operations {
     get_receipts: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -16303,7 +16303,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description one receipt, held against the stored program of its name */
+            /** @description one receipt, compared with the stored program of its name */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16521,7 +16521,7 @@ export interface operations {
     get_requests: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;
@@ -16563,7 +16563,7 @@ export interface operations {
     get_jobs_id_ledger: {
         parameters: {
             query?: {
-                /** @description how many a page has at most; 50 without */
+                /** @description how many a page has at most; not given: 50 */
                 limit?: number;
                 /** @description `next` of the page before */
                 after?: string;

@@ -107,3 +107,8 @@ function start(form: HTMLFormElement): void {
 
 const form = document.querySelector<HTMLFormElement>('.docs-search');
 if (form) start(form);
+
+// A list of pages that is longer than the window shows the present page.
+const present = document.querySelector<HTMLElement>('.docs-list [aria-current]');
+const pages = present?.closest<HTMLElement>('.docs-list');
+if (present && pages && present.offsetTop > pages.clientHeight) pages.scrollTop = present.offsetTop - pages.clientHeight / 2;

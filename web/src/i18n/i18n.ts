@@ -1,5 +1,5 @@
 // The words of the page: one catalogue a language, by message id, in ICU message format. A language is one file beside
-// this one and one row in kLanguages. An id that a language lacks is shown in English, and one that nobody knows is
+// this one and one row in kLanguages. An id that a language lacks is shown in English, and one that no language has is
 // shown as it came: nothing that the server says is ever hidden. The English texts that the page does not show at once
 // come with the first view that is loaded on demand (see words.mjs).
 import { signal } from '@preact/signals';

@@ -23,7 +23,7 @@ const kStillHereMs = 20_000;
 
 export interface LiveLink {
   breakOff(): void; // the stream ends and is opened again
-  reopen(): void; // as somebody else: the session has changed
+  reopen(): void; // as another person: the session has changed
   stop(): void;
 }
 
@@ -43,7 +43,7 @@ function sharedStream(listener: LiveListener): LiveLink {
   };
   const look = () => say(document.hidden ? 'hidden' : 'visible');
   const bye = () => say('bye');
-  // A page that comes back from the browser's cache asks anew.
+  // A page that comes back from the browser's cache asks again.
   const again = (event: PageTransitionEvent) => event.persisted && say('hello');
   document.addEventListener('visibilitychange', look);
   addEventListener('pagehide', bye);

@@ -1,5 +1,5 @@
 // Modal dialogs. One place of the page shows them, so that none vanishes because the card or row that asked for it was
-// drawn anew. The browser's own <dialog> keeps the focus inside and closes on Escape; afterwards the focus goes back to
+// redrawn. The browser's own <dialog> keeps the focus inside and closes on Escape; afterwards the focus goes back to
 // where it was, or to the heading where that is gone.
 import { signal } from '@preact/signals';
 import type { ComponentChildren, VNode } from 'preact';

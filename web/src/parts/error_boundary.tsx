@@ -4,7 +4,7 @@ import { t } from '../i18n/i18n';
 import { textOf } from '../state/shop';
 
 interface Props {
-  where: string; // another place begins anew
+  where: string; // another place begins again
   children: ComponentChildren;
 }
 

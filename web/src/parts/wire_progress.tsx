@@ -13,7 +13,7 @@ const kGap = 2;
 
 const widthOf = (part: number, total: number): number => Math.round(share(part, total) * kWide);
 
-// Bound to the status: a report changes widths and the label, and draws nothing anew. After a job it is empty.
+// Bound to the status: a report changes widths and the label, and redraws nothing else. After a job it is empty.
 export function WireBar({ status }: { status: ReadonlySignal<MachineStatus> }) {
   const total = useComputed(() => (hasJob(status.value) ? status.value.total : 0));
   const handed = useComputed(() => widthOf(status.value.handed, total.value));

@@ -1,7 +1,7 @@
 // Time along a path: where the tool is at a time, and when it is at a point.
 import { at, kBegin, type PathData } from './data';
 
-// A place of the path: `share` of the segment that leads to the point lies behind the tool. 1: it is there.
+// A place of the path: `share` of the segment that leads to the point is passed. 1: it is there.
 export interface PathPlace {
   point: number;
   share: number;

@@ -16,7 +16,7 @@ const kAround = 48;
 
 export const meshOf = (stock: Stock): StockMesh => (stock.kind === 'map' ? mapMesh(stock) : barMesh(stock));
 
-// Two triangles a cell of a grid of corners, all of them turned the same way.
+// Two triangles a cell of a grid of corners, all of them turned in the same direction.
 function gridTriangles(columns: number, rows: number): Uint32Array<ArrayBuffer> {
   const triangles = new Uint32Array(6 * (columns - 1) * (rows - 1));
   let at = 0;

@@ -21,7 +21,7 @@ export interface Range {
 const kEnoughShare = 0.02;
 const kEnoughMs = 5_000;
 
-// What was seen of a feed while this page looked: it begins anew when a person stops it.
+// What was seen of a feed while this page looked: it begins again when a person stops it.
 export interface Pace {
   job: number;
   from_ms: number;
@@ -92,7 +92,7 @@ export function timeLeft(seen: Seen): TimeLeft | null {
   if (!isFed(status, job)) return null;
   const sent_s = forecast && predictedS(forecast, status.block, lines);
   if (!forecast || forecast.cycle_s === null || sent_s === null) return byBytes(status, job, seen.nowMs);
-  // What was executed lies between the buffer's most and nothing behind what was sent.
+  // What was executed lies between the buffer's most and nothing after what was sent.
   const buffered = bufferedBlocks(status, forecast, lines) ?? { low: 0, high: 0 };
   const done: Range = {
     low: predictedS(forecast, Math.max(1, status.block - buffered.high), lines) ?? 0,

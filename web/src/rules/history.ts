@@ -31,7 +31,7 @@ export type Grouping = (typeof kGroupings)[number];
 // How far back the sums reach, in days.
 export const kRanges = [1, 7, 30, 365] as const;
 
-// The begin of a time that ends now; of whole minutes, so that it is the same for a while. Null: all that is known.
+// The start of a time that ends now; of whole minutes, so that it is the same for a while. Null: all that is known.
 export const rangeBegin = (days: number | null, now_ms: number): number | null => (days === null ? null : now_ms - (now_ms % 60_000) - days * 86_400_000);
 
 // How the time compares with what the checks expected: 1.25 for a quarter more. Null: no forecast.

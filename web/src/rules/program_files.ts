@@ -1,4 +1,4 @@
-// A program as a file of somebody's disk: its name, its characters, its line ends.
+// A program as a file of a person's disk: its name, its characters, its line ends.
 
 // Endings that say no more than that it is a program; those of SINUMERIK (.MPF, .SPF) belong to the name.
 const kEndings = /\.(?:nc|txt|tap|cnc|iso|eia|ngc|min|prg|h|din|g|gcode)$/i;

@@ -7,7 +7,7 @@ export const isReleased = (release: Release): boolean => release.state === 'prov
 export const mayBeQueued = (release: Release): boolean =>
   release.state === 'approved' || (release.state === 'proving' && release.transfers_done < release.transfers_allowed);
 
-// It waits for somebody's decision.
+// It waits for a person's decision.
 export const isUnderReview = ({ state }: Release): boolean => state === 'in_review' || state === 'proving';
 
 // The newest verdict on what it binds.
@@ -39,7 +39,7 @@ export const hasEnded = ({ expires_at_ms }: Waiver, now_ms: number): boolean => 
 const isPointWaived = ({ waivers }: Waived, point: string | null, now_ms: number): boolean =>
   waivers.some((one) => one.point === point && !hasEnded(one, now_ms));
 
-// Points for which nobody answers yet.
+// Points that no person waived yet.
 export const openPoints = (verdict: Waived, now_ms: number): string[] =>
   isPointWaived(verdict, null, now_ms) ? [] : verdict.points.filter((point) => !isPointWaived(verdict, point, now_ms));
 

@@ -26,7 +26,7 @@ export type StandingKey =
 export interface Standing {
   key: StandingKey;
   tone: Tone;
-  urgency: number; // higher first; from kNeedsPerson on somebody must do something
+  urgency: number; // higher first; from kNeedsPerson on a person must do something
 }
 
 export const kNeedsPerson = 50;

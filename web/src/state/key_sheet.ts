@@ -1,4 +1,4 @@
-// Whether "?" alone shows the sheet of keys: a person may turn it off, as for one who dictates a character is no order.
+// Whether "?" alone shows the sheet of keys: a person may turn it off, as for one who dictates a character is not an order.
 const kStored = 'dripfeed.key_sheet';
 
 export const hasKeySheetKey = (): boolean => localStorage.getItem(kStored) !== 'off';

@@ -1,5 +1,5 @@
 // Keeps what the page knows like the server's: loads everything when the live stream opens, applies the news that came
-// meanwhile on top, and asks anew for what no news carries. After each loss it loads everything again, because a server
+// meanwhile on top, and asks again for what no news carries. After each loss it loads everything again, because a server
 // that was restarted counts its events from the beginning. News is applied once a frame, whatever came.
 import { calls, summaryOf } from '../api/calls';
 import { ApiError, setShownUser } from '../api/client';

@@ -10,7 +10,7 @@ export type Connection = { phase: 'connecting' } | { phase: 'live' } | { phase: 
 export type MachineHead = Omit<MachineItem, 'status'>;
 
 // What decides where a machine stands and which orders it takes. It changes seldom, the figures of a feed many times a
-// second: what depends on this alone is not drawn anew with each figure.
+// second: what depends on this alone is not redrawn with each figure.
 export type Core = Pick<
   MachineStatus,
   'line' | 'stall' | 'job' | 'needs_confirmation' | 'stop_wanted' | 'asks_since_ms' | 'confirms' | 'link_error' | 'link_error_said' | 'link_note'
@@ -37,7 +37,7 @@ function coreOf(status: MachineStatus): Core {
   return { line, stall, job, needs_confirmation, stop_wanted, asks_since_ms, confirms, link_error, link_error_said, link_note, plc_alarm: status.plc?.alarm ?? 0, wrong };
 }
 
-// The one before, where it says the same: then nobody who depends on it is called. `link_error_said` follows from
+// The one before, where it says the same: then nothing that depends on it is called. `link_error_said` follows from
 // `link_error`, and comes as another object each time.
 function kept(before: Core | null, now: Core): Core {
   if (before === null) return now;

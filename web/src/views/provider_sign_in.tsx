@@ -28,7 +28,7 @@ export function ProviderSignIn({ busy, enter, failed }: Props) {
   useEffect(() => {
     calls.signInProvider().then(
       (provider) => setTitle(provider.title),
-      () => undefined, // the other ways to sign in stay
+      () => undefined, // the other methods to sign in stay
     );
   }, []);
   const here = route.value;

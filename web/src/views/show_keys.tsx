@@ -7,7 +7,7 @@ import { hasKeySheetKey } from '../state/key_sheet';
 const KeySheet = lazyView(() => import('./keys').then((one) => one.KeySheet));
 export const showKeys = (): void => showDialog(<KeySheet />);
 
-// In a field the character is the person's, the editor's behind its shadow too, and a dialog that is open stays the one.
+// In a field the character is the person's, the editor's inside its shadow root too, and a dialog that is open stays the one.
 const isTaken = ([place]: EventTarget[]): boolean =>
   document.querySelector('dialog') !== null || (place instanceof Element && place.closest('input,select,textarea,[contenteditable]') !== null);
 

@@ -99,8 +99,8 @@ TEST(Arguments, ThatNoVariableCanHoldAreRefusedAtTheHead) {
       << messages("VAR REAL RESULT");
   EXPECT_NE(messages("VAR REAL RESULT").find("the parameter RESULT, which gives a value back (VAR),"),
             std::string::npos);
-  EXPECT_NE(messages("STRING[20] NAME").find("the parameter NAME, which is no number,"), std::string::npos);
-  EXPECT_NE(messages("AXIS WHICH").find("the parameter WHICH, which is no number,"), std::string::npos);
+  EXPECT_NE(messages("STRING[20] NAME").find("the parameter NAME, which is not a number,"), std::string::npos);
+  EXPECT_NE(messages("AXIS WHICH").find("the parameter WHICH, which is not a number,"), std::string::npos);
   std::string many = "REAL P1_";
   for (int i = 2; i <= 22; ++i) many += ", REAL P" + std::to_string(i) + "_";
   EXPECT_NE(messages(many).find("a program with more than 21 parameters"), std::string::npos) << messages(many);

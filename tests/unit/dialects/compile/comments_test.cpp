@@ -33,7 +33,7 @@ TEST(Comments, BracketsAndTapeMarksBecomeHarmless) {
   for (const std::string name : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const ConvertResult result = translated(text, "sinumerik-840d", name);
     EXPECT_TRUE(result.text.contains("(SIDE [A] OF [B] 50  DEEP, G0 X500)")) << result.text;
-    // The lost character is reported, and that is no error.
+    // The lost character is reported, and that is not an error.
     ASSERT_EQ(result.diagnostics.size(), 1U);
     EXPECT_EQ(result.diagnostics[0].severity, text::Severity::note);
     const Played played = run_text(result.text, control(name, ir::MachineKind::mill));

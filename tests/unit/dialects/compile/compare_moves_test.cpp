@@ -1,4 +1,4 @@
-// Two programs are run and their moves held against each other; what no run shows is never passed over.
+// Two programs are run and their moves compared with each other; what no run shows is never passed over.
 #include "dialects/compile/translate/compare_moves.h"
 
 #include <string>

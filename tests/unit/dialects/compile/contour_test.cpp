@@ -264,11 +264,11 @@ TEST(Contour, NeedsNoFeedOfItsOwn) {
 TEST(Contour, WhatIsNotInterpretedIsReportedAndNothingIsCut) {
   const Texts stairs = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nX35 Z-20\nX25 Z-25\nX60 Z-40\nM17\n"}};
   const Result neck = cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", stairs);
-  EXPECT_TRUE(neck.names("CYCLE95 with a relief cut that is no plain one, in line 4")) << neck.trace;
+  EXPECT_TRUE(neck.names("CYCLE95 with a relief cut that is not a plain one, in line 4")) << neck.trace;
   EXPECT_EQ(moves_only(neck).size(), 1U) << neck.trace;
   const Texts ends = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nM17\n"}};
   EXPECT_TRUE(cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", ends)
-                  .names("CYCLE95 with a relief cut that is no plain one, in line 4"));
+                  .names("CYCLE95 with a relief cut that is not a plain one, in line 4"));
   const Texts back = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX50 Z-5\nX60 Z-40\nM17\n"}};
   EXPECT_TRUE(cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", back).names("CYCLE95 along a contour that reverses in line 4"));
   const Texts small = {{"NECK", "PROC NECK\nG1 X20 Z0\nZ-10\nX21 Z-10.5\nX60\nM17\n"}};

@@ -415,7 +415,7 @@ TEST(Convert, AFaultOfTheTranslationNamesTheControlThatHasIt) {
 }
 
 // A code without effect on the path keeps its name and words where the other control has it, and goes with them where
-// it has not, which is reported; a cycle in effect takes none of the words.
+// it does not have, which is reported; a cycle in effect takes none of the words.
 TEST(Convert, CodesWithoutEffectGoWithTheirWords) {
   const std::string head = "%\nO1\nG21 G17 G90 G94 G54\nS500 M3\nG0 X0. Y0. Z50.\n";
   const std::string text = head + "G98 G83 X10. Y0. Z-20. R2. Q5. F100.\nG05.1 Q1\nX20.\nG80\nM30\n%\n";

@@ -1,6 +1,6 @@
 // The facts against the interpreter: programs made from a seed are run with several inputs and switches, and at each
-// message the run's state is held against what the facts claim there. A fact may say nothing; what it says must hold in
-// every run. Without branches it must also say something.
+// message the run's state is compared with what the facts claim there. A fact may say nothing; what it says must hold
+// in every run. Without branches it must also say something.
 //
 // FACTS_STATEMENTS in the environment: how many statements each test makes.
 #include <algorithm>

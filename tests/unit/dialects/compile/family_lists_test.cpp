@@ -90,7 +90,7 @@ TEST(FamilyLists, InterpolationTakesPointsThatIncreaseAndStay) {
   const std::string nominal =
       "list xs = 0 mm, 1 mm\nlist ys = 5 mm, 6 mm\nfunction at(q length) = interpolate(xs, ys, q)\n";
   EXPECT_TRUE(found(nominal + "nominal curve for t in 0 mm .. 1 mm x t y at(t) tolerance 0.01 mm\n", step)
-                  .contains("a nominal is no interpolation"));
+                  .contains("a nominal is not an interpolation"));
   EXPECT_EQ(found(nominal + "nominal curve for t in 0 mm .. 1 mm x t y at(0.5 mm) tolerance 0.01 mm\n", step), "");
 }
 

@@ -80,7 +80,7 @@ TEST(FamilyPoints, AreListsOfTheirAxes) {
 
 TEST(FamilyPoints, FaultsNameTheParameter) {
   const auto fault = [](const char* name, const char* value) { return faults_of(kPoints, "fanuc", {{name, value}}); };
-  EXPECT_TRUE(fault("corners", "(1 mm, 2 mm), (3 mm)").contains("corners: '(1 mm, 2 mm), (3 mm)' are no points of 2"));
+  EXPECT_TRUE(fault("corners", "(1 mm, 2 mm), (3 mm)").contains("corners: '(1 mm, 2 mm), (3 mm)' are not points of 2"));
   EXPECT_TRUE(fault("corners", "(1 mm, 2 mm),").contains("such as (0 mm, 0 mm)"));
   EXPECT_TRUE(fault("corners", "").contains("are no points"));
   EXPECT_TRUE(fault("corners", "(1 mm, 2 mm), (3, 4 mm)").contains("corners.x"));

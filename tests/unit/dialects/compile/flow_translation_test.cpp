@@ -211,7 +211,7 @@ TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
   EXPECT_TRUE(messages_of(keeps.diagnostics, text::Source("p", own + "SUPA Z0\nM30\n")).starts_with("p:7:1: error"));
 }
 
-// How the machine follows the path is no part of it: reported and left out.
+// How the machine follows the path is not a part of it: reported and left out.
 TEST(Smoothing, OfAnotherControlIsLeftOut) {
   const std::string text = kOwnStart + "CYCLE832(0.01,1)\nG1 X10 F500\nCYCLE832()\nX20\nM30\n";
   for (const std::string& to : dialect_names()) {

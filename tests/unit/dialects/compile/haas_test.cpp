@@ -1,4 +1,4 @@
-// What a Haas reads otherwise than its relatives: the same moves as the common form, and back again.
+// What a Haas reads differently from its relatives: the same moves as the common form, and back again.
 #include <algorithm>
 #include <cmath>
 

@@ -19,7 +19,7 @@ ConvertResult converted(const std::string& text, const std::string& from, const 
   return convert(request);
 }
 
-// The same moves there, to the places that are printed; gives the translation.
+// The same moves there, to the decimals that are printed; gives the translation.
 std::string expect_same_there(const std::string& text, const std::string& from, const std::string& to,
                               MachineKind kind) {
   SCOPED_TRACE(to);

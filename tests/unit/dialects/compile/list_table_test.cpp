@@ -36,7 +36,7 @@ TEST(ListTable, FaultsStandAtTheirCell) {
     const char* sentence;
   };
   const Row rows[] = {{"x mm,y mm\n1,2\n3,4 deg\n", "y", "xs", ":3:3:", "an angle"},
-                      {"x mm,y mm\n1,2\n3,four\n", "y", "xs", ":3:3:", "'four' is no number"},
+                      {"x mm,y mm\n1,2\n3,four\n", "y", "xs", ":3:3:", "'four' is not a number"},
                       {"x,y\n1,2\n", "y", "xs", ":2:3:", "needs a unit"},
                       {"x mm\n1\n101\n", "x", "xs", ":3:1:", "outside"},
                       {"x mm,y mm\n1\n", "y", "xs", ":2:1:", "no number in column 2"},
@@ -48,7 +48,7 @@ TEST(ListTable, FaultsStandAtTheirCell) {
                       {"x mm\n", "x", "xs", ":1:1:", "no numbers"},
                       {"", "x", "xs", ":1:1:", "empty"},
                       {"w\n-1\n", "w", "ws", ":2:1:", "outside"},
-                      {"x mm; y mm\n1,5; 2\n", "x", "xs", ":2:1:", "'1,5' is no number"}};
+                      {"x mm; y mm\n1,5; 2\n", "x", "xs", ":2:1:", "'1,5' is not a number"}};
   for (const Row& row : rows) {
     const text::Source table("t.csv", row.table);
     const TableColumn found = list_of_column(table, row.name, kFamily, row.parameter);

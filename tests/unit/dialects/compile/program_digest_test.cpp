@@ -47,7 +47,7 @@ TEST(ProgramDigest, OfALongTextTheMovesAreLeftOut) {
   const ProgramDigest found = digest(text);
   EXPECT_TRUE(found.is_cut);
   EXPECT_LT(found.words.size(), std::size_t{70'000});
-  EXPECT_NE(found.words.find("T0707"), std::string::npos) << "what is no move is kept";
+  EXPECT_NE(found.words.find("T0707"), std::string::npos) << "what is not a move is kept";
   EXPECT_EQ(calls(found), "O77:20003");
 }
 

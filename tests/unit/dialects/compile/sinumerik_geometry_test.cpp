@@ -78,7 +78,7 @@ TEST(SinumerikGeometry, ATangentialArcInThePlaneOfALathe) {
   const Result ran = run("G18 G90 DIAMON G0 X40 Z5\nG1 Z-10 F100\nCT X60 Z-20\nM30\n");
   EXPECT_TRUE(ran.trace.contains("3 arc-cw X30.0000 Y0.0000 Z-20.0000 G18 I10.0000 J0.0000 K0.0000")) << ran.trace;
   // Where the line began is not known: neither is its direction.
-  EXPECT_TRUE(run("G17 G90\nG1 X10 F100\nCT X20 Y10\nM30\n").names("arcs from or to a place that is not known"));
+  EXPECT_TRUE(run("G17 G90\nG1 X10 F100\nCT X20 Y10\nM30\n").names("arcs from or to a position that is not known"));
 }
 
 TEST(SinumerikGeometry, ArcThroughAPoint) {
@@ -96,7 +96,7 @@ TEST(SinumerikGeometry, TangentialArc) {
 
 TEST(SinumerikGeometry, ArcsFromAnUnknownPlaceAreNoAlarm) {
   const Result ran = run("G17 G90 G1 F100\nG2 X10 Y0 I3 J0\nG2 X10 Y20 CR=10\nG2 X10 Y0 CR=3\nM30\n");
-  EXPECT_TRUE(ran.names("arcs from or to a place that is not known"));
+  EXPECT_TRUE(ran.names("arcs from or to a position that is not known"));
   EXPECT_EQ(alarm_of(ran), "14095");  // the last one: both ends are known, and it does not fit
   EXPECT_EQ(ran.result.diagnostics.back().line, 4U);
 }

@@ -121,7 +121,7 @@ TEST(ArcInSpace, WhatIsNoArc) {
     EXPECT_TRUE(chords(ran).empty());
   }
   const Result lost = run("G17 G90 G94 G1 X0 Y0 F500\nCIP X10 Z0 I1=5 K1=5\nM30\n");
-  EXPECT_TRUE(lost.names("arcs from or to a place that is not known")) << lost.trace;
+  EXPECT_TRUE(lost.names("arcs from or to a position that is not known")) << lost.trace;
 }
 
 // --- planes that a frame tilts
@@ -227,8 +227,8 @@ TEST(TiltedPlane, WhatIsReportedInstead) {
   for (const std::string text : {"SCALE X2\nCIP X10 I1=5 J1=5 F500\n", "SCALE X2\nAROT X30\nG2 X10 I5 F500\n",
                                  "SCALE Z2\nCIP X10 I1=5 K1=5 F500\n"})
     EXPECT_TRUE(run(head + text + "M30\n").names("arcs that a frame stretches")) << text;
-  EXPECT_TRUE(
-      run("G17 G90 G94 G0 X0 Y0\nROT X30\nG2 X10 I5 F500\nM30\n").names("arcs from or to a place that is not known"));
+  EXPECT_TRUE(run("G17 G90 G94 G0 X0 Y0\nROT X30\nG2 X10 I5 F500\nM30\n")
+                  .names("arcs from or to a position that is not known"));
   const std::string comp = "compensation of the radius in a plane that a frame tilts";
   EXPECT_TRUE(run(head + "T1 D1\nROT X30\nG41 G1 X10 F500\nG40 G1 X20\nM30\n").names(comp));
   EXPECT_FALSE(run(head + "T1 D1\nROT Z30\nG41 G1 X10 F500\nG40 G1 X20\nM30\n").names(comp));

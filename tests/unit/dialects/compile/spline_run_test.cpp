@@ -238,7 +238,7 @@ TEST(SplineRun, AWeightedBSplineIsACircle) {
 }
 
 // Two cubic pieces: at the knot between them (P1 + 2 P2 + P3) / 4, by Boehm's insertion; with knot distances of 1 and 3
-// P1 and P2, P2 and P3 are first parted 1 : 3, then what came of it.
+// P1 and P2, P2 and P3 are first parted 1 : 3, then the result.
 TEST(SplineRun, BSplinesByTheirKnots) {
   const std::string head = "G17 G90 G1 X0 Y0 Z0 F500\nBSPLINE X0 Y10\nX10 Y20\n";
   const auto knot = [&](const Result& ran, double x, double y) {

@@ -248,7 +248,7 @@ ConvertResult lathe_translated(const std::string& text, const std::string& from,
   return convert(request);
 }
 
-// The same moves there, to the places that are printed.
+// The same moves there, to the decimals that are printed.
 std::string expect_translated(const std::string& text, const std::string& from, const std::string& to) {
   const ConvertResult made = lathe_translated(text, from, to);
   EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("program", text));
@@ -344,7 +344,7 @@ TEST(LoweredTurning, WhatIsNotKnownIsRefused) {
           .diagnostics));
 }
 
-// The angle of a G76 in one block is no axis of the machine.
+// The angle of a G76 in one block is not an axis of the machine.
 // S counts as G96 or G97 of its block says, wherever the spindle's M goes.
 TEST(LoweredTurning, SpeedsGoWithWhatTheyCount) {
   const std::string text =

@@ -156,7 +156,7 @@ TEST(ValueTypes, GlobalDataThatDoesNotFitIsRefusedWhereItIsUsed) {
             std::string::npos);
   const std::string text = messages("G17 G710 G90 G94\nSHAPE=\"A\"\nG0 X1\nM30\n");
   EXPECT_NE(text.find("program:2:"), std::string::npos) << text;
-  EXPECT_NE(text.find("the variable SHAPE, which is no number,"), std::string::npos) << text;
+  EXPECT_NE(text.find("the variable SHAPE, which is not a number,"), std::string::npos) << text;
   EXPECT_NE(messages("G17 G710 G90 G94\nG0 X=NOWHERE\nM30\n").find("NOWHERE, whose value is not known here"),
             std::string::npos);
 }

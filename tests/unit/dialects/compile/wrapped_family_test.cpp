@@ -243,10 +243,11 @@ TEST(WrappedFamily, TheExampleOfTheDocumentationRenders) {
 
 TEST(WrappedFamily, ListsAndChoicesAreNoNumbers) {
   const std::string native = "native fanuc\nG21\n#100=1.\nX#100\nM30\n";
-  EXPECT_NE(faults_of(kMill + "param entry choice slow of slow, fast is #100\n" + native, "fanuc").find("is no number"),
-            std::string::npos);
+  EXPECT_NE(
+      faults_of(kMill + "param entry choice slow of slow, fast is #100\n" + native, "fanuc").find("is not a number"),
+      std::string::npos);
   const std::string row = kMill + "param row list of length 1 mm, 2 mm in 0..9 count 1..5";
-  EXPECT_NE(faults_of(row + " is #100\n" + native, "fanuc").find("is no number"), std::string::npos);
+  EXPECT_NE(faults_of(row + " is #100\n" + native, "fanuc").find("is not a number"), std::string::npos);
   EXPECT_EQ(text_of(row + "\nlet first = row[0] is #100\n" + native, "fanuc", {{"row", "7 mm, 8 mm"}}),
             "G21\n#100=7.\nX#100\nM30\n");
   EXPECT_EQ(text_of(kMill + "param probe yes_no yes is #100\n" + native, "fanuc", {{"probe", "no"}}),

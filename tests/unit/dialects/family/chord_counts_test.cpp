@@ -140,7 +140,7 @@ TEST(ChordCounts, WhatCannotBeProvedIsRefused) {
 
 TEST(ChordCounts, WhatIsNoCurveIsRefused) {
   const std::string line = "  cut along t from 0 mm to 1 mm  ";
-  EXPECT_EQ(fault("mill", line + "x by t  steps 4"), "the places of a curve are no steps: axes without 'by'");
+  EXPECT_EQ(fault("mill", line + "x by t  steps 4"), "the points of a curve are not steps: axes without 'by'");
   EXPECT_EQ(fault("mill", line + "x t  a 3 deg  within error"),
             "an error is a length, and this curve turns an axis: use 'steps'");
   EXPECT_EQ(fault("mill", "  skip cut along t from 0 mm to 1 mm  x t  steps 4"),

@@ -50,7 +50,7 @@ TEST(LineClock, LineTimeDoesNotDriftWithLateTicks) {
   LineClock clock = clock_of_milliseconds();
   clock.handed(4, 0ms);
   for (int i = 1; i <= 1000; ++i) clock.handed(2, Time(2ms * i + 300us));  // each refill 0.3 ms late
-  EXPECT_EQ(clock.settled_at(), 2004ms + 2ms);
+  EXPECT_EQ(clock.drained_at(), 2004ms + 2ms);
 }
 
 TEST(LineClock, ClocksWithTheLatencyAndNeverBack) {
@@ -62,9 +62,9 @@ TEST(LineClock, ClocksWithTheLatencyAndNeverBack) {
   EXPECT_EQ(clock.clocked(105ms), 3U);
   clock.queue_reported(4, 105ms);
   EXPECT_EQ(clock.clocked(105ms), 3U);
-  EXPECT_FALSE(clock.settled(106ms));
+  EXPECT_FALSE(clock.is_drained(106ms));
   EXPECT_EQ(clock.clocked(111ms), 4U);
-  EXPECT_TRUE(clock.settled(111ms));
+  EXPECT_TRUE(clock.is_drained(111ms));
 }
 
 TEST(LineClock, AReportedQueueOnlySlows) {
@@ -84,14 +84,14 @@ TEST(LineClock, StandsStillWhilePaused) {
   clock.handed(4, 100ms);
   clock.pause(101ms);
   EXPECT_EQ(clock.credit(900ms), 0U);
-  EXPECT_FALSE(clock.settled(900ms));
+  EXPECT_FALSE(clock.is_drained(900ms));
   EXPECT_EQ(clock.clocked(900ms), 0U);
   clock.pause(950ms);
   clock.go_on(1000ms);
-  EXPECT_EQ(clock.settled_at(), 1005ms);
+  EXPECT_EQ(clock.drained_at(), 1005ms);
   clock.pause(2000ms);
   clock.go_on(3000ms);
-  EXPECT_TRUE(clock.settled(3000ms));
+  EXPECT_TRUE(clock.is_drained(3000ms));
 }
 
 TEST(LineClock, ANewJobCountsFromNothingAfterWhatIsStillOnTheLine) {

@@ -48,8 +48,8 @@ TEST(MachineWords, AStateOfALaterMapIsUnknown) {
   EXPECT_EQ(words->alarm, 5U);
 }
 
-// Reads until the probe has made up its mind.
-std::size_t settle(WordsProbe& probe, bool answers_long) {
+// How many registers the probe asks for after ten answers or failures.
+std::size_t registers_after_ten(WordsProbe& probe, bool answers_long) {
   for (int i = 0; i < 10; ++i) {
     if (probe.registers() == kStatusRegisters || answers_long) {
       probe.answered();
@@ -63,27 +63,27 @@ std::size_t settle(WordsProbe& probe, bool answers_long) {
 TEST(WordsProbe, FindsOutWhatIsThere) {
   WordsProbe with;
   EXPECT_FALSE(with.proved());
-  EXPECT_EQ(settle(with, true), kStatusAndMachine);
+  EXPECT_EQ(registers_after_ten(with, true), kStatusAndMachine);
   EXPECT_TRUE(with.proved());
   WordsProbe without;
-  EXPECT_EQ(settle(without, false), kStatusRegisters);
+  EXPECT_EQ(registers_after_ten(without, false), kStatusRegisters);
   EXPECT_FALSE(without.proved());
   without.ask_again();
   EXPECT_EQ(without.registers(), kStatusAndMachine);
-  EXPECT_EQ(settle(without, false), kStatusRegisters);
+  EXPECT_EQ(registers_after_ten(without, false), kStatusRegisters);
   without.ask_again();
-  EXPECT_EQ(settle(without, true), kStatusAndMachine) << "they came later";
+  EXPECT_EQ(registers_after_ten(without, true), kStatusAndMachine) << "they came later";
 }
 
 TEST(WordsProbe, FailuresOfAnotherKindHideNothing) {
   WordsProbe probe;
   for (int i = 0; i < 7; ++i) probe.failed();  // no one is there yet
-  EXPECT_EQ(settle(probe, true), kStatusAndMachine);
+  EXPECT_EQ(registers_after_ten(probe, true), kStatusAndMachine);
   probe.failed();
   EXPECT_EQ(probe.registers(), kStatusAndMachine) << "one lost answer";
   for (int i = 0; i < 6; ++i) probe.failed();
   EXPECT_FALSE(probe.proved());
-  EXPECT_EQ(settle(probe, false), kStatusRegisters) << "another PLC in its place";
+  EXPECT_EQ(registers_after_ten(probe, false), kStatusRegisters) << "another PLC in its place";
 }
 
 }  // namespace

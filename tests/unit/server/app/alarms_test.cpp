@@ -28,12 +28,12 @@ class AlarmsTest : public ShopTest {
     return static_cast<std::size_t>(
         std::ranges::count_if(events, [](const std::string& text) { return text.starts_with("alarm "); }));
   }
-  void settle() { ASSERT_TRUE(shop_.alarms.settle(10s)); }
+  void wait_for_round() { ASSERT_TRUE(shop_.alarms.wait_for_round(10s)); }
   // The thread may write between any two calls of a test; what came after it then waits for its second.
   void write_all() {
-    settle();
+    wait_for_round();
     shop_.links.advance(1s);
-    settle();
+    wait_for_round();
   }
 
   Shop shop_;
@@ -42,20 +42,20 @@ class AlarmsTest : public ShopTest {
 TEST_F(AlarmsTest, AFloodIsWrittenOnceASecondAndCountsAll) {
   for (int i = 0; i < 100; ++i) {
     shop_.alarms.raise(kLathe, AlarmKind::person_called, "come");
-    if (i == 0) settle();
+    if (i == 0) wait_for_round();
   }
-  settle();
+  wait_for_round();
   EXPECT_EQ(published(), 1U);
   shop_.links.advance(999ms);
-  settle();
+  wait_for_round();
   EXPECT_EQ(all().at(0).count, 1U);
   shop_.links.advance(1ms);
-  settle();
+  wait_for_round();
   EXPECT_EQ(all().at(0).count, 100U);
   EXPECT_EQ(published(), 2U) << "the newest count arrives";
   for (int i = 0; i < 1000; ++i) shop_.alarms.raise(kLathe, AlarmKind::person_called, "come " + std::to_string(i));
   shop_.links.advance(1s);
-  settle();
+  wait_for_round();
   EXPECT_LE(all().size(), 20U) << "what differs is bounded, too";
   std::uint64_t sum = 0;
   for (const store::Alarm& alarm : all()) sum += alarm.count;
@@ -64,13 +64,13 @@ TEST_F(AlarmsTest, AFloodIsWrittenOnceASecondAndCountsAll) {
 
 TEST_F(AlarmsTest, WhatLastsHasOneTextAndIsOverWhenItsConditionIs) {
   shop_.alarms.clear(kLathe, AlarmKind::machine_alarm);
-  settle();
+  wait_for_round();
   EXPECT_TRUE(all().empty());
   shop_.alarms.raise(kLathe, AlarmKind::machine_alarm, "1010");
-  settle();
+  wait_for_round();
   shop_.links.advance(1s);
   shop_.alarms.raise(kLathe, AlarmKind::machine_alarm, "1011");
-  settle();
+  wait_for_round();
   auto rows = of(AlarmKind::machine_alarm);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].text, "1011");
@@ -125,19 +125,19 @@ TEST_F(AlarmsTest, ATornBlockThatNoOneRaisedIsFoundAtTheStart) {
   ASSERT_EQ(must(next.store.jobs().interrupt_unfinished(by("server"))).size(), 1U);
   ASSERT_TRUE(must(next.store.alarms().lasting()).empty());
   ASSERT_TRUE(next.alarms.start());
-  ASSERT_TRUE(next.alarms.settle(10s));
+  ASSERT_TRUE(next.alarms.wait_for_round(10s));
   const auto torn = must(next.store.alarms().lasting());
   ASSERT_EQ(torn.size(), 1U);
   EXPECT_EQ(torn[0].kind, "torn_block");
   EXPECT_EQ(torn[0].job, 1U);
   ASSERT_TRUE(next.alarms.start());
   next.links.advance(2s);
-  ASSERT_TRUE(next.alarms.settle(10s));
+  ASSERT_TRUE(next.alarms.wait_for_round(10s));
   EXPECT_EQ(must(next.store.alarms().list({})).items.size(), 1U);
   // It is over by the store's word, though no line was there to say so.
   must(next.store.jobs().confirm_reset(kLathe, "reset at the panel", by("olga")));
   next.links.advance(2s);
-  ASSERT_TRUE(next.alarms.settle(10s));
+  ASSERT_TRUE(next.alarms.wait_for_round(10s));
   EXPECT_TRUE(must(next.store.alarms().lasting()).empty());
 }
 
@@ -175,23 +175,23 @@ TEST_F(AlarmsTest, ALedgerThatCannotBeWrittenIsAnAlarmUntilItCan) {
 
 TEST_F(AlarmsTest, AnUnknownMachineIsReportedAndNotTriedForEver) {
   shop_.alarms.raise("nobody", AlarmKind::person_called, "come");
-  settle();
+  wait_for_round();
   shop_.links.advance(5s);
-  settle();
+  wait_for_round();
   EXPECT_EQ(published(), 1U);
   EXPECT_TRUE(all().empty());
 }
 
 TEST_F(AlarmsTest, AShelfEndsByItself) {
   shop_.alarms.raise(kLathe, AlarmKind::link_note, "not confirmed");
-  settle();
+  wait_for_round();
   const store::Id id = all().at(0).id;
   must(shop_.alarms.shelve(id, 5, "known", "olga"));
   shop_.links.advance(5min - 1s);
-  settle();
+  wait_for_round();
   EXPECT_EQ(all()[0].shelved_by, "olga");
   shop_.links.advance(2s);
-  settle();
+  wait_for_round();
   EXPECT_EQ(all()[0].shelved_by, "");
   EXPECT_EQ(published(), 3U) << "raised, shelved, taken down";
 }

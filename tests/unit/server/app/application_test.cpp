@@ -50,7 +50,7 @@ TEST_F(ApplicationTest, AfterAKillJobsAreInterruptedAndNothingMoves) {
   const store::Job job = leave_a_killed_job(300ms);
   Server server(killed());
   must(server.application->start());
-  server.links.settle();
+  server.links.run_posted();
   const store::Job after = must(server.store->jobs().get(job.id));
   EXPECT_EQ(after.state, JobState::interrupted);
   EXPECT_TRUE(after.needs_confirmation());
@@ -93,7 +93,7 @@ TEST_F(ApplicationTest, ShowsTheBlockThatIsInTransit) {
   Server server(database());
   must(server.application->start());
   must(server.application->catalog().add_machine("lathe " + url_of(kLathe), "anna"));
-  server.links.settle();
+  server.links.run_posted();
   EXPECT_EQ(server.application->status(kLathe).program, "");
   for (const bool two_characters : {false, true}) {
     std::string text;
@@ -103,8 +103,8 @@ TEST_F(ApplicationTest, ShowsTheBlockThatIsInTransit) {
     must(jobs.arm(job.id, std::nullopt, "olga"));
     const std::size_t before = server.written().size();
     server.links.receive(url_of(kLathe), kDc1);
-    jobs.settle();  // the first window is reserved
-    server.links.settle();
+    jobs.wait_until_booked();  // the first window is reserved
+    server.links.run_posted();
     for (int i = 0; i < 80; ++i) {
       server.links.advance(3ms);
       server.links.receive(url_of(kLathe), kDc3);  // news are reported at once, counters alone only every 20 ms
@@ -134,15 +134,15 @@ TEST_F(ApplicationTest, AnOrderlyEndCancelsAtABlockEnd) {
     must(server.application->start());
     for (const std::string machine : {"lathe", "mill"})
       must(server.application->catalog().add_machine(machine + " " + url_of(machine), "anna"));
-    server.links.settle();
+    server.links.run_posted();
     Jobs& jobs = server.application->jobs();
     fed = must(jobs.add(release_text(*server.store, "lathe", program(50)).id, "anna")).id;
     armed = must(jobs.add(release_text(*server.store, "mill", "%\n(MILL)\nM30\n%\n").id, "anna")).id;
     must(jobs.arm(fed, std::nullopt, "olga"));
     must(jobs.arm(armed, std::nullopt, "olga"));
     server.links.receive(url_of("lathe"), kDc1);
-    jobs.settle();  // the first window is reserved
-    server.links.settle();
+    jobs.wait_until_booked();  // the first window is reserved
+    server.links.run_posted();
     server.links.advance(100ms);
     ASSERT_NE(server.written().back(), '\n');
     // Time goes on while the server ends.

@@ -154,7 +154,7 @@ TEST_F(BooksTest, AllLinesAreInOneCommit) {
   gate.await_someone();
   shop.links.advance(50ms);
   gate.open();
-  shop.books.settle();
+  shop.books.wait_until_booked();
   const std::lock_guard lock(mutex);
   ASSERT_GE(commits.size(), 2U);
   std::ranges::sort(commits[1]);
@@ -221,7 +221,7 @@ TEST_F(BooksTest, AfterAKillTheTruthLiesBetweenClockedAndReserve) {
 
     // The machine waits for a person; then it may be armed again, and nothing went out before.
     ASSERT_TRUE(next.catalog.open_lines());
-    next.links.settle();
+    next.links.run_posted();
     const store::Job again = must(next.jobs.add(job.release, "anna"));
     EXPECT_EQ(refusal(next.jobs.arm(again.id, std::nullopt, "olga")).code, ErrorCode::refused);
     must(next.jobs.confirm_reset(kLathe, "reset at the panel", "olga"));
@@ -248,7 +248,7 @@ TEST_F(BooksTest, AJobThatWasQuickerThanARoundTakesEveryStep) {
   shop.links.receive(url_of(kLathe), kDc1);
   for (int i = 0; i < 2000 && shop.report(kLathe).reserve == 0; ++i) {
     std::this_thread::sleep_for(1ms);
-    shop.links.settle();
+    shop.links.run_posted();
   }
   has_window = true;
   shop.links.advance(1s);

@@ -34,7 +34,7 @@ class CatalogTest : public ShopTest {
 
 TEST_F(CatalogTest, AMachineHasALineAtOnce) {
   const store::Machine made = must(shop_.catalog.add_machine("lathe pty:/machine/lathe", "anna"));
-  shop_.links.settle();
+  shop_.links.run_posted();
   EXPECT_EQ(made.revision, 1U);
   EXPECT_EQ(made.profile, "lathe pty:/machine/lathe");
   EXPECT_EQ(shop_.report(kLathe).state, LineState::idle);
@@ -64,7 +64,7 @@ TEST_F(CatalogTest, AChangedProfileIsARevisionWithALineOfItsOwn) {
 
   const store::Machine changed = must(shop_.catalog.change_machine(kLathe, 1, "lathe pty:/new", "anna"));
   shop_.round();  // the books may still have had the old line in its hands
-  shop_.links.settle();
+  shop_.links.run_posted();
   EXPECT_EQ(changed.revision, 2U);
   EXPECT_EQ(shop_.links.cable(url_of(kLathe)).listener, nullptr);
   EXPECT_NE(shop_.links.cable("pty:/new").listener, nullptr);
@@ -97,7 +97,7 @@ TEST_F(CatalogTest, OpensTheLinesOfAllMachines) {
   must(shop_.store.machines().add("wreck", "wreck nonsense", by("anna")));
   must(shop_.store.machines().add("zeta", "zeta pty:/machine/zeta", by("anna")));
   must(shop_.catalog.open_lines());
-  shop_.links.settle();
+  shop_.links.run_posted();
   EXPECT_NE(shop_.lines.find("mill"), nullptr);
   EXPECT_EQ(shop_.lines.find("wreck"), nullptr) << "one that cannot be read keeps no other from its line";
   EXPECT_NE(shop_.lines.find("zeta"), nullptr);

@@ -381,7 +381,7 @@ TEST(Certainty, TheReferencePointIsTheProfiles) {
   EXPECT_EQ(check(text).verdict, checks::Verdict::pass) << "where it lies is the machine's, and none is named";
   const CheckReport open = check(text, {.profile = &profile});
   EXPECT_EQ(open.verdict, checks::Verdict::unknown);
-  EXPECT_TRUE(reports(open, "\"reference_mm\" of X, Y, Z in the machine's profile settles it"));
+  EXPECT_TRUE(reports(open, "\"reference_mm\" of X, Y, Z in the machine's profile decides this"));
   for (checks::MachineAxis& axis : profile.machine.axes) axis.reference = 0.0;
   EXPECT_NE(check(text, {.profile = &profile}).verdict, checks::Verdict::unknown);
   const std::string second = kHead + "G91 G30 Z0.\nG90 G00 X1. Y1.\nM30\n%\n";

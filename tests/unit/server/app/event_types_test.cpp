@@ -31,7 +31,7 @@ TEST(EventTypes, AreAllThatCanHappenAndNoMore) {
   possible.insert("webhook.ping");
   for (std::size_t i = 0; i <= static_cast<std::size_t>(LineState::answering); ++i)
     possible.insert("line." + std::string(name_of(static_cast<LineState>(i))));
-  // A job's move that is not in the audit is no event.
+  // A job's move that is not in the audit is not an event.
   possible.insert("job.queued");
   for (const store::JobTransition& move : store::job_transitions())
     if (move.audited) possible.insert("job." + std::string(store::name_of(move.to)));

@@ -112,7 +112,7 @@ TEST(Events, WakesWatchersUntilTheyGo) {
   ASSERT_EQ(events.snapshot().size(), 1U);
   EXPECT_EQ(events.snapshot().front().machine, "lathe");
   EXPECT_EQ(events.snapshot().front().report.handed, 11U);
-  EXPECT_EQ(events.last_id(), 2U) << "progress is no part of the ring";
+  EXPECT_EQ(events.last_id(), 2U) << "progress is not a part of the ring";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class FeedLineTest : public ::testing::Test {
     auto made = make_feed_line(settings, links_, [this] { ++changes_; });
     ASSERT_TRUE(made) << made.error();
     line_ = std::move(*made);
-    links_.settle();
+    links_.run_posted();
   }
   void arm(std::uint64_t job, const std::string& text, std::uint64_t reserve = feed::kNoReserve) {
     const auto armed = line_->arm(order_of(job, text, reserve));

@@ -1,4 +1,4 @@
-// Changes make one list of the other, and no shorter list of changes does: held against the longest common list.
+// Changes make one list of the other, and no shorter list of changes does: compared with the longest common list.
 #include "server/app/base/line_changes.h"
 
 #include <algorithm>

@@ -31,7 +31,7 @@ class LineReceiveTest : public ::testing::Test {
     auto made = make_feed_line(settings, links_, [this] { ++changes_; });
     ASSERT_TRUE(made) << made.error();
     line_ = std::move(*made);
-    links_.settle();
+    links_.run_posted();
   }
   void answer(const std::string& text, feed::Time expires = 600s) {
     const auto armed =
@@ -207,7 +207,7 @@ TEST_F(LineReceiveTest, HoldsTheControlWhileNoOneTakesWhatCame) {
   EXPECT_EQ(report().state, LineState::receiving) << "quiet time stands still";
   EXPECT_EQ(report().stall, "holding the control: what it sent before is not taken yet");
   EXPECT_EQ(received().size(), 8U);
-  links_.settle();
+  links_.run_posted();
   EXPECT_EQ(links_.cable(kUrl).written, "\x93\x11") << "without a further character";
   EXPECT_EQ(report().stall, "");
   links_.receive(kUrl, on_wire("M30\n%\n") + "\x14");
@@ -224,7 +224,7 @@ TEST_F(LineReceiveTest, HoldsTheControlByItsOwnCharactersOrByRts) {
   links_.receive(kUrl, "\x12" + on_wire("%\nO8\n"));
   EXPECT_EQ(links_.cable(kUrl).written, "\x06");
   received();
-  links_.settle();
+  links_.run_posted();
   EXPECT_EQ(text_of(links_.cable(kUrl).written), "\x06\x05");
 
   constexpr const char* kSerial = "serial:/dev/ttyS0";
@@ -236,7 +236,7 @@ TEST_F(LineReceiveTest, HoldsTheControlByItsOwnCharactersOrByRts) {
   links_.receive(kSerial, "\x12" + on_wire("%\nO8\n"));
   EXPECT_EQ(links_.cable(kSerial).rts, false);
   received();
-  links_.settle();
+  links_.run_posted();
   EXPECT_EQ(links_.cable(kSerial).rts, true);
   EXPECT_EQ(links_.cable(kSerial).written, "");
   // A new link begins with RTS on.

@@ -43,7 +43,7 @@ TEST_F(LinesAsLeftTest, ALineIsMadeTornWhereTheStoreHasItSo) {
   Shop next(database());
   ASSERT_TRUE(next.catalog.open_lines());
   EXPECT_EQ(next.report(kLathe).state, LineState::torn);
-  next.links.settle();
+  next.links.run_posted();
   const auto text = program(3);
   const auto line = next.lines.find(kLathe);
   EXPECT_FALSE(line->answer({.facts = facts_of(text), .source = std::make_shared<OwnedText>(text)}));

@@ -56,7 +56,7 @@ class PacketLineTest : public ::testing::Test {
     ASSERT_TRUE(made) << made.error().text;
     line_ = std::move(*made);
     links_.cable(url).peer = &peer_;
-    links_.settle();
+    links_.run_posted();
   }
   void arm(std::uint64_t reserve = feed::kNoReserve) {
     const auto armed = line_->arm(order_of(1, text_, reserve));
@@ -208,7 +208,7 @@ TEST(PacketLines, ATelegramThatThePartnerSentFirstIsAReception) {
   auto made = make_line(line_settings(kUrl), links, nullptr, [] {});
   ASSERT_TRUE(made) << made.error().text;
   links.cable(kUrl).peer = &peer;
-  links.settle();
+  links.run_posted();
   const std::string text = program(20);
   ASSERT_TRUE((*made)->arm(order_of(1, text, feed::kNoReserve)));
   for (int i = 0; i < 500; ++i) links.advance(10ms);

@@ -61,7 +61,7 @@ struct Rig {
     EXPECT_TRUE(made) << made.error().text;
     line = std::move(*made);
     links.cable(url).peer = &peer;
-    links.settle();
+    links.run_posted();
   }
   void pass(feed::Time span) {
     for (const feed::Time end = links.now() + span; links.now() < end;) links.advance(10ms);

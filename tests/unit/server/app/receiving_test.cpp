@@ -93,7 +93,7 @@ class ReceivingTest : public ShopTest {
     return shop_->job(job.id);
   }
   [[nodiscard]] bool published(std::string_view words) {
-    shop_->alarms.settle(10s);
+    shop_->alarms.wait_for_round(10s);
     const auto all = shop_->published();
     return std::ranges::any_of(all, [&](const std::string& one) { return one.find(words) != std::string::npos; });
   }

@@ -54,7 +54,7 @@ class RegisterPlc final : private modbus::TextSink {
     const Luck luck = draw();
     if (luck == Luck::lost_before) return failure();
     receiver_.written(0, registers);
-    settle();
+    consume_all();
     if (luck == Luck::lost_after) return failure();
     return {};
   }
@@ -65,7 +65,7 @@ class RegisterPlc final : private modbus::TextSink {
     const bool wants_words = registers.size() > modbus::kStatusRegisters;
     if (wants_words && !words_ && ignores_long_reads_) return failure();
     if (wants_words && !words_) return illegal_address();
-    settle();
+    consume_all();
     receiver_.beat();
     std::ranges::copy(receiver_.status_image(), registers.begin());
     modbus::MachineImage image{};
@@ -119,7 +119,7 @@ class RegisterPlc final : private modbus::TextSink {
   static std::unexpected<BusFailure> failure() {
     return std::unexpected(BusFailure{.link_lost = true, .text = "the PLC does not answer"});
   }
-  void settle() {
+  void consume_all() {
     receiver_.set_free_blocks(gives_.load() ? kCredit : std::uint16_t{0});
     receiver_.set_consumed(static_cast<std::uint32_t>(text_.size()));
   }

@@ -1,4 +1,4 @@
-// Rounds on a thread of their own: woken, settled, stopped, and not ended by what a round throws; and the measure of
+// Rounds on a thread of their own: woken, waited for, stopped, and not ended by what a round throws; and the measure of
 // what threads that serve lines wait for a lock.
 #include "server/app/base/round_thread.h"
 
@@ -20,7 +20,7 @@ TEST(RoundThread, SettleWaitsForARoundThatBeganAfterIt) {
   RoundThread thread("test", kNever, Urgency::usual, [&] { seen = value.load(); });
   for (int i = 1; i <= 100; ++i) {
     value = i;
-    ASSERT_TRUE(thread.settle(10s));
+    ASSERT_TRUE(thread.wait_for_round(10s));
     ASSERT_EQ(seen, i);
   }
 }
@@ -28,10 +28,10 @@ TEST(RoundThread, SettleWaitsForARoundThatBeganAfterIt) {
 TEST(RoundThread, WhoeverSettlesWaitsNoLongerThanStated) {
   std::atomic<bool> go = false;
   RoundThread thread("test", kNever, Urgency::usual, [&] { go.wait(false); });
-  EXPECT_FALSE(thread.settle(20ms)) << "the round hangs, as on a disk that does not answer";
+  EXPECT_FALSE(thread.wait_for_round(20ms)) << "the round hangs, as on a disk that does not answer";
   go = true;
   go.notify_all();
-  EXPECT_TRUE(thread.settle(10s));
+  EXPECT_TRUE(thread.wait_for_round(10s));
 }
 
 TEST(RoundThread, WhatARoundThrowsEndsThatRoundOnly) {
@@ -39,18 +39,18 @@ TEST(RoundThread, WhatARoundThrowsEndsThatRoundOnly) {
   RoundThread thread("test", kNever, Urgency::usual, [&] {
     if (++rounds % 2 == 1) throw std::bad_alloc();
   });
-  for (int i = 0; i < 10; ++i) EXPECT_TRUE(thread.settle(10s));
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(thread.wait_for_round(10s));
   EXPECT_GE(rounds, 10);
 }
 
 TEST(RoundThread, StopMakesOneLastRound) {
   std::atomic<int> left = 1;
   RoundThread thread("test", kNever, Urgency::usual, [&] { left = 0; });
-  ASSERT_TRUE(thread.settle(10s));
+  ASSERT_TRUE(thread.wait_for_round(10s));
   left = 1;
   thread.stop();
   EXPECT_EQ(left, 0);
-  EXPECT_FALSE(thread.settle(10ms)) << "there are no rounds any more";
+  EXPECT_FALSE(thread.wait_for_round(10ms)) << "there are no rounds any more";
 }
 
 // Holds the mutex for a while, on another thread, and takes it here as a thread that serves lines.

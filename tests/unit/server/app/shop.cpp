@@ -95,7 +95,7 @@ Shop::~Shop() {
 
 void Shop::add_machine(const std::string& name, const std::string& url) {
   must(catalog.add_machine(name + " " + (url.empty() ? url_of(name) : url), "anna"));
-  links.settle();
+  links.run_posted();
 }
 
 store::Job Shop::add_job(const std::string& machine, const std::string& text) {
@@ -120,9 +120,9 @@ void Shop::run(feed::Time span) {
 
 void Shop::round() {
   books.read_ahead(std::chrono::seconds(10));
-  books.settle();
-  alarms.settle(std::chrono::seconds(10));
-  links.settle();
+  books.wait_until_booked();
+  alarms.wait_for_round(std::chrono::seconds(10));
+  links.run_posted();
 }
 
 std::string Shop::written(const std::string& machine) { return text_of(links.cable(url_of(machine)).written); }

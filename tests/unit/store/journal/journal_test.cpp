@@ -162,15 +162,15 @@ TEST_F(JournalTest, WhatWaitsIsBookedInItsOrderAfterAnOutage) {
   Database database;
   auto journal = LedgerJournal::open(open(), 0, database.book()).value();
   ASSERT_TRUE(journal->keep(entry(0, 10)));
-  ASSERT_TRUE(journal->settle(5s));
+  ASSERT_TRUE(journal->wait_until_booked(5s));
   EXPECT_EQ(journal->late().commits, 0U);
   database.answers = false;
   for (std::uint64_t n = 2; n <= 20; ++n) ASSERT_TRUE(journal->keep(entry(0, n * 10)));
-  EXPECT_FALSE(journal->settle(100ms));
+  EXPECT_FALSE(journal->wait_until_booked(100ms));
   EXPECT_EQ(journal->late().commits, 19U);
   EXPECT_NE(journal->late().why, "");
   database.answers = true;
-  ASSERT_TRUE(journal->settle(5s));
+  ASSERT_TRUE(journal->wait_until_booked(5s));
   EXPECT_EQ(journal->late().why, "");
   const auto serials = database.serials();
   ASSERT_EQ(serials.size(), 20U);
@@ -182,7 +182,7 @@ TEST_F(JournalTest, TheNextStartBooksWhatWasLeftAndNothingTwice) {
   {
     auto journal = LedgerJournal::open(open(), 0, database.book()).value();
     ASSERT_TRUE(journal->keep(entry(0, 10)));
-    ASSERT_TRUE(journal->settle(5s));
+    ASSERT_TRUE(journal->wait_until_booked(5s));
     database.answers = false;
     ASSERT_TRUE(journal->keep(entry(0, 20)));
     ASSERT_TRUE(journal->keep(entry(0, 30)));
@@ -205,7 +205,7 @@ TEST_F(JournalTest, WhatCanNeverBeBookedHoldsNothingUp) {
   database.refused_serials = {2};
   auto journal = LedgerJournal::open(open(), 0, database.book()).value();
   for (std::uint64_t n = 1; n <= 3; ++n) ASSERT_TRUE(journal->keep(entry(0, n * 10)));
-  ASSERT_TRUE(journal->settle(5s));
+  ASSERT_TRUE(journal->wait_until_booked(5s));
   EXPECT_EQ(database.serials(), (std::vector<std::uint64_t>{1, 3}));
   EXPECT_EQ(journal->late().faults, 1U);
   EXPECT_NE(journal->late().last_fault.find("no such machine"), std::string::npos) << journal->late().last_fault;
@@ -247,7 +247,7 @@ TEST_F(JournalTest, TheIntervalHasTheRowsThatWait) {
     return ledger.append(std::span(&row, 1), at_ms).value();
   };
   EXPECT_TRUE(append(0, 64, 100).empty());
-  ASSERT_TRUE(journal->settle(5s));
+  ASSERT_TRUE(journal->wait_until_booked(5s));
   database.answers = false;
   EXPECT_TRUE(append(50, 120, 200).empty());
   EXPECT_TRUE(append(110, 180, 300).empty());
@@ -256,7 +256,7 @@ TEST_F(JournalTest, TheIntervalHasTheRowsThatWait) {
   EXPECT_EQ(known.high, 180U);
   EXPECT_EQ(known.seq, 3U);
   database.answers = true;
-  ASSERT_TRUE(journal->settle(5s));
+  ASSERT_TRUE(journal->wait_until_booked(5s));
   known = ledger.interval(7).value();
   EXPECT_EQ(known.high, 180U);
   EXPECT_EQ(known.seq, 3U);
@@ -276,7 +276,7 @@ TEST_F(JournalTest, ARowThatBreaksTheRuleIsRefusedAtOnce) {
   EXPECT_TRUE(ledger.append(std::span(&too_far, 1), 200).value().front().written);
   const NewLedgerRow back{.job = 7, .counts = {60, 60, 0, 100}};
   EXPECT_FALSE(ledger.append(std::span(&back, 1), 300).value().front().written);
-  ASSERT_TRUE(journal->settle(5s));
+  ASSERT_TRUE(journal->wait_until_booked(5s));
   EXPECT_EQ(database.serials().size(), 2U);
 }
 

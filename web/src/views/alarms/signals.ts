@@ -26,7 +26,7 @@ export function setSetting(name: keyof Settings, on: boolean): void {
 
 let audio: AudioContext | null = null;
 
-// Two short tones. A browser lets a page sound only after somebody touched it; before that nothing is heard.
+// Two short tones. A browser lets a page sound only after a person touched it; before that nothing is heard.
 export function beep(): void {
   audio ??= new AudioContext();
   for (const [at, frequency] of [[0, 880], [0.25, 660]] as const) {

@@ -1,5 +1,5 @@
 // All machines: as cards with their orders, compact, or as a board for a screen on the wall. The order is by what needs
-// a person, and stands still while somebody looks: it is taken when the view opens and when a person asks for it. What
+// a person, and stands still while a person looks: it is taken when the view opens and when a person asks for it. What
 // needs a person since then stands in the strip above, at once.
 import { useComputed, useSignal } from '@preact/signals';
 import { t } from '../../i18n/i18n';

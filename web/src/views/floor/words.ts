@@ -1,5 +1,5 @@
 // What a card, a tile and the machine's view say of a machine: each as a signal of its own, made once a machine, so that
-// a text is written anew only when it changes.
+// a text is rewritten only when it changes.
 import { computed, type ReadonlySignal } from '@preact/signals';
 import type { Job } from '../../api/types';
 import { wholePercent } from '../../format/numbers';

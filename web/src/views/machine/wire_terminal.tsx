@@ -1,5 +1,5 @@
 // The wire terminal: what passes on a machine's line, in both directions, while this is open. It has a stream of its
-// own, which ends with it: the server keeps nothing of a line that nobody looks at.
+// own, which ends with it: the server keeps nothing of a line at which no person looks.
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { wireUrl } from '../../api/calls';
 import type { WireReport } from '../../api/types';

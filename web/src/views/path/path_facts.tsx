@@ -1,4 +1,4 @@
-// A path in words and figures: for who does not see the picture, and for everybody beside it.
+// A path in words and figures: for who does not see the picture, and for everybody with it.
 import type { ToolPath } from '../../api/types';
 import { count } from '../../format/numbers';
 import { duration } from '../../format/times';

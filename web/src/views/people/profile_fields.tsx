@@ -84,7 +84,7 @@ interface TypedProps {
   change: (value: Json | undefined) => void;
 }
 
-// What was typed stays as it was typed ("8," on the way to "8,5"), as long as it stands for the value.
+// What was typed stays as it was typed ("8," before "8,5"), as long as it stands for the value.
 function Typed({ kind, value, common, change }: TypedProps) {
   const [text, setText] = useState(shownValue(value));
   const shown = JSON.stringify(typedValue(kind, text)) === JSON.stringify(value ?? undefined) ? text : shownValue(value);

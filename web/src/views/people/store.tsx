@@ -37,7 +37,7 @@ interface WorkProps {
   setBusy: (busy: boolean) => void;
 }
 
-// One piece of work that a person asks for: what came of it, or why nothing did.
+// One piece of work that a person asks for: its result, or why there is none.
 function useWork<Result>({ setBusy }: WorkProps, ask: (key: string) => Promise<Result>) {
   const [result, setResult] = useState<Result | null>(null);
   const [error, setError] = useState<unknown>(null);

@@ -1,4 +1,4 @@
-// Pictures of a check, drawn by the server when somebody wants to see them.
+// Pictures of a check, drawn by the server when a person asks for them.
 import { useState } from 'preact/hooks';
 import { deskCalls, type CheckPicture } from '../../api/desk_calls';
 import type { Verdict } from '../../api/types';

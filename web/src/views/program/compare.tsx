@@ -1,4 +1,4 @@
-// Two revisions held against each other by the server: line by line, by what the lines mean, and by the moves that they
+// Two revisions compared by the server: line by line, by what the lines mean, and by the moves that they
 // make. Each answer stands alone; "equal" is only where both were understood.
 import { deskCalls } from '../../api/desk_calls';
 import type { Comparison, LinesAnswer } from '../../api/types';
@@ -82,7 +82,7 @@ const kAnswers: Record<LinesAnswer['answer'], Wording['tone']> = { equal: 'good'
 
 const answerWording = (answer: LinesAnswer['answer']): Wording => ({ text: t(`likeness.${answer}`), tone: kAnswers[answer] });
 
-// `chosen`: shows a line of a text that is no revision.
+// `chosen`: shows a line of a text that is not a revision.
 export function ComparedView({ of, chosen }: { of: Comparison; chosen?: (line: number) => void }) {
   return (
     <div class="compared">

@@ -1,4 +1,4 @@
-// What the text amounts to, and what is written held against the stored revision: figures, tool by tool, and the lines that
+// What the text amounts to, and what is written compared with the stored revision: figures, tool by tool, and the lines that
 // differ.
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';

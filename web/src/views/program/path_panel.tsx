@@ -1,5 +1,5 @@
 // The toolpath beside the text. It is the path of the text as it stands: a stored revision's, or what is being
-// written, asked for anew after a pause.
+// written, asked for again after a pause.
 import { useRef, useState } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
 import type { Delivery, Program, ToolPath } from '../../api/types';

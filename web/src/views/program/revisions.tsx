@@ -1,4 +1,4 @@
-// Every revision, newest first, and two of them to be held against each other.
+// Every revision, newest first, and two of them to be compared with each other.
 import { useState } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';
 import type { Program, ProgramRevision } from '../../api/types';

@@ -1,4 +1,4 @@
-// The text laid out anew by the server: block numbers, blanks, letters. It comes into the editor as one step that can be
+// The text rewritten by the server: block numbers, blanks, letters. It comes into the editor as one step that can be
 // undone, or not at all: then the lines are shown that stand against it.
 import type { RefObject } from 'preact';
 import { useState } from 'preact/hooks';

@@ -1,4 +1,4 @@
-// What a person does with the text: save it, look at it otherwise, have it laid out anew.
+// What a person does with the text: save it, look at it in another form, have it rewritten.
 import type { RefObject } from 'preact';
 import { useMemo } from 'preact/hooks';
 import { deskCalls } from '../../api/desk_calls';

@@ -53,7 +53,7 @@ export function WaiverText({ of }: { of: Waiver }) {
   );
 }
 
-// Each that nobody answers for yet.
+// Each that no person waived yet.
 function Points({ verdict, waived }: Props) {
   const open = openPoints(verdict, minutes.value);
   if (open.length === 0) return null;
