@@ -46,6 +46,7 @@ void CalledCycleEffects::run() {
     case CalledSort::holes_in_row:
     case CalledSort::holes_on_circle: return make_pattern();
     case CalledSort::holes_anywhere: return facts.forget_positions(statement);
+    case CalledSort::milling: return facts.forget_positions(statement);
     case CalledSort::removal: facts[Kept::feed].forget(statement); [[fallthrough]];  // its contour is cut by its own
     case CalledSort::thread: facts.forget_positions(statement); facts[Mode::spindle].forget(statement);
   }

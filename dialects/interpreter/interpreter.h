@@ -159,6 +159,7 @@ struct NotInterpreted {
   ir::Function function = ir::Function::not_modelled;
   bool effects_known = false;  // known to neither move nor change what is modelled
   bool is_input = false;       // a value that was not given: "INI[53]", "$A_IN[1]", "R5"
+  bool is_model = false;       // moves were made for it in an order of our own: the control's is not documented
 };
 
 // A code whose number was computed (G#130, M[#1+1]) and what it came to, once a function.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dialects/ir/cycle.h"
+#include "dialects/ir/mill_cycle.h"
 #include "dialects/ir/program.h"
 
 namespace dripfeed::ir {
@@ -21,6 +22,7 @@ enum class CalledSort : std::uint8_t {
   holes_anywhere,   // the same
   removal,          // turns a contour from the solid; it runs the contour's blocks
   thread,           // the passes of a turned thread
+  milling,          // CalledCycle::read_milling makes of its values what it mills
 };
 
 // Levels are coordinates along the axis of the hole unless they are called distances; times in seconds (below 0: in
@@ -77,6 +79,7 @@ struct CalledCycle {
   DrillCycle hole = DrillCycle::drill;  // a tap is right-handed, and breaks chips only where a value says so
   bool floats = false;                  // a tap in a compensating chuck
   std::vector<CycleValue> values = {};  // in the order of the arguments
+  ReadMillCycle read_milling = nullptr;
 };
 
 inline constexpr std::size_t kNoPlace = SIZE_MAX;

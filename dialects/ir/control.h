@@ -203,6 +203,13 @@ struct SystemEvidence {
   std::string code;        // "G50 S"
 };
 
+// A cutter of the machine, for cycles whose path depends on it.
+struct ToolRadius {
+  std::int32_t tool = 0;
+  std::int32_t offset = 0;  // D; 0: of any
+  double radius_mm = 0.0;
+};
+
 struct Control {
   std::string dialect;  // "fanuc", "sinumerik-840d"
   std::string title;    // as people say it: "Fanuc 0i-TF"
@@ -227,6 +234,7 @@ struct Control {
   std::vector<CodeRow> caller_modes;
   std::vector<std::string> definition_files;        // programs that declare global data, by name; read before a run
   std::shared_ptr<const SharedDefinitions> shared;  // what those declare, as far as they were found
+  std::vector<ToolRadius> tool_radii;               // of the machine's tools, as far as its profile states them
   bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Two lines of the text that name different G-code systems, when no machine was named: then neither is certain.
   std::vector<SystemEvidence> contradiction;

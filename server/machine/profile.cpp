@@ -249,6 +249,8 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   ir::Semantics& semantics = control.semantics;
   control.from_profile = true;
   if (!profile.machine.axes.empty()) control.axes = letters_of(profile.machine.axes);
+  for (const checks::Tool& tool : profile.machine.tools)
+    if (tool.diameter_mm > 0.0) control.tool_radii.push_back({tool.number, tool.offset, 0.5 * tool.diameter_mm});
   if (!settings.title.empty()) control.title = settings.title;
   if (settings.decimal_mode) semantics.decimal_mode = *settings.decimal_mode;
   semantics.decimal_mode_confirmed = settings.decimal_mode_confirmed;

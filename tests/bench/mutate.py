@@ -216,7 +216,7 @@ SIEMENS = [
     before_a_move("number in a G group", "value-out-of-range", ["G[14]=3"]),
     before_a_move("tool type that is not there", "value-out-of-range", ["$TC_DP1[1,1]=-5"]),
     before_a_move("tool number below 0", "variable-out-of-range", ["R1=$TC_DP3[-1,1]"]),
-    before_a_move("too many parameters of a cycle", "wrong-argument-count", ["LONGHOLE(" + ",".join("1" * 30) + ")"]),
+    before_a_move("too many parameters of a cycle", "wrong-argument-count", ["LONGHOLE(" + ",".join("1" * 40) + ")"]),
     before_a_move("parameter where none is", "wrong-argument-count", ["STOPRE(1)"]),
     before_a_move("text as a parameter", "wrong-type", ['POCKET3("5",0,2,-5,20,10)']),
     before_a_move("text as an offset", "wrong-type", ['$P_UIFR[1,X,TR]="5"']),

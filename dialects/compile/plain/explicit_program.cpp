@@ -266,6 +266,8 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunT
     out.push_back(cannot_write(lost.name, {}));
     texts.place(out.back(), run, lost.program, lost.first_line);
     if (lost.effects_known) out.back().severity = text::Severity::warning;
+    if (lost.is_model)
+      out.back().notes = {{.span = out.back().span, .text = "its moves are written, in an order of dripfeed's own"}};
     // Its chords are written; whether the control bends as we do is for a person to look at.
     if (lost.function == ir::Function::spline) out.back().severity = text::Severity::warning;
   }

@@ -47,7 +47,8 @@ class Walk {
   [[nodiscard]] WithoutCounterpart of_call(const ir::Call& call) const {
     const bool calls_too = from_.dialect == to_.dialect;
     if (calls_too || call.computed != ir::ExpressionId::none) return WithoutCounterpart::no;
-    if (ir::is_called(call, ir::CalledSort::removal)) return WithoutCounterpart::removal;
+    if (ir::is_called(call, ir::CalledSort::removal) || ir::is_called(call, ir::CalledSort::milling))
+      return WithoutCounterpart::removal;
     return drills(call) && from_.kind != ir::MachineKind::mill ? WithoutCounterpart::drilling : WithoutCounterpart::no;
   }
 

@@ -14,6 +14,7 @@
 
 #include "dialects/interpreter/state/motion_buffer.h"
 #include "dialects/interpreter/state/plain_block.h"
+#include "dialects/ir/called_cycle.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/text/diagnostic_id.h"
@@ -203,13 +204,14 @@ struct CallArgument {
 struct CallSite {
   ir::CallKind kind = ir::CallKind::subprogram;
   std::string name;
-  Operand number = Operand::none;       // computed; the name is then "O" and four digits
-  Operand start = Operand::none;        // block number where it begins
-  bool itself = false;                  // the calling program, from its block `start`
-  bool in_other_language = false;       // … of the control
-  bool cuts_contour = false;            // a cycle that runs the blocks of its contour
-  Operand text = Operand::none;         // the name is a text that is computed
-  Operand first_label = Operand::none;  // of the part that is called, as texts
+  Operand number = Operand::none;            // computed; the name is then "O" and four digits
+  Operand start = Operand::none;             // block number where it begins
+  bool itself = false;                       // the calling program, from its block `start`
+  bool in_other_language = false;            // … of the control
+  bool cuts_contour = false;                 // a cycle that runs the blocks of its contour
+  const ir::CalledCycle* milling = nullptr;  // a milling cycle
+  Operand text = Operand::none;              // the name is a text that is computed
+  Operand first_label = Operand::none;       // of the part that is called, as texts
   Operand last_label = Operand::none;
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
@@ -250,6 +252,7 @@ struct Report {
   ir::Function function = ir::Function::not_modelled;
   bool effects_known = false;
   bool is_input = false;  // a value that the control or its surroundings hold
+  bool is_model = false;  // moves that stand for a strategy of the control's own
 };
 
 class BlockRules;

@@ -31,6 +31,7 @@ std::optional<std::uint32_t> CallCompiler::compile_site(const ir::Call& call, te
   CallSite site{.kind = call.kind, .name = std::string(program.strings.at(call.name))};
   site.in_other_language = call.in_other_language || out.is_foreign;
   site.cuts_contour = ir::is_called(call, ir::CalledSort::removal);
+  site.milling = ir::is_called(call, ir::CalledSort::milling) ? call.cycle : nullptr;
   site.itself = call.name == ir::StringId::none && call.number == ir::ExpressionId::none &&
                 call.computed == ir::ExpressionId::none;
   if (call.start != ir::ExpressionId::none) site.start = expressions_.compile_number(call.start).operand;

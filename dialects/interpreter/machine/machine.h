@@ -74,6 +74,11 @@ class Machine {
   bool run_contour_labels(const Instruction& i, const std::string& name, std::uint32_t& next);
   bool end_contour();
   bool leave_contour(std::string name);
+  // machine_milling.cpp
+  [[nodiscard]] bool is_milling_cycle(const Instruction& i);
+  bool mill_cycle(const Instruction& i);
+  bool mill_by(const Instruction& i, const ir::MillCycle& cycle, double radius);
+  bool leave_milling(std::string name);
   bool passes_over_missing(const Instruction& i);
   bool begin_modal(const Instruction& i);
   bool call_modal(const Instruction& i, std::uint32_t& next);

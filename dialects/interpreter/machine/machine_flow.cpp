@@ -221,6 +221,8 @@ bool Machine::call(const Instruction& i, std::uint32_t& next) {
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   if (is_contour_cycle(i)) [[unlikely]]
     return begin_contour(i, next);
+  if (is_milling_cycle(i)) [[unlikely]]
+    return mill_cycle(i);
   const auto begin = stack_.call(i, next);
   next = begin.value_or(0);
   return begin.has_value();

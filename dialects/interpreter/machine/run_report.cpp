@@ -102,8 +102,8 @@ void RunReport::report_no_feed() {
 void RunReport::count(const Report& report) {
   const auto [entry, added] = counted_.try_emplace(report.name, result_.not_interpreted.size());
   if (added)
-    result_.not_interpreted.push_back(
-        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known, report.is_input});
+    result_.not_interpreted.push_back({report.name, program_->index, out_.place.line, 0, report.function,
+                                       report.effects_known, report.is_input, report.is_model});
   ++result_.not_interpreted[entry->second].count;
 }
 

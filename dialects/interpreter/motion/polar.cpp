@@ -11,6 +11,7 @@ namespace {
 using ir::Address;
 
 constexpr std::array kLetters = {Address::x, Address::y, Address::z};
+constexpr std::array kCenters = {Address::i, Address::j, Address::k};
 constexpr std::uint64_t kPolarWords = bit_of(Address::polar_angle) | bit_of(Address::polar_radius);
 
 double radius_value(const BlockRules& rules, std::size_t axis, double kept) {
@@ -70,6 +71,11 @@ void put_coordinate(PlainBlock& made, const BlockRules& rules, const ModalState&
   put_absolute(made, kLetters[axis], written_value(rules, state, axis, coordinate_mm));
 }
 
+void put_center(PlainBlock& made, const BlockRules& rules, const ModalState& state, std::size_t axis,
+                double coordinate_mm) {
+  put_absolute(made, kCenters[axis], written_value(rules, state, axis, coordinate_mm));
+}
+
 bool has_polar_words(const PlainBlock& block) { return ((block.present | block.unknown) & kPolarWords) != 0; }
 
 Vector programmed_position(const BlockRules& rules, const ModalState& state) {
@@ -88,14 +94,12 @@ PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, Mo
 
 // PG, "Circular interpolation with polar coordinates": the pole is the centre, RP the radius.
 PlainBlock with_center_at_pole(const PlainBlock& block, const BlockRules& rules, const ModalState& state) {
-  constexpr std::array kCenters = {Address::i, Address::j, Address::k};
   constexpr std::uint64_t kArcWords = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) |
                                       bit_of(Address::arc_radius) | bit_of(Address::opening_angle);
   if (((block.present | block.unknown) & kArcWords) != 0) return block;
   PlainBlock made = block;
   const PlaneAxes axes = axes_of(state.modes.plane);
-  for (const std::size_t axis : {axes.p, axes.q})
-    put_absolute(made, kCenters[axis], written_value(rules, state, axis, state.polar.pole[axis]));
+  for (const std::size_t axis : {axes.p, axes.q}) put_center(made, rules, state, axis, state.polar.pole[axis]);
   return made;
 }
 

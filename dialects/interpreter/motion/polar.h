@@ -20,6 +20,9 @@ PlainBlock with_coordinates_of_letters(const PlainBlock& block, const BlockRules
 // The block then names an absolute coordinate of X, Y or Z (`axis` 0 to 2): programmed, radius value, mm.
 void put_coordinate(PlainBlock& made, const BlockRules& rules, const ModalState& state, std::size_t axis,
                     double coordinate_mm);
+// … the centre of an arc in it.
+void put_center(PlainBlock& made, const BlockRules& rules, const ModalState& state, std::size_t axis,
+                double coordinate_mm);
 // G110, G111, G112: the pole, from the last position, the zero point or the last pole.
 void set_pole(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
 // The state's position in programmed coordinates X Y Z: radius values, mm.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "dialects/sinumerik/reader/parse.h"
+#include "dialects/sinumerik/tables/called_cycles.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::sinumerik {
@@ -118,7 +119,9 @@ void Parser::modal_call(text::Span head) {
     return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not a program to be called"});
   const std::string_view name = cursor_.text();
   cursor_.advance();
-  if (find_keyword(name) != nullptr) {
+  const ir::CalledCycle* const cycle = find_called_cycle(UpperName(name).view());
+  // What a milling cycle takes of the position before it, is not certain.
+  if (find_keyword(name) != nullptr || (cycle != nullptr && cycle->sort == ir::CalledSort::milling)) {
     lower_.add_plain(StatementKind::modal_call_end, head);
     return native(UpperName(name).view(), false, head);
   }

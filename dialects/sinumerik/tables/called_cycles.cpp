@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dialects/sinumerik/sinumerik.h"
+#include "dialects/sinumerik/tables/milling_cycles.h"
 
 namespace dripfeed::sinumerik {
 
@@ -134,6 +135,13 @@ std::vector<ir::CalledCycle> make_cycles() {
   for (const CycleRow& row : kRows)
     cycles.push_back(
         {.name = row.name, .sort = row.sort, .hole = row.hole, .floats = row.floats, .values = values_of(row)});
+  for (const MillRow& row : milling_cycles()) {
+    const auto count = static_cast<std::size_t>(std::ranges::count(row.parameters, ' ')) + 1;
+    cycles.push_back({.name = row.name,
+                      .sort = CalledSort::milling,
+                      .values = std::vector(count, CycleValue::other),
+                      .read_milling = row.read});
+  }
   return cycles;
 }
 

@@ -3,6 +3,7 @@
 #include "dialects/sinumerik/tables/vocabulary.h"
 
 #include "dialects/sinumerik/sinumerik.h"
+#include "dialects/sinumerik/tables/called_cycles.h"
 #include "dialects/sinumerik/tables/codes.h"
 
 namespace dripfeed::sinumerik {
@@ -89,16 +90,15 @@ constexpr std::string_view kQuietProcedure[] = {
 
 // Standard cycles that are not read. They move, but for those of the list after it.
 constexpr std::string_view kCycle[] = {
-    "CYCLE60",   "CYCLE61",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE71",   "CYCLE72",   "CYCLE76",   "CYCLE77",
-    "CYCLE78",   "CYCLE79",   "CYCLE90",   "CYCLE92",   "CYCLE93",   "CYCLE94",   "CYCLE96",   "CYCLE98",   "CYCLE99",
-    "CYCLE116",  "CYCLE150",  "CYCLE160",  "CYCLE206",  "CYCLE207",  "CYCLE208",  "CYCLE209",  "CYCLE210",  "CYCLE435",
-    "CYCLE495",  "CYCLE750",  "CYCLE751",  "CYCLE752",  "CYCLE753",  "CYCLE754",  "CYCLE755",  "CYCLE756",  "CYCLE757",
-    "CYCLE758",  "CYCLE759",  "CYCLE782",  "CYCLE800",  "CYCLE801",  "CYCLE802",  "CYCLE805",  "CYCLE806",  "CYCLE830",
-    "CYCLE860",  "CYCLE899",  "CYCLE930",  "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",
-    "CYCLE972",  "CYCLE973",  "CYCLE974",  "CYCLE976",  "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",
-    "CYCLE995",  "CYCLE996",  "CYCLE997",  "CYCLE998",  "CYCLE9960", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074",
-    "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079", "POCKET1",   "POCKET2",   "POCKET3",   "POCKET4",   "SLOT1",
-    "SLOT2",     "LONGHOLE"};
+    "CYCLE60",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE71",   "CYCLE72",   "CYCLE78",   "CYCLE79",   "CYCLE90",
+    "CYCLE92",   "CYCLE93",   "CYCLE94",   "CYCLE96",   "CYCLE98",   "CYCLE99",   "CYCLE116",  "CYCLE150",  "CYCLE160",
+    "CYCLE206",  "CYCLE207",  "CYCLE208",  "CYCLE209",  "CYCLE210",  "CYCLE435",  "CYCLE495",  "CYCLE750",  "CYCLE751",
+    "CYCLE752",  "CYCLE753",  "CYCLE754",  "CYCLE755",  "CYCLE756",  "CYCLE757",  "CYCLE758",  "CYCLE759",  "CYCLE782",
+    "CYCLE800",  "CYCLE801",  "CYCLE802",  "CYCLE805",  "CYCLE806",  "CYCLE830",  "CYCLE860",  "CYCLE899",  "CYCLE930",
+    "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",  "CYCLE972",  "CYCLE973",  "CYCLE974",
+    "CYCLE976",  "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",  "CYCLE995",  "CYCLE996",  "CYCLE997",
+    "CYCLE998",  "CYCLE9960", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078",
+    "CYCLE4079", "POCKET1",   "POCKET2",   "SLOT2"};
 
 // Settings of the path: a machine tool builder's part of it may switch more.
 constexpr std::string_view kSettingCycle[] = {"CYCLE832"};
@@ -131,7 +131,8 @@ constexpr WordList kLists[] = {
 std::span<const WordList> vocabulary() { return kLists; }
 
 bool is_word_of_control(std::string_view name) {
-  return find_keyword(name) != nullptr || find_named_code(name) != nullptr || !standard_cycle(name).empty();
+  return find_keyword(name) != nullptr || find_named_code(name) != nullptr || !standard_cycle(name).empty() ||
+         find_called_cycle(name) != nullptr;
 }
 
 }  // namespace dripfeed::sinumerik

@@ -1,9 +1,11 @@
-// Standard cycles that are known and not run: their parameters by number and type, as far as a call shows them. Newer
+// Standard cycles that are no programs here: their parameters by number and type, as far as a call shows them. Newer
 // software adds parameters after those of the table (surface, modes of the operator's screen), so more than ten
 // further ones are a fault, not one.
 #include <algorithm>
+#include <optional>
 #include <string>
 
+#include "dialects/sinumerik/tables/called_cycles.h"
 #include "dialects/sinumerik/validator/validate.h"
 
 namespace dripfeed::sinumerik {
@@ -21,22 +23,25 @@ struct CycleRow {
 constexpr CycleRow kCycles[] = {
     {"CYCLE71", "NNNNNNNNNNNNNNNN"},
     {"CYCLE72", "SNNNNNNNNNNNNNNNN"},
-    {"CYCLE76", "NNNNNNNNNNNNNNNNNNNN"},
-    {"CYCLE77", "NNNNNNNNNNNNNNNN"},
     {"CYCLE90", "NNNNNNNNNNNNNN"},
     {"CYCLE93", "NNNNNNNNNNNNNNNNN"},
     {"CYCLE94", "NNCN"},
     {"CYCLE96", "NNCN"},
     {"CYCLE98", "NNNNNNNNNNNNNNNNNNNNNN"},
-    {"LONGHOLE", "NNNNNNNNNNNNNNN"},
     {"POCKET1", "NNNNNNNNNNNNNNNNNNNN"},
     {"POCKET2", "NNNNNNNNNNNNNNNNN"},
-    {"POCKET3", "NNNNNNNNNNNNNNNNNNNNNNN"},
-    {"POCKET4", "NNNNNNNNNNNNNNNNNNN"},
-    {"SLOT1", "NNNNNNNNNNNNNNNNNNNNNNNNN"},
     {"SLOT2", "NNNNNNNNNNNNNNNNNNNNNNN"},
 };
 constexpr std::size_t kFurtherParameters = 10;
+constexpr std::string_view kNumbers = "NNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNN";  // of a milling cycle
+
+std::optional<CycleRow> row_of(std::string_view name) {
+  const auto* const row = std::ranges::find(kCycles, name, &CycleRow::name);
+  if (row != std::end(kCycles)) return *row;
+  const ir::CalledCycle* const cycle = find_called_cycle(name);
+  if (cycle == nullptr || cycle->sort != ir::CalledSort::milling) return std::nullopt;
+  return CycleRow{cycle->name, kNumbers.substr(0, cycle->values.size())};
+}
 
 class Call {
  public:
@@ -100,10 +105,12 @@ class Call {
 }  // namespace
 
 void check_cycles(const Check& check) {
-  for (const ir::Statement& s : check.program.statements) {
-    if (s.kind != ir::StatementKind::native) continue;
-    const auto* const cycle = std::ranges::find(kCycles, check.native_name(s), &CycleRow::name);
-    if (cycle != std::end(kCycles)) Call(check, s, *cycle).run();
+  const ir::Program& program = check.program;
+  for (const ir::Statement& s : program.statements) {
+    const bool is_call = s.kind == ir::StatementKind::call && program.calls[s.payload].cycle != nullptr;
+    if (s.kind != ir::StatementKind::native && !is_call) continue;
+    const auto row = row_of(is_call ? program.calls[s.payload].cycle->name : check.native_name(s));
+    if (row) Call(check, s, *row).run();
   }
 }
 

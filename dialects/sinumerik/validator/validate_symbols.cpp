@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dialects/sinumerik/sinumerik.h"
+#include "dialects/sinumerik/tables/called_cycles.h"
 #include "dialects/sinumerik/tables/codes.h"
 #include "dialects/sinumerik/tables/keywords.h"
 #include "dialects/sinumerik/tables/name_index.h"
@@ -34,6 +35,7 @@ Taken is_taken(std::string_view upper) {
   if (keyword != nullptr && keyword->role == Role::address)
     return keyword->address == ir::Address::other ? Taken::perhaps : Taken::certainly;
   if (find_named_code(upper) != nullptr || !standard_cycle(upper).empty()) return Taken::certainly;
+  if (find_called_cycle(upper) != nullptr) return Taken::certainly;
   return Taken::no;
 }
 

@@ -140,6 +140,9 @@ std::string axes_without_reference(const machine::Profile& profile, bool second)
 // Whether what was not carried out leaves it open what the program does; the reason is then among what was not checked.
 bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, bool second_reference,
                  CheckReport& report) {
+  if (one.is_model)
+    report.checks.not_checked.add(
+        fmt::format("{}: the control has its own; times and loads in between are estimates", one.name), one.first_line);
   if (one.effects_known) return false;
   if (one.function == ir::Function::reference_return) {
     if (e.profile == nullptr) {

@@ -290,9 +290,8 @@ TEST(SinumerikCycles, AProgramOfTheUserGoesBefore) {
 }
 
 TEST(SinumerikCycles, OthersAreNamed) {
-  const Result ran =
-      run("G17 G90 G0 X0 Y0 Z0\nPOCKET3(10,0,1,-5,40,30,8,0,0,0,2,0,0,100,100,0,11,5)\nG91 G0 X1\nM30\n");
-  EXPECT_TRUE(ran.names("POCKET3"));
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nCYCLE72(\"SIDE\",10,0,1,-5,2,0,0,100,100,11,41,1,2)\nG91 G0 X1\nM30\n");
+  EXPECT_TRUE(ran.names("CYCLE72"));
   EXPECT_TRUE(ran.names("increments from a position that is not known"));
 }
 

@@ -459,5 +459,22 @@ TEST(Certainty, CharactersOfCommentsHideNone) {
                                       "error _: the control does not take the character '_'"}));
 }
 
+// Whose tool the profile knows is milled, in an order that the control need not have; without it nothing is known.
+TEST(Certainty, AMillingCycleIsAsCertainAsItsTool) {
+  const std::string text =
+      "G17 G90 G94 G40 G71 G54\nT1 M6\nD1\nS1000 M3\nG0 X0 Y0 "
+      "Z50\nPOCKET3(20,0,2,-5,60,40,8,0,0,0,2,0,0,300,100,0,11)\n"
+      "M30\n";
+  machine::Profile profile;
+  profile.machine.tools = {{.number = 1, .offset = 1, .diameter_mm = 10.0}};
+  const CheckReport known = check(text, {.dialect = "sinumerik-840d", .profile = &profile});
+  EXPECT_FALSE(text::has_error(known.checks.diagnostics));
+  EXPECT_FALSE(known.checks.has_unknown_effects);
+  EXPECT_TRUE(reports(known, "the order in which POCKET3 removes the material: the control has its own"));
+  const CheckReport open = check(text, {.dialect = "sinumerik-840d"});
+  EXPECT_TRUE(open.checks.has_unknown_effects);
+  EXPECT_TRUE(reports(open, "POCKET3 by a tool whose radius is not known: not interpreted"));
+}
+
 }  // namespace
 }  // namespace dripfeed::app

@@ -253,5 +253,15 @@ TEST(Profile, TheAxesAreThoseOfTheMachine) {
   EXPECT_EQ(control_of(profile, usual).axes, "XZC") << "in the order of the trace";
 }
 
+TEST(Profile, CuttersAreThoseOfTheMachine) {
+  Profile profile;
+  profile.machine.tools = {{.number = 1, .offset = 2, .diameter_mm = 10.0}, {.number = 3, .nose_radius_mm = 0.8}};
+  const ir::Control control = control_of(profile, {});
+  ASSERT_EQ(control.tool_radii.size(), 1U);
+  EXPECT_EQ(control.tool_radii[0].tool, 1);
+  EXPECT_EQ(control.tool_radii[0].offset, 2);
+  EXPECT_EQ(control.tool_radii[0].radius_mm, 5.0);
+}
+
 }  // namespace
 }  // namespace dripfeed::machine

@@ -1,0 +1,192 @@
+// Parameters and alarms: Programming Manual Cycles (PGZ), "Milling cycles", whose lists the later ones of "Programming
+// cycles externally" (PGA) continue by UMODE, FS, ZFS and the modes of the operator's screen. What the values mean that
+// several cycles have: mill_call.cpp. Alarms of their own: 61108 RAD1 and DP1 of a helix, 61118 a face without length
+// or width.
+#include "dialects/sinumerik/tables/milling_cycles.h"
+
+#include <array>
+#include <cmath>
+
+#include "dialects/sinumerik/tables/mill_call.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::MillCycle;
+using ir::MillReading;
+using ir::MillShape;
+using ir::MillUnits;
+using ir::MillValues;
+
+constexpr std::uint32_t kAlarmCuts = 61'002;
+constexpr std::uint32_t kAlarmHelix = 61'108;
+constexpr std::uint32_t kAlarmFace = 61'118;
+
+constexpr std::string_view kPocket3 =
+    "RTP RFP SDIS DP LENG WID CRAD PA PO STA MID FAL FALD FFP1 FFD CDIR VARI MIDA AP1 AP2 AD RAD1 DP1 UMODE FS ZFS "
+    "GMODE DMODE AMODE";
+constexpr std::string_view kPocket4 =
+    "RTP RFP SDIS DP PRAD PA PO MID FAL FALD FFP1 FFD CDIR VARI MIDA AP1 AD RAD1 DP1 UMODE FS ZFS GMODE DMODE AMODE";
+constexpr std::string_view kSlot1 =
+    "RTP RFP SDIS DP DPR NUM LENG WID CPA CPO RAD STA1 INDA FFD FFP1 MID CDIR FAL VARI MIDF FFP2 SSF FALD STA2 DP1 "
+    "UMODE FS ZFS GMODE DMODE AMODE";
+constexpr std::string_view kLonghole =
+    "RTP RFP SDIS DP DPR NUM LENG CPA CPO RAD STA1 INDA FFD FFP1 MID VARI UMODE GMODE DMODE AMODE";
+constexpr std::string_view kCycle61 = "RTP RFP SDIS DP PA PO LENG WID MID MIDA FALD FFP1 VARI LIM DMODE AMODE";
+constexpr std::string_view kCycle76 =
+    "RTP RFP SDIS DP DPR LENG WID CRAD PA PO STA MID FAL FALD FFP1 FFD CDIR VARI AP1 AP2 FS ZFS GMODE DMODE AMODE";
+constexpr std::string_view kCycle77 =
+    "RTP RFP SDIS DP DPR PRAD PA PO MID FAL FALD FFP1 FFD CDIR VARI AP1 FS ZFS GMODE DMODE AMODE";
+
+void pocket_values(MillCall& call) {
+  call.screen_modes();
+  call.levels();
+  call.feeds();
+  call.allowances();
+  call.kind(false);
+  call.entry();
+  call.step();
+  call.direction();
+  MillCycle& c = call.reading.cycle;
+  c.shape = MillShape::pocket;
+  if (c.entry == ir::MillEntry::helix) c.entry_radius = call.size("RAD1");
+  if (c.entry == ir::MillEntry::oscillation) c.entry_angle_deg = call.number("RAD1");
+  const bool is_none = c.entry_radius == 0.0 || c.entry_depth == 0.0;
+  if (c.roughs && c.entry == ir::MillEntry::helix && is_none) call.alarm(kAlarmHelix);
+}
+
+MillReading read_pocket3(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kPocket3);
+  pocket_values(call);
+  call.rectangle();
+  return call.reading;
+}
+
+MillReading read_pocket4(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kPocket4);
+  pocket_values(call);
+  call.circle(2.0 * call.size("PRAD"));
+  return call.reading;
+}
+
+// The helix is as wide as the slot lets it be; STA2 is the steepest angle to and fro. The side is finished at once
+// where MIDF gives no depths.
+MillReading read_slot1(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kSlot1);
+  call.screen_modes();
+  call.levels();
+  call.feeds();
+  call.allowances();
+  call.kind(true);
+  call.entry();
+  call.direction();
+  call.on_rays();
+  MillCycle& c = call.reading.cycle;
+  c.shape = MillShape::pocket;
+  c.width = call.size("WID");
+  c.corner_radius = c.width / 2.0;
+  c.finish_infeed = call.size("MIDF");
+  c.entry_radius = c.width / 2.0;
+  c.entry_angle_deg = call.number("STA2");
+  if (call.number("SSF") != 0.0 && (c.finishes_side || c.finishes_base))
+    call.leave("with a speed of its own for finishing (SSF)");
+  if (c.length < c.width) call.leave("with slots that are wider than long");
+  if (c.roughs && c.entry == ir::MillEntry::helix && c.entry_depth == 0.0) call.alarm(kAlarmHelix);
+  return call.reading;
+}
+
+// VARI, where it is given, has the entry as its tens: straight down at both ends, as without it.
+MillReading read_longhole(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kLonghole);
+  call.screen_modes();
+  call.levels();
+  call.feeds();
+  call.allowances();
+  call.on_rays();
+  call.reading.cycle.shape = MillShape::long_hole;
+  if (call.digit("VARI", 10.0) > 1 || call.number("VARI") >= 100.0) call.leave("with a kind (VARI) that is not known");
+  return call.reading;
+}
+
+// VARI: units 1 rough, 2 finish; tens 1, 2 along the first or second axis, 3, 4 there and back. Whether LENG and WID
+// are lengths or a corner's coordinates, a digit of AMODE states that is not certain: both are the same from a corner
+// at 0.
+MillReading read_cycle61(MillValues values, const MillUnits& units) {
+  constexpr std::array kCuts = {ir::FaceCuts::first, ir::FaceCuts::second, ir::FaceCuts::first_to_and_fro,
+                                ir::FaceCuts::second_to_and_fro};
+  MillCall call(values, units, kCycle61);
+  call.screen_modes();
+  call.levels();
+  call.feeds();
+  call.allowances();
+  call.step();
+  MillCycle& c = call.reading.cycle;
+  c.shape = MillShape::face;
+  const int kind = call.digit("VARI", 1.0);
+  const auto cuts = static_cast<std::size_t>(call.digit("VARI", 10.0));
+  if (kind < 1 || kind > 2 || cuts < 1 || cuts > kCuts.size()) {
+    call.alarm(kAlarmCuts);
+    return call.reading;
+  }
+  c.cuts = kCuts[cuts - 1];
+  c.roughs = kind == 1;
+  c.finishes_base = kind == 2;
+  const double length = call.length("LENG");
+  const double width = call.length("WID");
+  if (length == 0.0 || width == 0.0) call.alarm(kAlarmFace);
+  const bool is_open = call.number("PA") != 0.0 && call.digit("AMODE", 1000.0) != 0;
+  if (is_open || (call.number("PO") != 0.0 && call.digit("AMODE", 10'000.0) != 0))
+    call.leave("with a second corner (AMODE) that is not certain");
+  if (call.number("LIM") != 0.0) call.leave("with sides that it must not cross (LIM)");
+  c.length = std::abs(length);
+  c.width = std::abs(width);
+  c.places.push_back({call.length("PA") + length / 2.0, call.length("PO") + width / 2.0, 0.0});
+  return call.reading;
+}
+
+void spigot_values(MillCall& call) {
+  call.screen_modes();
+  call.levels();
+  call.feeds();
+  call.allowances();
+  call.kind(false);
+  call.direction();
+  call.reading.cycle.shape = MillShape::spigot;
+}
+
+// AP1 and AP2: the blank's length and width.
+MillReading read_cycle76(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kCycle76);
+  spigot_values(call);
+  call.rectangle();
+  call.reading.cycle.blank_length = call.size("AP1");
+  call.reading.cycle.blank_width = call.size("AP2");
+  return call.reading;
+}
+
+// PRAD and AP1 are the diameters of the spigot and of its blank.
+MillReading read_cycle77(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kCycle77);
+  spigot_values(call);
+  call.circle(call.size("PRAD"));
+  call.reading.cycle.blank_length = call.reading.cycle.blank_width = call.size("AP1");
+  return call.reading;
+}
+
+}  // namespace
+
+std::span<const MillRow> milling_cycles() {
+  static constexpr auto kRows = std::to_array<MillRow>({
+      {"POCKET3", kPocket3, read_pocket3},
+      {"POCKET4", kPocket4, read_pocket4},
+      {"SLOT1", kSlot1, read_slot1},
+      {"LONGHOLE", kLonghole, read_longhole},
+      {"CYCLE61", kCycle61, read_cycle61},
+      {"CYCLE76", kCycle76, read_cycle76},
+      {"CYCLE77", kCycle77, read_cycle77},
+  });
+  return kRows;
+}
+
+}  // namespace dripfeed::sinumerik
