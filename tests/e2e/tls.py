@@ -129,7 +129,7 @@ def renewed(folder, server, kept):
 def what_is_refused(folder):
     certificate, key = make_certificate(folder, "first")
     _, other = make_certificate(folder, "other")
-    for arguments, word in ((["--tls-cert", certificate], "--tls-key go together"), (["--tls-cert", certificate, "--tls-key", other], f"{other} is no key"),
+    for arguments, word in ((["--tls-cert", certificate], "--tls-key go together"), (["--tls-cert", certificate, "--tls-key", other], f"{other} is not a key"),
                             (["--tls-cert", key, "--tls-key", key], f"{key} is not a certificate"), (["--proxy", "localhost"], "is not an IP address"),
                             (["--listen", "0.0.0.0:0"], "--tls-cert")):
         done = subprocess.run([str(binary()), "serve", "--data", str(folder / "data"), "--listen", "127.0.0.1:0", *map(str, arguments)][: 4 if arguments[0] == "--listen" else None]

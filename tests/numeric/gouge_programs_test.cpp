@@ -190,7 +190,7 @@ TEST(GougePrograms, TheGoodOnesAreClean) {
     EXPECT_GE(report.rapids, 5U) << program.file;
     EXPECT_GE(report.cuts, 9U) << program.file;
     for (const checks::NotChecked& one : report.not_checked.list()) {
-      EXPECT_TRUE(one.text.starts_with("the rapid speeds") || one.text.starts_with("a move starts at a place"))
+      EXPECT_TRUE(one.text.starts_with("the rapid speeds") || one.text.starts_with("a move starts at a position"))
           << program.file << ": " << one.text;
     }
   }

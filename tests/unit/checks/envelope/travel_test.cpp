@@ -161,7 +161,7 @@ TEST(Travel, AnIncrementFromAnUnknownPlaceIsNotClaimed) {
   EXPECT_EQ(report.findings.count(DiagnosticId::travel_exceeded), 1U) << "Z is known";
   EXPECT_EQ(report.findings.kept()[0].text.substr(0, 1), "Z");
   EXPECT_TRUE(reports(
-      report, "X is at a place that is not known, and an increment moves it: its travel was not checked there"));
+      report, "X is at a position that is not known, and an increment moves it: its travel was not checked there"));
   step.gaps = 0;  // an absolute word: only its start is not known
   EXPECT_EQ(run({step}).findings.count(DiagnosticId::travel_exceeded), 2U);
 }

@@ -40,7 +40,7 @@ TEST(FamilyTexts, FaultsNameTheParameter) {
   const auto fault = [](const std::string& value) { return faults_of(kNamed, "fanuc", {{"part", value}}); };
   EXPECT_TRUE(fault("A;B").contains("part: character 2 of the text, ';', ends a comment")) << fault("A;B");
   EXPECT_TRUE(fault("50 %").contains("part: character 4 of the text, '%'")) << fault("50 %");
-  EXPECT_TRUE(fault("H\xC3\xBClse").contains("part: character 2 of the text is no ASCII")) << fault("H\xC3\xBClse");
+  EXPECT_TRUE(fault("H\xC3\xBClse").contains("part: character 2 of the text is not an ASCII")) << fault("H\xC3\xBClse");
   EXPECT_TRUE(fault("A\nB").contains("part: character 2")) << fault("A\nB");
   EXPECT_TRUE(fault("THIRTEEN LONG").contains("part: the text has 13 characters, 0 to 12")) << fault("THIRTEEN LONG");
   EXPECT_TRUE(
@@ -82,7 +82,7 @@ TEST(FamilyPoints, FaultsNameTheParameter) {
   const auto fault = [](const char* name, const char* value) { return faults_of(kPoints, "fanuc", {{name, value}}); };
   EXPECT_TRUE(fault("corners", "(1 mm, 2 mm), (3 mm)").contains("corners: '(1 mm, 2 mm), (3 mm)' are not points of 2"));
   EXPECT_TRUE(fault("corners", "(1 mm, 2 mm),").contains("such as (0 mm, 0 mm)"));
-  EXPECT_TRUE(fault("corners", "").contains("are no points"));
+  EXPECT_TRUE(fault("corners", "").contains("are not points"));
   EXPECT_TRUE(fault("corners", "(1 mm, 2 mm), (3, 4 mm)").contains("corners.x"));
   EXPECT_TRUE(fault("corners", "(1 mm, 2 mm), (3 mm, 51 mm)").contains("corners.y"));
   EXPECT_TRUE(fault("corners", "(1 mm, 2 mm)").contains("corners.x has 1 numbers, 2 to 6"));

@@ -217,7 +217,7 @@ TEST(InlineMoves, WhatOthersDecideIsRefused) {
            Case{"G0 X0 Y0\nR1=$AA_IM[X]\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n", "which the control knows"},
            Case{"G0 X0 Y0\nTRANS X10\nCIP X20 Y0 I1=10 J1=10 F200\nTRANS\nM30\n", "another coordinate system"},
            Case{"G0 X0 Y0\nL100\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n", "a call of another program"},
-           Case{"G0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nM17\n", "no main program"},
+           Case{"G0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nM17\n", "not a main program"},
            Case{"CIP X20 Y0 I1=10 J1=10 F200\nM30\n", "does not know"},
            Case{"G0 X0 Y0\n/1 X1\n/2 X2\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n", "block skip of several levels"},
        }) {

@@ -301,7 +301,8 @@ TEST(WrappedFamily, CallsThatCannotTakeAValueAreRefused) {
   EXPECT_NE(messages("TURN.DEPTH", left_out).find("the call in line 8 of the native program leaves it out"),
             std::string::npos);
   // PASSES is an INT.
-  EXPECT_NE(messages("TURN.PASSES", kCalls).find("it takes whole numbers (INT), and 1.5 is none"), std::string::npos);
+  EXPECT_NE(messages("TURN.PASSES", kCalls).find("it takes whole numbers (INT), and 1.5 is not one"),
+            std::string::npos);
 }
 
 // --- modes

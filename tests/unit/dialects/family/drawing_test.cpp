@@ -121,7 +121,7 @@ TEST(FamilyDrawing, WrongDeclarationsAreErrors) {
   has(mill("dimension turn length from x 0 mm y 0 mm to x size y 0 mm"), "and this is the dimension of a length");
   has(mill("dimension size angle at x 0 mm y 0 mm from x 0 mm y 0 mm to x size y 0 mm"), "the dimension of an angle");
   has(mill("dimension size length from x 0 mm x 0 mm to x size y 0 mm"), "two different axes");
-  has(mill("dimension size length from x 0 mm y 0 mm to x size z 0 mm"), "the places before have x and y");
+  has(mill("dimension size length from x 0 mm y 0 mm to x size z 0 mm"), "the points before have x and y");
   has(mill("dimension size length from x 0 y 0 mm to x size y 0 mm"), "0");
   has(lathe("outline from x 0 mm y 0 mm to x size y 0 mm"), "has z and x");
   has(mill("outline from x 0 mm y 0 mm"), "'to'");
