@@ -1,5 +1,5 @@
-// From memory of PGZ and PGA, held against real calls: of the operator's screen's modes a digit that is not certain is
-// not interpreted.
+// By PGZ and PGA as we know them, compared with real calls. A digit of the modes of the operator's screen that is not
+// certain is not interpreted.
 //
 //   VARI   units  1 rough, 2 finish, 4 finish the side alone, 5 chamfer; slots: 0 rough and finish
 //          tens   how the tool goes in: 0 by rapid, 1 straight, 2 on a helix, 3 to and fro
