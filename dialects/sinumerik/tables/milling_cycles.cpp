@@ -177,7 +177,7 @@ MillReading read_cycle77(MillValues values, const MillUnits& units) {
 }  // namespace
 
 std::span<const MillRow> milling_cycles() {
-  static constexpr auto kRows = std::to_array<MillRow>({
+  static constexpr auto kMillRows = std::to_array<MillRow>({
       {"POCKET3", kPocket3, read_pocket3},
       {"POCKET4", kPocket4, read_pocket4},
       {"SLOT1", kSlot1, read_slot1},
@@ -186,7 +186,7 @@ std::span<const MillRow> milling_cycles() {
       {"CYCLE76", kCycle76, read_cycle76},
       {"CYCLE77", kCycle77, read_cycle77},
   });
-  return kRows;
+  return kMillRows;
 }
 
 }  // namespace dripfeed::sinumerik
