@@ -73,7 +73,7 @@ def a_tree(client, folder):
     expect(sums(report) == {"added": 10, "same": 1, "skipped": 5, "failed": 1}, f"the report: {json.dumps(report, indent=1)}")
     why = {item["file"]: item["why"] for item in report["items"]}
     expect(why["link.nc"] == "is a link" and why["acme/.hidden"] == "is hidden" and why["acme/empty.nc"] == "is empty", f"{why}")
-    expect("200" in why["x" * 201] and "no text of a program" in why["acme/sheet.pdf"] and "no text of a program" in why["acme/photo.jpg"], f"{why}")
+    expect("200" in why["x" * 201] and "not a text of a program" in why["acme/sheet.pdf"] and "not a text of a program" in why["acme/photo.jpg"], f"{why}")
     found = library(client)
     expect({place: (row[0], row[4]) for place, row in found.items()} == {
         ("acme/pumps", "O0010"): ("fanuc", PLAIN), ("acme", "B20"): ("fanuc", LATIN_1), ("acme", "shaft.mpf"): ("sinumerik-840d", SIEMENS), (None, "top"): ("fanuc", PLAIN),

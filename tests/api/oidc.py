@@ -193,7 +193,7 @@ def no_lie_is_believed(folder):
     claims = [("another issuer", {"iss": "https://evil.example"}), ("another issuer", {"iss": None}), ("another client", {"aud": "other"}), ("another client", {"aud": []}),
               ("another client", {"aud": None}), ("several clients", {"aud": [CLIENT, "other"]}), ("another client", {"aud": [CLIENT, "other"], "azp": "other"}),
               ("another client", {"azp": 7}), ("expired", {"exp": now - 61}), ("no time", {"exp": None}), ("no time", {"exp": "tomorrow"}), ("no time", {"iat": None}),
-              ("time to come", {"iat": now + 600}), ("too long ago", {"iat": now - 3600}), ("not valid yet", {"nbf": now + 600}), ("another sign-in", {"nonce": "x" * 43}),
+              ("in the future", {"iat": now + 600}), ("too long ago", {"iat": now - 3600}), ("not valid yet", {"nbf": now + 600}), ("another sign-in", {"nonce": "x" * 43}),
               ("another sign-in", {"nonce": None}), ("no person", {"sub": None}), ("no person", {"sub": ""}), ("no person", {"sub": "x" * 256})]
     for words, change in claims:
         liar.claims = lambda good, change=change: {name: value for name, value in (good | change).items() if value is not None}
@@ -208,8 +208,8 @@ def no_lie_is_believed(folder):
         ("signature", lambda claims: liar.signed(claims, unknown)), ("signature", lambda claims: liar.signed(claims)[:-8] + "AAAAAAAA"),
         ("signature", lambda claims: liar.signed(claims).rsplit(".", 1)[0] + "."), ("key id", lambda claims: liar.signed(claims, elliptic | {"kid": "first"})),
         ("header", lambda claims: liar.signed(claims, crit=["b64"])), ("", lambda claims: "x"), ("none in the answer", lambda claims: ""),
-        ("", lambda claims: "a.b.c.d.e"), ("no JSON", lambda claims: by_hand_claims(first, b"[1]")),
-        ("no JSON", lambda claims: by_hand_claims(first, json.dumps(claims).encode()[:-1] + b', "iss": "x"}')),
+        ("", lambda claims: "a.b.c.d.e"), ("JSON object", lambda claims: by_hand_claims(first, b"[1]")),
+        ("JSON object", lambda claims: by_hand_claims(first, json.dumps(claims).encode()[:-1] + b', "iss": "x"}')),
         ("signature", lambda claims: swapped(liar.signed(claims), claims | {"preferred_username": "admin"}))]
 
     def by_hand_claims(key, text):
@@ -300,7 +300,7 @@ def its_document_leads_nowhere_else(folder):
         liar.document = lambda document, change=change: document | change
         begin_refused(words)
     liar.document = lambda document: b"<html>welcome</html>"
-    begin_refused("no JSON")
+    begin_refused("JSON object")
     liar.document = lambda document: document
     time.sleep(2.1)
     url, cookie = shop_.begin()

@@ -27,7 +27,7 @@ def at_the_command(folder):
     expect_command(2, ["folder"], "run", folder)
     expect_command(2, ["klingon"], "check", "-", "--dialect", "klingon", stdin="M30\n")
     expect_command(2, ["--control"], "check", "-", "--dialect", "fanuc", "--control", "kind=boat", stdin="M30\n")
-    expect_command(2, ["no preset"], "check", "-", "--machine", "no-such-machine", stdin="M30\n")
+    expect_command(2, ["is not a preset"], "check", "-", "--machine", "no-such-machine", stdin="M30\n")
     expect_command(1, ["PS0124"], "check", "-", "--dialect", "fanuc", stdin="%\nO1\nWHILE[#1LT3]DO1\n#1=#1+1\nM30\n%\n")
     expect_command(2, [], "check")
     expect_command(2, [], "frobnicate")
