@@ -126,7 +126,14 @@ void Milling::check_led() {
   compensation_.clear_known();
 }
 
+// Of the chords of an arc, the one where the holder is deepest is reported.
 void Milling::check_move(const ir::Motion& motion) {
+  met_ = {};
+  check_path(motion);
+  report_holder(motion);
+}
+
+void Milling::check_path(const ir::Motion& motion) {
   const std::uint32_t line = motion.place.line;
   constexpr std::uint16_t kLinear = 7U;
   if (!checks::has_places(motion)) return report_.not_checked.add("a move beyond 1000 km was not checked", line);
@@ -198,20 +205,23 @@ void Milling::note(const ir::Motion& motion, const Depth& depth) {
   if (notes_.size() < kMostNotes) notes_.push_back({{depth.x, depth.y}, fmt::format("line {}", motion.place.line)});
 }
 
-void Milling::check_holder(const ir::Motion& motion, const HolderTouch& touch) {
-  if (!(touch.depth.mm > 0.0) || !knows_stock_) return;
-  report_.findings.add(text::DiagnosticId::holder_in_workpiece, motion.place, touch.depth.mm, 0.0, [&] {
-    return std::vector<std::string>{fmt::to_string(tool_), text::format_fixed(touch.depth.mm, 3),
-                                    place_text(touch.depth), text::format_shortest(touch.step.diameter_mm),
-                                    text::format_shortest(touch.step.from_mm)};
+void Milling::meet(const HolderTouch& touch) {
+  if (touch.depth.mm > met_.depth.mm) met_ = touch;
+}
+
+void Milling::report_holder(const ir::Motion& motion) {
+  if (!(met_.depth.mm > 0.0) || !knows_stock_) return;
+  report_.findings.add(text::DiagnosticId::holder_in_workpiece, motion.place, met_.depth.mm, 0.0, [&] {
+    return std::vector<std::string>{fmt::to_string(tool_), text::format_fixed(met_.depth.mm, 3), place_text(met_.depth),
+                                    text::format_shortest(met_.step.diameter_mm),
+                                    text::format_shortest(met_.step.from_mm)};
   });
-  note(motion, touch.depth);
+  note(motion, met_.depth);
 }
 
 void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to) {
   ++report_.rapids;
-  if (holder_.may_touch(*map_, std::min(from.z, to.z)))
-    check_holder(motion, holder_.touch(*map_, from, to, settings_.depth_mm));
+  if (holder_.may_touch(*map_, std::min(from.z, to.z))) meet(holder_.touch(*map_, from, to, settings_.depth_mm));
   const HeightMap::Touch touch = map_->touch(*cutter_, from, to, settings_.depth_mm);
   const bool is_nominal = touch.nominal.mm > 0.0;
   if (!knows_stock_ && !is_nominal)
@@ -244,10 +254,9 @@ void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Po
 
 void Milling::check_cut(const ir::Motion& motion, const Point3& from, const Point3& to) {
   if (!holder_.may_touch(*map_, std::min(from.z, to.z))) return judge_cut(motion, map_->cut(*cutter_, from, to));
-  const HolderTouch ahead = holder_.touch_ahead(*map_, *cutter_, from, to, settings_.depth_mm);
+  meet(holder_.touch_ahead(*map_, *cutter_, from, to, settings_.depth_mm));
   judge_cut(motion, map_->cut(*cutter_, from, to));
-  const HolderTouch after = holder_.touch(*map_, from, to, settings_.depth_mm);
-  check_holder(motion, ahead.depth.mm >= after.depth.mm ? ahead : after);
+  meet(holder_.touch(*map_, from, to, settings_.depth_mm));
 }
 
 void Milling::judge_cut(const ir::Motion& motion, const Depth& depth) {

@@ -64,7 +64,9 @@ class Milling final : public ir::MotionSink {
   [[nodiscard]] bool is_ring(const ir::Motion& motion) const;
   void judge_cut(const ir::Motion& motion, const Depth& depth);
   void check_cut(const ir::Motion& motion, const Point3& from, const Point3& to);
-  void check_holder(const ir::Motion& motion, const HolderTouch& touch);
+  void check_path(const ir::Motion& motion);
+  void meet(const HolderTouch& touch);
+  void report_holder(const ir::Motion& motion);
   void add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth);
   void note(const ir::Motion& motion, const Depth& depth);
 
@@ -72,7 +74,8 @@ class Milling final : public ir::MotionSink {
   Report report_;
   std::optional<HeightMap> map_;
   std::optional<Cutter> cutter_;
-  Holder holder_;  // of the same tool
+  Holder holder_;    // of the same tool
+  HolderTouch met_;  // by it, along the present move
   std::int32_t tool_ = 0;
   Compensation compensation_;
   bool knows_speeds_ = false;
