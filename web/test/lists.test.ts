@@ -5,7 +5,7 @@ import type { Job, Order, Release, VerdictSummary } from '../src/api/types';
 import { csvOf, isoTime } from '../src/rules/csv';
 import { againstForecast, durationOf, rangeBegin, sumsOf } from '../src/rules/history';
 import { byUrgency, filtered, fromLocalField, isLate, localField } from '../src/rules/orders';
-import { fitting, hindranceOf, needsFourEyes, openPoints, stepsOf, verdictOf } from '../src/rules/releases';
+import { fitting, hindranceOf, needsFourEyes, openPoints, presentOf, stepsOf, verdictOf } from '../src/rules/releases';
 import { sorted } from '../src/rules/sorting';
 import { offsetName } from '../src/rules/work_offsets';
 
@@ -78,7 +78,7 @@ test('the sums of the past reach back so many days, and are compared with the fo
 });
 
 const release = (change: Partial<Release>): Release =>
-  ({ id: 9, program: 1, machine: 'mill', delivery: 'drip', sha256: 'aa', state: 'approved', transfers_done: 0, transfers_allowed: 0, ...change }) as Release;
+  ({ id: 9, program: 1, revision: 1, machine: 'mill', delivery: 'drip', sha256: 'aa', state: 'approved', transfers_done: 0, transfers_allowed: 0, ...change }) as Release;
 const verdict = (change: Partial<VerdictSummary>): VerdictSummary =>
   ({ id: 1, sha256: 'aa', machine: 'mill', delivery: 'drip', verdict: 'pass', stale: false, points: [], waivers: [], ...change }) as VerdictSummary;
 const kNow = 1000;
@@ -104,6 +104,11 @@ test('releases for an order: of its machine, of its part first', () => {
   const all = [release({ id: 1, program: 7 }), release({ id: 2, program: 8 }), release({ id: 3, machine: 'lathe' }), release({ id: 4, state: 'draft' })];
   assert.deepEqual(fitting(all, 'mill', new Set([7])).map(({ id }) => id), [1, 2]);
   assert.deepEqual(fitting(all, null, new Set()).map(({ id }) => id), [3, 2, 1]);
+});
+
+test('releases of a program as it is now', () => {
+  const all = [release({ id: 1, state: 'draft' }), release({ id: 2, state: 'obsolete' }), release({ id: 3 }), release({ id: 4, revision: 9 })];
+  assert.deepEqual(presentOf(all, { revision: 1 }).map(({ id }) => id), [3, 1]);
 });
 
 test('work offsets by name', () => {

@@ -214,8 +214,8 @@ async function compare(page) {
 }
 
 // What was released before, as an approver did it.
-async function releaseFirst(program) {
-  const of = { program, revision: 1, machine: 'lathe' };
+async function releaseFirst(program, machine = 'lathe') {
+  const of = { program, revision: 1, machine };
   await rig.call('POST', '/checks', of);
   const { body } = await rig.call('POST', '/releases', of);
   for (const step of [{ to: 'in_review' }, { to: 'proving', transfers: 1 }, { to: 'approved', note: 'measured' }]) {
@@ -383,9 +383,29 @@ async function part(page) {
   await region.scrollIntoViewIfNeeded();
   await shot(page, 'region');
   await page.getByLabel(/length of the barrel/).fill('');
-  await page.getByRole('button', { name: 'Render for this machine' }).click();
-  await page.getByRole('status').getByRole('link', { name: /./ }).first().click();
+  await queuedFromPart(page);
+  await page.locator('[data-program]').getByRole('link', { name: /./ }).first().click();
   await editor(page).waitFor();
+}
+
+// From the part to a job of it: rendered, released by others, queued; nothing is sent.
+async function queuedFromPart(page) {
+  await page.locator('section').filter({ has: page.getByRole('heading', { name: 'Programs' }) }).getByLabel('Machine').selectOption('roll-bench');
+  await page.getByRole('button', { name: 'Render for this machine' }).click();
+  const made = page.locator('[data-program]');
+  await made.getByRole('link', { name: /^Hand in / }).waitFor();
+  await releaseFirst(Number(await made.getAttribute('data-program')), 'roll-bench');
+  await page.reload();
+  await live(page);
+  await made.getByText(/: approved\./).waitFor();
+  await accessible(page, 'the programs of a part');
+  await made.scrollIntoViewIfNeeded();
+  await shot(page, 'desk-part-programs');
+  await made.getByRole('button', { name: /^Queue a job/ }).click();
+  await dialog(page).getByRole('button', { name: 'Queue', exact: true }).click();
+  await page.getByRole('status').getByText(/Queued as job/).waitFor();
+  const { body } = await rig.call('GET', '/jobs?machine=roll-bench');
+  expect(body.items.length === 1 && body.items[0].state === 'queued', 'the job waits in the queue of its machine');
 }
 
 // What was changed at the control comes back, and is the part's: its values, not only its text.

@@ -5738,6 +5738,258 @@ export interface components {
                 alarm: string | null;
             }[];
         };
+        /** @description how long a program takes */
+        Timing: {
+            /** @description that ran */
+            blocks: number;
+            /** @description of the whole program */
+            cycle_s: number;
+            /** @description of motion alone */
+            motion_s: number;
+            /** @description of the control's computing alone */
+            compute_s: number;
+            /** @description of the line alone */
+            line_s: number;
+            /** @description standstills while the control waits for blocks */
+            stalls: number;
+            /** @description how much longer the program takes because of them */
+            stall_s: number;
+            /** @description of the program; 0: none */
+            first_stall_line: number;
+            /** @description compute_s may be as little, as far as the cost model is known */
+            compute_low_s: number;
+            /** @description and as much */
+            compute_high_s: number;
+            /**
+             * @description of the cost model; calibrated: at this machine
+             * @enum {string}
+             */
+            compute_source: "assumed" | "paper" | "calibrated";
+            /** @description of the cost model, in words */
+            compute_origin: string;
+            /** @description all standstills together */
+            standstill_s: number;
+            /** @description since the start */
+            first_stall_at_s: number;
+            /** @description of all */
+            longest_standstill_s: number;
+            /** @description of the program; 0: none */
+            longest_standstill_line: number;
+            /** @description since the start */
+            first_move_s: number;
+            /** @description of rapid motion */
+            rapid_s: number;
+            /** @description of all motion */
+            path_mm: number;
+            /** @description on average */
+            blocks_per_s: number;
+            /** @description how long each was what the machine waited for, in seconds */
+            limited_s: {
+                /** @description in seconds */
+                motion: number;
+                /** @description in seconds */
+                compute: number;
+                /** @description in seconds */
+                line: number;
+                /** @description in seconds */
+                buffer: number;
+            };
+            /** @description the times are those of the whole program, not of its beginning */
+            whole: boolean;
+            /** @description some lines in their order; empty where lines run more than once */
+            course: number[][];
+            /** @description the first ones, in their order */
+            stretches: {
+                /**
+                 * @description what they wait for
+                 * @enum {string}
+                 */
+                limited_by: "motion" | "compute" | "line" | "buffer";
+                /** @description of the program */
+                first_line: number;
+                /** @description of the program */
+                last_line: number;
+                /** @description since the start */
+                start_s: number;
+                /** @description of all of them */
+                duration_s: number;
+            }[];
+            /** @description how many there are in all */
+            stretch_count: number;
+            /** @description in the control; null: it is not fed over a line */
+            lowest_buffer_bytes: number | null;
+            /** @description in the control; null: it is not fed over a line */
+            lowest_buffer_blocks: number | null;
+            /** @description what would let the program run without a standstill; null: not needed, or nothing would */
+            without_stall: {
+                /** @description of the programmed feed, 0 to 1 */
+                feed_share: number | null;
+                /** @description the highest programmed feed */
+                feed_mm_min: number | null;
+                /** @description of the line */
+                baud: number | null;
+                /** @description the next usual one */
+                standard_baud: number | null;
+            };
+        };
+        /** @description how far a program lies from its nominal */
+        Accuracy: {
+            /** @description that were measured */
+            blocks: number;
+            /** @description places that were measured */
+            points: number;
+            /** @description size of the largest deviation */
+            max_mm: number;
+            /** @description of the program; 0: none */
+            max_at_line: number;
+            /** @description of the size, along the path */
+            mean_mm: number;
+            /** @description root of the mean square */
+            rmse_mm: number;
+            /** @description proved from the curve; null: none */
+            chord_bound_mm: number | null;
+            /**
+             * @description of what the figures above are
+             * @enum {string}
+             */
+            measured: "surface" | "path";
+            /** @description of the programmed path */
+            path: {
+                /** @description places that were measured */
+                points: number;
+                /** @description largest deviation; positive: material is left, negative: too much is taken */
+                max_mm: number;
+                /** @description of the program; 0: none */
+                max_at_line: number;
+                /** @description where; turning: Z and radius, milling: X and Y */
+                max_at: number[];
+                /** @description of the size, along the path */
+                mean_mm: number;
+                /** @description root of the mean square */
+                rmse_mm: number;
+            };
+            /** @description of what the tool leaves; null: the tool is not known */
+            surface: {
+                /** @description places that were measured */
+                points: number;
+                /** @description largest deviation; positive: material is left, negative: too much is taken */
+                max_mm: number;
+                /** @description of the program; 0: none */
+                max_at_line: number;
+                /** @description where; turning: Z and radius, milling: X and Y */
+                max_at: number[];
+                /** @description of the size, along the path */
+                mean_mm: number;
+                /** @description root of the mean square */
+                rmse_mm: number;
+            } | null;
+            /** @description farthest reach of the path beyond the ends of the nominal */
+            overrun_mm: number;
+            /** @description the path passes all of the nominal */
+            covered: boolean;
+            /** @description the first ones of each kind */
+            findings: {
+                /** @description of the kind of finding */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description of the program, from 1; 0: of the whole */
+                line: number;
+                /** @description index into `programs`; 0: the main one */
+                program: number;
+                /** @description that was found */
+                value: number | null;
+                /** @description that it breaks */
+                limit: number | null;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description all findings, by their id */
+            counts: {
+                [key: string]: number;
+            };
+        };
+        /** @description whether a program stays inside the machine */
+        Envelope: {
+            /** @description the first ones of each kind */
+            findings: {
+                /** @description of the kind of finding */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description of the program, from 1; 0: of the whole */
+                line: number;
+                /** @description index into `programs`; 0: the main one */
+                program: number;
+                /** @description that was found */
+                value: number | null;
+                /** @description that it breaks */
+                limit: number | null;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description all findings, by their id */
+            counts: {
+                [key: string]: number;
+            };
+            /** @description that were checked */
+            moves: number;
+            /** @description reached in machine coordinates, in millimeters or degrees, by axis */
+            machine_travel: {
+                [key: string]: (number | null)[];
+            };
+            /** @description the highest */
+            feed_max_mm_min: number;
+            /** @description the highest */
+            spindle_max_rpm: number;
+        };
+        /** @description whether a program cuts where it must not */
+        Gouge: {
+            /** @description the first ones of each kind */
+            findings: {
+                /** @description of the kind of finding */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description of the program, from 1; 0: of the whole */
+                line: number;
+                /** @description index into `programs`; 0: the main one */
+                program: number;
+                /** @description that was found */
+                value: number | null;
+                /** @description that it breaks */
+                limit: number | null;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description all findings, by their id */
+            counts: {
+                [key: string]: number;
+            };
+            /** @description that were checked */
+            rapids: number;
+            /** @description that were checked */
+            cuts: number;
+            /** @description into stock or part */
+            deepest_rapid_mm: number;
+            /** @description below the nominal */
+            deepest_cut_mm: number;
+        };
         /**
          * @description what the checks found in a program, without their report
          * @example {
@@ -5884,258 +6136,10 @@ export interface components {
             blocks: number;
             /** @description it ran to its end */
             ran: boolean;
-            /** @description how long it takes; null: not checked */
-            timing: {
-                /** @description that ran */
-                blocks: number;
-                /** @description of the whole program */
-                cycle_s: number;
-                /** @description of motion alone */
-                motion_s: number;
-                /** @description of the control's computing alone */
-                compute_s: number;
-                /** @description of the line alone */
-                line_s: number;
-                /** @description standstills while the control waits for blocks */
-                stalls: number;
-                /** @description how much longer the program takes because of them */
-                stall_s: number;
-                /** @description of the program; 0: none */
-                first_stall_line: number;
-                /** @description compute_s may be as little, as far as the cost model is known */
-                compute_low_s: number;
-                /** @description and as much */
-                compute_high_s: number;
-                /**
-                 * @description of the cost model; calibrated: at this machine
-                 * @enum {string}
-                 */
-                compute_source: "assumed" | "paper" | "calibrated";
-                /** @description of the cost model, in words */
-                compute_origin: string;
-                /** @description all standstills together */
-                standstill_s: number;
-                /** @description since the start */
-                first_stall_at_s: number;
-                /** @description of all */
-                longest_standstill_s: number;
-                /** @description of the program; 0: none */
-                longest_standstill_line: number;
-                /** @description since the start */
-                first_move_s: number;
-                /** @description of rapid motion */
-                rapid_s: number;
-                /** @description of all motion */
-                path_mm: number;
-                /** @description on average */
-                blocks_per_s: number;
-                /** @description how long each was what the machine waited for, in seconds */
-                limited_s: {
-                    /** @description in seconds */
-                    motion: number;
-                    /** @description in seconds */
-                    compute: number;
-                    /** @description in seconds */
-                    line: number;
-                    /** @description in seconds */
-                    buffer: number;
-                };
-                /** @description the times are those of the whole program, not of its beginning */
-                whole: boolean;
-                /** @description some lines in their order; empty where lines run more than once */
-                course: number[][];
-                /** @description the first ones, in their order */
-                stretches: {
-                    /**
-                     * @description what they wait for
-                     * @enum {string}
-                     */
-                    limited_by: "motion" | "compute" | "line" | "buffer";
-                    /** @description of the program */
-                    first_line: number;
-                    /** @description of the program */
-                    last_line: number;
-                    /** @description since the start */
-                    start_s: number;
-                    /** @description of all of them */
-                    duration_s: number;
-                }[];
-                /** @description how many there are in all */
-                stretch_count: number;
-                /** @description in the control; null: it is not fed over a line */
-                lowest_buffer_bytes: number | null;
-                /** @description in the control; null: it is not fed over a line */
-                lowest_buffer_blocks: number | null;
-                /** @description what would let the program run without a standstill; null: not needed, or nothing would */
-                without_stall: {
-                    /** @description of the programmed feed, 0 to 1 */
-                    feed_share: number | null;
-                    /** @description the highest programmed feed */
-                    feed_mm_min: number | null;
-                    /** @description of the line */
-                    baud: number | null;
-                    /** @description the next usual one */
-                    standard_baud: number | null;
-                };
-            } | null;
-            /** @description how far it lies from the nominal; null: not checked */
-            accuracy: {
-                /** @description that were measured */
-                blocks: number;
-                /** @description places that were measured */
-                points: number;
-                /** @description size of the largest deviation */
-                max_mm: number;
-                /** @description of the program; 0: none */
-                max_at_line: number;
-                /** @description of the size, along the path */
-                mean_mm: number;
-                /** @description root of the mean square */
-                rmse_mm: number;
-                /** @description proved from the curve; null: none */
-                chord_bound_mm: number | null;
-                /**
-                 * @description of what the figures above are
-                 * @enum {string}
-                 */
-                measured: "surface" | "path";
-                /** @description of the programmed path */
-                path: {
-                    /** @description places that were measured */
-                    points: number;
-                    /** @description largest deviation; positive: material is left, negative: too much is taken */
-                    max_mm: number;
-                    /** @description of the program; 0: none */
-                    max_at_line: number;
-                    /** @description where; turning: Z and radius, milling: X and Y */
-                    max_at: number[];
-                    /** @description of the size, along the path */
-                    mean_mm: number;
-                    /** @description root of the mean square */
-                    rmse_mm: number;
-                };
-                /** @description of what the tool leaves; null: the tool is not known */
-                surface: {
-                    /** @description places that were measured */
-                    points: number;
-                    /** @description largest deviation; positive: material is left, negative: too much is taken */
-                    max_mm: number;
-                    /** @description of the program; 0: none */
-                    max_at_line: number;
-                    /** @description where; turning: Z and radius, milling: X and Y */
-                    max_at: number[];
-                    /** @description of the size, along the path */
-                    mean_mm: number;
-                    /** @description root of the mean square */
-                    rmse_mm: number;
-                } | null;
-                /** @description farthest reach of the path beyond the ends of the nominal */
-                overrun_mm: number;
-                /** @description the path passes all of the nominal */
-                covered: boolean;
-                /** @description the first ones of each kind */
-                findings: {
-                    /** @description of the kind of finding */
-                    id: string;
-                    /**
-                     * @description how bad it is
-                     * @enum {string}
-                     */
-                    severity: "note" | "warning" | "error";
-                    /** @description of the program, from 1; 0: of the whole */
-                    line: number;
-                    /** @description index into `programs`; 0: the main one */
-                    program: number;
-                    /** @description that was found */
-                    value: number | null;
-                    /** @description that it breaks */
-                    limit: number | null;
-                    /** @description one sentence */
-                    text: string;
-                    /** @description by which the control itself would name it */
-                    alarm: string | null;
-                }[];
-                /** @description all findings, by their id */
-                counts: {
-                    [key: string]: number;
-                };
-            } | null;
-            /** @description whether it stays inside the machine; null: not checked */
-            envelope: {
-                /** @description the first ones of each kind */
-                findings: {
-                    /** @description of the kind of finding */
-                    id: string;
-                    /**
-                     * @description how bad it is
-                     * @enum {string}
-                     */
-                    severity: "note" | "warning" | "error";
-                    /** @description of the program, from 1; 0: of the whole */
-                    line: number;
-                    /** @description index into `programs`; 0: the main one */
-                    program: number;
-                    /** @description that was found */
-                    value: number | null;
-                    /** @description that it breaks */
-                    limit: number | null;
-                    /** @description one sentence */
-                    text: string;
-                    /** @description by which the control itself would name it */
-                    alarm: string | null;
-                }[];
-                /** @description all findings, by their id */
-                counts: {
-                    [key: string]: number;
-                };
-                /** @description that were checked */
-                moves: number;
-                /** @description reached in machine coordinates, in millimeters or degrees, by axis */
-                machine_travel: {
-                    [key: string]: (number | null)[];
-                };
-                /** @description the highest */
-                feed_max_mm_min: number;
-                /** @description the highest */
-                spindle_max_rpm: number;
-            } | null;
-            /** @description whether it cuts where it must not; null: not checked */
-            gouge: {
-                /** @description the first ones of each kind */
-                findings: {
-                    /** @description of the kind of finding */
-                    id: string;
-                    /**
-                     * @description how bad it is
-                     * @enum {string}
-                     */
-                    severity: "note" | "warning" | "error";
-                    /** @description of the program, from 1; 0: of the whole */
-                    line: number;
-                    /** @description index into `programs`; 0: the main one */
-                    program: number;
-                    /** @description that was found */
-                    value: number | null;
-                    /** @description that it breaks */
-                    limit: number | null;
-                    /** @description one sentence */
-                    text: string;
-                    /** @description by which the control itself would name it */
-                    alarm: string | null;
-                }[];
-                /** @description all findings, by their id */
-                counts: {
-                    [key: string]: number;
-                };
-                /** @description that were checked */
-                rapids: number;
-                /** @description that were checked */
-                cuts: number;
-                /** @description into stock or part */
-                deepest_rapid_mm: number;
-                /** @description below the nominal */
-                deepest_cut_mm: number;
-            } | null;
+            timing: components["schemas"]["Timing"] | null;
+            accuracy: components["schemas"]["Accuracy"] | null;
+            envelope: components["schemas"]["Envelope"] | null;
+            gouge: components["schemas"]["Gouge"] | null;
             /** @description what was not checked, and why */
             not_checked: string[];
             /** @description the main one first, then those that it calls */
@@ -6235,258 +6239,10 @@ export interface components {
             blocks: number;
             /** @description it ran to its end */
             ran: boolean;
-            /** @description how long it takes; null: not checked */
-            timing: {
-                /** @description that ran */
-                blocks: number;
-                /** @description of the whole program */
-                cycle_s: number;
-                /** @description of motion alone */
-                motion_s: number;
-                /** @description of the control's computing alone */
-                compute_s: number;
-                /** @description of the line alone */
-                line_s: number;
-                /** @description standstills while the control waits for blocks */
-                stalls: number;
-                /** @description how much longer the program takes because of them */
-                stall_s: number;
-                /** @description of the program; 0: none */
-                first_stall_line: number;
-                /** @description compute_s may be as little, as far as the cost model is known */
-                compute_low_s: number;
-                /** @description and as much */
-                compute_high_s: number;
-                /**
-                 * @description of the cost model; calibrated: at this machine
-                 * @enum {string}
-                 */
-                compute_source: "assumed" | "paper" | "calibrated";
-                /** @description of the cost model, in words */
-                compute_origin: string;
-                /** @description all standstills together */
-                standstill_s: number;
-                /** @description since the start */
-                first_stall_at_s: number;
-                /** @description of all */
-                longest_standstill_s: number;
-                /** @description of the program; 0: none */
-                longest_standstill_line: number;
-                /** @description since the start */
-                first_move_s: number;
-                /** @description of rapid motion */
-                rapid_s: number;
-                /** @description of all motion */
-                path_mm: number;
-                /** @description on average */
-                blocks_per_s: number;
-                /** @description how long each was what the machine waited for, in seconds */
-                limited_s: {
-                    /** @description in seconds */
-                    motion: number;
-                    /** @description in seconds */
-                    compute: number;
-                    /** @description in seconds */
-                    line: number;
-                    /** @description in seconds */
-                    buffer: number;
-                };
-                /** @description the times are those of the whole program, not of its beginning */
-                whole: boolean;
-                /** @description some lines in their order; empty where lines run more than once */
-                course: number[][];
-                /** @description the first ones, in their order */
-                stretches: {
-                    /**
-                     * @description what they wait for
-                     * @enum {string}
-                     */
-                    limited_by: "motion" | "compute" | "line" | "buffer";
-                    /** @description of the program */
-                    first_line: number;
-                    /** @description of the program */
-                    last_line: number;
-                    /** @description since the start */
-                    start_s: number;
-                    /** @description of all of them */
-                    duration_s: number;
-                }[];
-                /** @description how many there are in all */
-                stretch_count: number;
-                /** @description in the control; null: it is not fed over a line */
-                lowest_buffer_bytes: number | null;
-                /** @description in the control; null: it is not fed over a line */
-                lowest_buffer_blocks: number | null;
-                /** @description what would let the program run without a standstill; null: not needed, or nothing would */
-                without_stall: {
-                    /** @description of the programmed feed, 0 to 1 */
-                    feed_share: number | null;
-                    /** @description the highest programmed feed */
-                    feed_mm_min: number | null;
-                    /** @description of the line */
-                    baud: number | null;
-                    /** @description the next usual one */
-                    standard_baud: number | null;
-                };
-            } | null;
-            /** @description how far it lies from the nominal; null: not checked */
-            accuracy: {
-                /** @description that were measured */
-                blocks: number;
-                /** @description places that were measured */
-                points: number;
-                /** @description size of the largest deviation */
-                max_mm: number;
-                /** @description of the program; 0: none */
-                max_at_line: number;
-                /** @description of the size, along the path */
-                mean_mm: number;
-                /** @description root of the mean square */
-                rmse_mm: number;
-                /** @description proved from the curve; null: none */
-                chord_bound_mm: number | null;
-                /**
-                 * @description of what the figures above are
-                 * @enum {string}
-                 */
-                measured: "surface" | "path";
-                /** @description of the programmed path */
-                path: {
-                    /** @description places that were measured */
-                    points: number;
-                    /** @description largest deviation; positive: material is left, negative: too much is taken */
-                    max_mm: number;
-                    /** @description of the program; 0: none */
-                    max_at_line: number;
-                    /** @description where; turning: Z and radius, milling: X and Y */
-                    max_at: number[];
-                    /** @description of the size, along the path */
-                    mean_mm: number;
-                    /** @description root of the mean square */
-                    rmse_mm: number;
-                };
-                /** @description of what the tool leaves; null: the tool is not known */
-                surface: {
-                    /** @description places that were measured */
-                    points: number;
-                    /** @description largest deviation; positive: material is left, negative: too much is taken */
-                    max_mm: number;
-                    /** @description of the program; 0: none */
-                    max_at_line: number;
-                    /** @description where; turning: Z and radius, milling: X and Y */
-                    max_at: number[];
-                    /** @description of the size, along the path */
-                    mean_mm: number;
-                    /** @description root of the mean square */
-                    rmse_mm: number;
-                } | null;
-                /** @description farthest reach of the path beyond the ends of the nominal */
-                overrun_mm: number;
-                /** @description the path passes all of the nominal */
-                covered: boolean;
-                /** @description the first ones of each kind */
-                findings: {
-                    /** @description of the kind of finding */
-                    id: string;
-                    /**
-                     * @description how bad it is
-                     * @enum {string}
-                     */
-                    severity: "note" | "warning" | "error";
-                    /** @description of the program, from 1; 0: of the whole */
-                    line: number;
-                    /** @description index into `programs`; 0: the main one */
-                    program: number;
-                    /** @description that was found */
-                    value: number | null;
-                    /** @description that it breaks */
-                    limit: number | null;
-                    /** @description one sentence */
-                    text: string;
-                    /** @description by which the control itself would name it */
-                    alarm: string | null;
-                }[];
-                /** @description all findings, by their id */
-                counts: {
-                    [key: string]: number;
-                };
-            } | null;
-            /** @description whether it stays inside the machine; null: not checked */
-            envelope: {
-                /** @description the first ones of each kind */
-                findings: {
-                    /** @description of the kind of finding */
-                    id: string;
-                    /**
-                     * @description how bad it is
-                     * @enum {string}
-                     */
-                    severity: "note" | "warning" | "error";
-                    /** @description of the program, from 1; 0: of the whole */
-                    line: number;
-                    /** @description index into `programs`; 0: the main one */
-                    program: number;
-                    /** @description that was found */
-                    value: number | null;
-                    /** @description that it breaks */
-                    limit: number | null;
-                    /** @description one sentence */
-                    text: string;
-                    /** @description by which the control itself would name it */
-                    alarm: string | null;
-                }[];
-                /** @description all findings, by their id */
-                counts: {
-                    [key: string]: number;
-                };
-                /** @description that were checked */
-                moves: number;
-                /** @description reached in machine coordinates, in millimeters or degrees, by axis */
-                machine_travel: {
-                    [key: string]: (number | null)[];
-                };
-                /** @description the highest */
-                feed_max_mm_min: number;
-                /** @description the highest */
-                spindle_max_rpm: number;
-            } | null;
-            /** @description whether it cuts where it must not; null: not checked */
-            gouge: {
-                /** @description the first ones of each kind */
-                findings: {
-                    /** @description of the kind of finding */
-                    id: string;
-                    /**
-                     * @description how bad it is
-                     * @enum {string}
-                     */
-                    severity: "note" | "warning" | "error";
-                    /** @description of the program, from 1; 0: of the whole */
-                    line: number;
-                    /** @description index into `programs`; 0: the main one */
-                    program: number;
-                    /** @description that was found */
-                    value: number | null;
-                    /** @description that it breaks */
-                    limit: number | null;
-                    /** @description one sentence */
-                    text: string;
-                    /** @description by which the control itself would name it */
-                    alarm: string | null;
-                }[];
-                /** @description all findings, by their id */
-                counts: {
-                    [key: string]: number;
-                };
-                /** @description that were checked */
-                rapids: number;
-                /** @description that were checked */
-                cuts: number;
-                /** @description into stock or part */
-                deepest_rapid_mm: number;
-                /** @description below the nominal */
-                deepest_cut_mm: number;
-            } | null;
+            timing: components["schemas"]["Timing"] | null;
+            accuracy: components["schemas"]["Accuracy"] | null;
+            envelope: components["schemas"]["Envelope"] | null;
+            gouge: components["schemas"]["Gouge"] | null;
             /** @description what was not checked, and why */
             not_checked: string[];
             /** @description the main one first, then those that it calls */

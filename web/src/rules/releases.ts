@@ -22,6 +22,10 @@ export const lastBefore = (releases: readonly Release[], release: Release): Rele
     .filter((one) => one.id < release.id && one.machine === release.machine && (one.approved_by !== null || one.state === 'proving'))
     .sort((a, b) => b.id - a.id)[0] ?? null;
 
+// Those of the program's present revision that are still of use, the newest first.
+export const presentOf = (releases: readonly Release[], { revision }: { revision: number }): Release[] =>
+  releases.filter((one) => one.revision === revision && one.state !== 'obsolete').sort((a, b) => b.id - a.id);
+
 // Those that may be queued for an order, the likeliest first: for its machine alone, and of its part's programs first.
 export function fitting(releases: readonly Release[], machine: string | null, ofPart: ReadonlySet<number>): Release[] {
   const rank = ({ program }: Release): number => (ofPart.has(program) ? 0 : 1);

@@ -1,7 +1,7 @@
 // A new job: what is released for a machine, each with a button that queues it. Queueing sends nothing.
 import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../api/calls';
-import type { JobChoice, Release } from '../api/types';
+import type { Release } from '../api/types';
 import { shortHash } from '../format/numbers';
 import { dateTime } from '../format/times';
 import { deliveryText, releaseText } from '../format/words';
@@ -9,6 +9,7 @@ import { t } from '../i18n/i18n';
 import { Empty } from '../parts/empty';
 import { Failure } from '../parts/failure';
 import { showLazyDialog } from '../parts/lazy';
+import { WhatWasQueued, type Queued } from '../parts/queued';
 import { Table } from '../parts/table';
 import { isReleased, mayBeQueued } from '../rules/releases';
 import { atLeast } from '../rules/roles';
@@ -104,22 +105,6 @@ export function ReleasesView() {
     </>
   );
 }
-
-type Queued = Pick<JobChoice, 'jobs' | 'left_out'>;
-
-const WhatWasQueued = ({ of }: { of: Queued }) => (
-  <div class="notice tone-good" role="status">
-    {of.jobs.map((job) => (
-      <p key={job.id}>
-        {t('releases.queued', { job: job.id })} <a href={hrefs.machine(job.machine)}>{t('releases.go', { machine: job.machine })}</a>
-      </p>
-    ))}
-    {of.jobs.length > 1 && <p>{t('releases.choice')}</p>}
-    {of.left_out.map(({ machine, why }) => (
-      <p key={machine}>{t('releases.left_out', { machine, why })}</p>
-    ))}
-  </div>
-);
 
 const ProgramCell = ({ release }: { release: Release }) => (
   <>

@@ -17,6 +17,7 @@ import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
 import { bestRole, person } from '../../state/shop';
 import { NewOrderDialog } from '../orders/dialogs';
+import { PartPrograms } from './part_programs';
 import { ValuesForm } from './values_form';
 
 export function PartView({ number }: { number: string }) {
@@ -53,17 +54,7 @@ export function PartView({ number }: { number: string }) {
             {atLeast(bestRole(), 'programmer') && <RenderForm part={number} fits={(machine) => isMadeOn(wantedBy(family.value?.text ?? ''), machine)} done={programs.again} />}
             <Failure error={programs.error} />
             {programs.value?.items.length === 0 && <p class="quiet-text">{t('parts.no_program')}</p>}
-            <ul class="listed">
-              {programs.value?.items.map((program) => (
-                <li key={program.id}>
-                  <a href={hrefs.program(program.id)}>{program.name}</a>{' '}
-                  <span class="quiet-text">
-                    {t('job.revision', { revision: program.revision })}, {program.origin.machine}
-                    {program.origin.part_revision !== known.revision && `, ${t('parts.older_values', { revision: program.origin.part_revision ?? 0 })}`}
-                  </span>
-                </li>
-              ))}
-            </ul>
+            {programs.value && <PartPrograms part={known} programs={programs.value.items} />}
           </section>
           <OrderIt part={number} />
           <AttachedFiles owner={{ part: number }} may={may} />
@@ -80,7 +71,7 @@ function OrderIt({ part }: { part: string }) {
     showDialog(<NewOrderDialog part={part} made={(order) => follow(hrefs.order(order.id))} />);
   };
   return (
-    <p>
+    <p class="apart">
       <button type="button" class="button" onClick={ask}>
         {t('parts.order')}
       </button>

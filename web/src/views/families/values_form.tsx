@@ -117,8 +117,7 @@ interface FieldProps {
 function ParameterField({ parameter, value, fault, typed, isLit, light }: FieldProps) {
   const id = useId();
   const { name, text, choices } = parameter;
-  const described = `${id}-hint${fault ? ` ${id}-fault` : ''}`;
-  const common = { id, 'aria-describedby': described, 'aria-invalid': fault ? true : undefined };
+  const common = { id, 'aria-describedby': `${id}-hint`, 'aria-invalid': fault ? true : undefined };
   return (
     <div
       class={`parameter${fault ? ' parameter-wrong' : ''}${isLit ? ' parameter-lit' : ''}`}
@@ -155,14 +154,10 @@ function ParameterField({ parameter, value, fault, typed, isLit, light }: FieldP
           onInput={(event) => typed(typedAt(parameter, Number(event.currentTarget.value)))}
         />
       )}
-      <p id={`${id}-hint`} class="hint">
-        {hintOf(parameter)}
+      {/* A fault stands in the hint's place: what is below, the form's button as well, does not move while one presses it. */}
+      <p id={`${id}-hint`} class={fault ? 'parameter-fault' : 'hint'}>
+        {fault ?? hintOf(parameter)}
       </p>
-      {fault && (
-        <p id={`${id}-fault`} class="parameter-fault">
-          {fault}
-        </p>
-      )}
     </div>
   );
 }

@@ -3,17 +3,18 @@
 import { useState } from 'preact/hooks';
 import { orderCalls } from '../../api/order_calls';
 import { peopleCalls } from '../../api/people_calls';
-import type { JobChoice, Release } from '../../api/types';
+import type { Release } from '../../api/types';
 import { t } from '../../i18n/i18n';
 import { OrderDialog } from '../../parts/dialog';
 import { Failure } from '../../parts/failure';
+import type { Queued } from '../../parts/queued';
 import { useLoaded } from '../../parts/use_loaded';
 import { fromLocalField } from '../../rules/orders';
 import { programName } from '../../state/shop';
 
 interface Props {
   release: Release;
-  queued: (made: Pick<JobChoice, 'jobs' | 'left_out'>) => void;
+  queued: (made: Queued) => void;
 }
 
 export function QueueDialog({ release, queued }: Props) {
