@@ -8,10 +8,12 @@
 
 #include "checks/accuracy/chord.h"
 #include "dialects/curves/conic.h"
+#include "tests/unit/checks/motions.h"
 
 namespace dripfeed::accuracy {
 namespace {
 
+using checks::takes_tool;
 using text::DiagnosticId;
 
 curves::Profile straight(double x, double slope, curves::Range z, double tolerance = 0.01) {
@@ -29,13 +31,6 @@ ir::Motion cut(double from_z, double from_x, double z, double x, std::uint32_t l
   motion.start[2] = from_z;
   motion.end[0] = x;
   motion.end[2] = z;
-  return motion;
-}
-
-ir::Motion takes_tool(std::int32_t number) {
-  ir::Motion motion;
-  motion.kind = ir::MotionKind::tool;
-  motion.number = number;
   return motion;
 }
 

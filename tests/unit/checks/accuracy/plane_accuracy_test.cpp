@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "dialects/curves/nurbs.h"
+#include "tests/unit/checks/motions.h"
 
 namespace dripfeed::accuracy {
 namespace {
 
+using checks::takes_tool;
 using curves::Point;
 using text::DiagnosticId;
 
@@ -25,12 +27,6 @@ ir::Motion line(Point from, Point to, ir::CompSide comp = ir::CompSide::off, std
   motion.start = {from.z, from.x, -1};
   motion.end = {to.z, to.x, -1};
   motion.comp = comp;
-  return motion;
-}
-ir::Motion takes_tool(std::int32_t number) {
-  ir::Motion motion;
-  motion.kind = ir::MotionKind::tool;
-  motion.number = number;
   return motion;
 }
 

@@ -8,9 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/checks/motions.h"
+
 namespace dripfeed::gouge {
 namespace {
 
+using checks::takes_tool;
 using text::DiagnosticId;
 
 ir::Motion move(ir::MotionKind kind, double from_x, double from_z, double x, double z, std::uint32_t line = 3) {
@@ -29,12 +32,6 @@ ir::Motion rapid(double from_x, double from_z, double x, double z) {
 }
 ir::Motion cut(double from_x, double from_z, double x, double z) {
   return move(ir::MotionKind::linear, from_x, from_z, x, z);
-}
-ir::Motion takes_tool(std::int32_t number) {
-  ir::Motion motion;
-  motion.kind = ir::MotionKind::tool;
-  motion.number = number;
-  return motion;
 }
 
 // A bar of diameter 100 from z -50 to 0, to become diameter 80 from z -30 to 0.

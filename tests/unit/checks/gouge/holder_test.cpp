@@ -10,10 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "checks/gouge/milling.h"
+#include "tests/unit/checks/motions.h"
 
 namespace dripfeed::gouge {
 namespace {
 
+using checks::cut;
+using checks::rapid;
 using text::DiagnosticId;
 
 const Blank kBlock{{-20, 20}, {-20, 20}, {-30, 0}};
@@ -82,18 +85,6 @@ TEST(Holder, TouchesWhatASimulationInSmallStepsTouches) {
   EXPECT_LT(touches, 105);
 }
 
-ir::Motion move(ir::MotionKind kind, Point3 from, Point3 to) {
-  ir::Motion motion;
-  motion.kind = kind;
-  motion.place = {0, 3, 3};
-  motion.start = {from.x, from.y, from.z};
-  motion.end = {to.x, to.y, to.z};
-  motion.axes_commanded = 7;
-  return motion;
-}
-ir::Motion rapid(Point3 from, Point3 to) { return move(ir::MotionKind::rapid, from, to); }
-ir::Motion cut(Point3 from, Point3 to) { return move(ir::MotionKind::linear, from, to); }
-
 // ⌀ 10, a holder of ⌀ 40 from 12 mm above its tip on.
 Report run(std::vector<ir::Motion> motions, std::vector<checks::HolderStep> holder = {{12, 40}},
            std::optional<Blank> stock = kBlock, std::vector<curves::HeightField> nominal = {}) {
@@ -101,10 +92,7 @@ Report run(std::vector<ir::Motion> motions, std::vector<checks::HolderStep> hold
   settings.stock = stock;
   settings.nominal = std::move(nominal);
   settings.tools = {{.number = 1, .diameter_mm = 10, .holder = std::move(holder)}};
-  ir::Motion takes;
-  takes.kind = ir::MotionKind::tool;
-  takes.number = 1;
-  motions.insert(motions.begin(), takes);
+  motions.insert(motions.begin(), checks::takes_tool(1));
   Milling check(settings);
   check.consume(motions);
   return check.finish();

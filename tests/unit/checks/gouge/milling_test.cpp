@@ -9,9 +9,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/checks/motions.h"
+
 namespace dripfeed::gouge {
 namespace {
 
+using checks::cut;
+using checks::move;
+using checks::rapid;
+using checks::takes_tool;
 using text::DiagnosticId;
 
 // The same minimum by trying many places of the axis.
@@ -64,24 +70,6 @@ TEST(Sweep, RowsEndAtTheRim) {
   }
   EXPECT_FALSE(sweep.row(-4.1));
   EXPECT_FALSE(sweep.row(14.1));
-}
-
-ir::Motion move(ir::MotionKind kind, Point3 from, Point3 to, std::uint32_t line = 3) {
-  ir::Motion motion;
-  motion.kind = kind;
-  motion.place = {0, line, line};
-  motion.start = {from.x, from.y, from.z};
-  motion.end = {to.x, to.y, to.z};
-  motion.axes_commanded = 7;
-  return motion;
-}
-ir::Motion rapid(Point3 from, Point3 to) { return move(ir::MotionKind::rapid, from, to); }
-ir::Motion cut(Point3 from, Point3 to) { return move(ir::MotionKind::linear, from, to); }
-ir::Motion takes_tool(std::int32_t number) {
-  ir::Motion motion;
-  motion.kind = ir::MotionKind::tool;
-  motion.number = number;
-  return motion;
 }
 
 curves::HeightField field(double low, double high, double z) {

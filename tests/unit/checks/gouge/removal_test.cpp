@@ -8,9 +8,12 @@
 
 #include "checks/gouge/gouge.h"
 #include "checks/gouge/milling.h"
+#include "tests/unit/checks/motions.h"
 
 namespace dripfeed::gouge {
 namespace {
+
+using checks::takes_tool;
 
 constexpr double kGone = -HUGE_VAL;
 
@@ -21,13 +24,6 @@ ir::Motion line_cut(double x, double y, double z, double to_x, double to_y, doub
   motion.start = {x, y, z};
   motion.end = {to_x, to_y, to_z};
   motion.spindle = ir::SpindleState::clockwise;
-  return motion;
-}
-
-ir::Motion tool_event(std::int32_t number) {
-  ir::Motion motion;
-  motion.kind = ir::MotionKind::tool;
-  motion.number = number;
   return motion;
 }
 
@@ -46,7 +42,7 @@ TEST(Removal, OfAMapIsWhatTheCutsLeave) {
   settings.log = &log;
   Milling check(settings);
   std::vector<double> heights = check.map()->grid().heights;
-  check.consume({{tool_event(1), line_cut(0, 10, -2, 40, 10, -2, 0), line_cut(40, 10, -5, 0, 10, -5, 1),
+  check.consume({{takes_tool(1), line_cut(0, 10, -2, 40, 10, -2, 0), line_cut(40, 10, -5, 0, 10, -5, 1),
                   line_cut(20, 10, -5, 20, 10, -11, 2)}});
   double before = 0.0;
   for (const Removal& one : log.finish()) {
@@ -72,7 +68,7 @@ TEST(Removal, ALongCutTakesAwayAsItPasses) {
   settings.step_mm = 1.0;
   settings.log = &log;
   Milling check(settings);
-  check.consume({{tool_event(1), line_cut(0, 5, -1, 100, 5, -1, 7)}});
+  check.consume({{takes_tool(1), line_cut(0, 5, -1, 100, 5, -1, 7)}});
   for (const Removal& one : log.finish()) {
     const double x = static_cast<double>(one.place % 100) + 0.5;
     EXPECT_NEAR(one.moment, 7.0 + x / 100.0, 0.03) << x;
@@ -88,7 +84,7 @@ TEST(Removal, OfABarIsWhatTheCutsLeave) {
   settings.log = &log;
   Gouge check(settings);
   std::vector<double> radii = check.stock()->radii();
-  check.consume({{tool_event(1), line_cut(50, 0, 5, 50, 0, -30, 0), line_cut(44, 0, -30, 50, 0, -40, 1)}});
+  check.consume({{takes_tool(1), line_cut(50, 0, 5, 50, 0, -30, 0), line_cut(44, 0, -30, 50, 0, -40, 1)}});
   for (const Removal& one : log.finish()) radii[one.place] = static_cast<double>(one.height_mm);
   ASSERT_NE(check.stock(), nullptr);
   for (std::size_t i = 0; i < radii.size(); ++i) EXPECT_NEAR(radii[i], check.stock()->radii()[i], 1e-5);
