@@ -91,6 +91,7 @@ Members verdict_head() {
          created();
 }
 
+// Of the four checks, each is null where it was not made.
 Members report() {
   return {{"dialect", text("in which the text was read")},
           {"control", control()},
@@ -98,10 +99,10 @@ Members report() {
           {"folded", folded()},
           {"blocks", integer("that ran")},
           {"ran", flag("it ran to its end")},
-          {"timing", or_null(object("how long it takes; null: not checked", timing_members()))},
-          {"accuracy", or_null(object("how far it lies from the nominal; null: not checked", accuracy_members()))},
-          {"envelope", or_null(object("whether it stays inside the machine; null: not checked", envelope_members()))},
-          {"gouge", or_null(object("whether it cuts where it must not; null: not checked", gouge_members()))},
+          {"timing", or_null(reference("Timing"))},
+          {"accuracy", or_null(reference("Accuracy"))},
+          {"envelope", or_null(reference("Envelope"))},
+          {"gouge", or_null(reference("Gouge"))},
           {"not_checked", not_checked()},
           {"programs", list_of(text("name of a program"), "the main one first, then those that it calls")}};
 }
@@ -202,6 +203,10 @@ Schema calls() {
 
 Schemas check_schemas() {
   return {
+      {"Timing", object("how long a program takes", timing_members())},
+      {"Accuracy", object("how far a program lies from its nominal", accuracy_members())},
+      {"Envelope", object("whether a program stays inside the machine", envelope_members())},
+      {"Gouge", object("whether a program cuts where it must not", gouge_members())},
       {"VerdictSummary", object("what the checks found in a program, without their report",
                                 verdict_head() + Members{{"calls", calls()}} + waivers())},
       {"PreviewVerdict",
