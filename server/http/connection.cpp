@@ -195,7 +195,9 @@ void Connection::on_read(Error error) {
   if (sign_ins != nullptr && !is_proxy()) {
     sign_in_ = sign_ins->take(peer_);
     if (!sign_in_)
-      return respond_unread(plain_problem(503, "too many sign-ins from this address are waiting: send this one again"));
+      return respond_unread(plain_problem(503,
+                                          "too many sign-ins and changes of tokens or passwords from this address are "
+                                          "waiting: send this one again"));
   }
   if (plan_.lane != Lane::here) return answer_in(plan_.lane);
   respond(shared_.answerer.answer(request_));

@@ -10,7 +10,7 @@ const kSizes = { desk: [1440, 900], landscape: [1024, 768], portrait: [768, 1024
 async function call(path, body) {
   const headers = { Authorization: `Bearer ${token}`, 'Content-Type': 'application/json' };
   const answer = await fetch(`${url}/api/v1${path}`, { method: body ? 'POST' : 'GET', headers, body: body && JSON.stringify(body) });
-  expect(answer.ok, `${body ? 'POST' : 'GET'} ${path}`);
+  expect(answer.ok, `${body ? 'POST' : 'GET'} ${path}: ${answer.status}${answer.ok ? '' : ` ${await answer.text()}`}`);
   return answer.json();
 }
 
@@ -77,7 +77,8 @@ async function walk(page, size, scheme, all) {
 }
 
 const all = await views();
-const tokens = Object.fromEntries(await Promise.all([...new Set(Object.values(kRoles))].map(async (role) => [role, await tokenOf(role)])));
+const tokens = {};
+for (const role of new Set(Object.values(kRoles))) tokens[role] = await tokenOf(role);
 await main(
   Object.entries(kSizes).flatMap(([size, [width, height]]) =>
     ['light', 'dark'].map((colorScheme) => [
