@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "server/app/out/topics.h"
+
 namespace dripfeed::app {
 
 namespace {
@@ -37,19 +39,6 @@ BrokerMessage mqtt_connection(const std::string& prefix, bool is_online) {
   return {.topic = fmt::format("{}/{}/connection", prefix, kServer),
           .payload = is_online ? "online" : "offline",
           .retained = true};
-}
-
-std::string topic_level(std::string_view name) {
-  constexpr std::string_view kMeant = "%/+#$";
-  std::string level;
-  for (const char c : name) {
-    if (kMeant.find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 0x20) {
-      level += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    } else {
-      level += c;
-    }
-  }
-  return level;
 }
 
 std::string why_no_prefix(std::string_view prefix) {

@@ -28,8 +28,6 @@ struct MqttSettings {
 
 // Of the server itself, for the broker's will and its opposite.
 BrokerMessage mqtt_connection(const std::string& prefix, bool is_online);
-// A name as one level of a topic: what has a meaning there is escaped by %.
-std::string topic_level(std::string_view name);
 // "" or what is wrong with a prefix, as the end of a sentence.
 std::string why_no_prefix(std::string_view prefix);
 

@@ -17,11 +17,12 @@
 #include <unistd.h>
 
 #include "server/app/application.h"
-#include "server/app/mqtt.h"
 #include "server/app/out/status_registers.h"
 #include "server/app/shop/provider_people.h"
+#include "server/cli/brokers.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
+#include "server/cli/host.h"
 #include "server/cli/inputs.h"
 #include "server/cli/logging.h"
 #include "server/cli/open_store.h"
@@ -36,7 +37,6 @@
 #include "server/io/io.h"
 #include "server/io/line_claim.h"
 #include "server/io/modbus_listener.h"
-#include "server/io/mqtt_broker.h"
 #include "server/io/store_maintenance.h"
 #include "server/io/thread_priority.h"
 #include "server/io/worker_desk.h"
@@ -133,11 +133,6 @@ app::LibraryLimits limits_of(const ServerOptions& options) {
           .delete_after_days = options.delete_after_days};
 }
 
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "localhost";
-}
-
 // Who sends events: the computer, unless an option says what the shop calls this server.
 std::string event_source(const ServerOptions& options) {
   return options.event_source.empty() ? fmt::format("dripfeed://{}", host_name()) : options.event_source;
@@ -145,28 +140,6 @@ std::string event_source(const ServerOptions& options) {
 
 io::HttpSenderSettings sender_settings(const ServerOptions& options) {
   return {.ca_file = options.webhook_ca, .user_agent = fmt::format("dripfeed/{}", std::string_view(kVersion))};
-}
-
-// The first line of a file that only the server reads.
-app::Result<std::string> password_in(const std::string& path) {
-  if (path.empty()) return std::string();
-  const auto file = read_source(path);
-  if (!file) return std::unexpected(file.error());
-  return std::string(file->text().substr(0, file->text().find_first_of("\r\n")));
-}
-
-app::Result<std::unique_ptr<app::Broker>> connect_broker(const ServerOptions& options) {
-  auto password = password_in(options.mqtt_password_file);
-  if (!password) return app::fail(app::ErrorCode::invalid, "--mqtt-password-file: " + password.error().text);
-  const std::string id = options.mqtt_client_id.empty() ? "dripfeed-" + host_name() : options.mqtt_client_id;
-  auto broker = io::connect_mqtt({.url = options.mqtt,
-                                  .user = options.mqtt_user,
-                                  .password = std::move(*password),
-                                  .client_id = id,
-                                  .ca_file = options.mqtt_ca,
-                                  .will = app::mqtt_connection(options.mqtt_prefix, false)});
-  if (!broker) return app::fail(app::ErrorCode::invalid, "--mqtt: " + broker.error());
-  return std::move(*broker);
 }
 
 std::string backups_folder(const ServerOptions& options) {
@@ -334,18 +307,10 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
     }
     plcs = std::move(*listening);
   }
-  std::unique_ptr<app::Broker> broker;
-  std::optional<app::Mqtt> mqtt;
-  if (!options.mqtt.empty()) {
-    auto connecting = connect_broker(options);
-    if (!connecting) {
-      print_error(connecting.error());
-      return kWrongUse;
-    }
-    broker = std::move(*connecting);
-    const auto state = [&](const std::string& machine) { return json::machine_status(application.status(machine)); };
-    mqtt.emplace(application, *broker,
-                 app::MqttSettings{.prefix = options.mqtt_prefix, .write = write_event, .state = state});
+  Brokers brokers;
+  if (const auto connected = brokers.start(application, options, write_event); !connected) {
+    print_error(connected.error());
+    return kWrongUse;
   }
   http::Api api(application, workers, web_root(options), kVersion, stop, provider->get());
   auto server = http::Server::start({.address = plan.address,
@@ -377,7 +342,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   (*server)->close();
   // The lines first: a request that is still at work must not keep a feed from ending at its block.
   application.end_lines();
-  if (mqtt) mqtt->stop();
+  brokers.stop();
   if ((*server)->stop(kRequestsEndWithin)) return kDone;
   spdlog::warn("a request was still at work after {} s and was given up; the store and the lines have ended well",
                kRequestsEndWithin.count());

@@ -9,6 +9,7 @@
 
 #include "server/app/jobs/stop_reasons.h"
 #include "server/app/mqtt.h"
+#include "server/app/out/sparkplug_node.h"
 #include "server/app/shop/provider_people.h"
 #include "server/cli/inputs.h"
 #include "server/http/tls.h"
@@ -63,6 +64,9 @@ constexpr Row<std::string> kTexts[] = {
     {"--mqtt-client-id", &ServerOptions::mqtt_client_id, "dripfeed-HOSTNAME by default"},
     {"--mqtt-prefix", &ServerOptions::mqtt_prefix, "what all topics begin with, as enterprise/site/area"},
     {"--mqtt-ca", &ServerOptions::mqtt_ca, "certificates that the broker is believed by, PEM; the system's by default"},
+    {"--sparkplug-group", &ServerOptions::sparkplug_group,
+     "id of a group of Sparkplug B: the broker gets the states of machines as Sparkplug, too"},
+    {"--sparkplug-node", &ServerOptions::sparkplug_node, "id of this server as its edge node; HOSTNAME by default"},
     {"--oidc", &ServerOptions::oidc,
      "issuer of an OpenID Connect provider, https://…: people sign in there, by authorization code with PKCE"},
     {"--oidc-client-id", &ServerOptions::oidc_client_id, "what the provider knows this server as"},
@@ -214,13 +218,31 @@ app::Result<void> check_node(const ServerOptions& options) {
   return app::fail(app::ErrorCode::invalid, "--node: only servers that share a store have names; give --store, too");
 }
 
+app::Result<void> check_sparkplug(const ServerOptions& options) {
+  struct Id {
+    const char* option;
+    const std::string& given;
+  };
+  for (const Id& id :
+       {Id{"--sparkplug-group", options.sparkplug_group}, Id{"--sparkplug-node", options.sparkplug_node}}) {
+    const std::string why = id.given.empty() ? std::string() : app::why_no_sparkplug_id(id.given);
+    if (!why.empty()) return app::fail(app::ErrorCode::invalid, fmt::format("{} {}", id.option, why));
+  }
+  if (options.sparkplug_group.empty() && !options.sparkplug_node.empty())
+    return app::fail(app::ErrorCode::invalid, "--sparkplug-node: give --sparkplug-group, too");
+  return {};
+}
+
 app::Result<void> check_mqtt(const ServerOptions& options) {
-  if (options.mqtt.empty()) return {};
+  if (options.mqtt.empty()) {
+    if (options.sparkplug_group.empty() && options.sparkplug_node.empty()) return {};
+    return app::fail(app::ErrorCode::invalid, "--sparkplug-group: it needs a broker; give --mqtt, too");
+  }
   if (const std::string why = io::why_no_mqtt_url(options.mqtt); !why.empty())
     return app::fail(app::ErrorCode::invalid, fmt::format("--mqtt {}", why));
   if (const std::string why = app::why_no_prefix(options.mqtt_prefix); !why.empty())
     return app::fail(app::ErrorCode::invalid, fmt::format("--mqtt-prefix {}", why));
-  return {};
+  return check_sparkplug(options);
 }
 
 // Whether the URL is one that is allowed is looked at with the sender.

@@ -22,7 +22,9 @@ namespace {
 constexpr int kKeepAlive_s = 20;
 constexpr std::chrono::milliseconds kFirstDelay{1000};
 constexpr std::chrono::milliseconds kLongestDelay{30000};
-constexpr int kQos = 1;
+constexpr int kSubscribedQos = 1;
+constexpr std::size_t kMostReceived = 16;  // until they are taken; later ones are dropped
+constexpr int kLongestReceived = 64 * 1024;
 constexpr std::size_t kMostInFlight = 64;
 constexpr std::chrono::milliseconds kLeaveAtMost{1000};
 constexpr std::chrono::milliseconds kWithoutWaiting{0};
@@ -88,11 +90,12 @@ class MosquittoBroker final : public app::Broker {
     int number = 0;
     const int done =
         mosquitto_publish(client_, &number, message.topic.c_str(), static_cast<int>(message.payload.size()),
-                          message.payload.data(), kQos, message.retained);
+                          message.payload.data(), message.qos, message.retained);
     return done == MOSQ_ERR_SUCCESS ? number : 0;
   }
 
   std::vector<std::int64_t> confirmed() override { return std::exchange(confirmed_, {}); }
+  std::vector<app::BrokerMessage> received() override { return std::exchange(received_, {}); }
 
   void leave(const app::BrokerMessage& last) override {
     const std::int64_t number = publish(last);
@@ -109,10 +112,32 @@ class MosquittoBroker final : public app::Broker {
     ++self(user).connections_;
     self(user).is_up_ = true;
     self(user).delay_ = kFirstDelay;
+    self(user).subscribe();
     self(user).say("the broker is connected");
   }
   static void on_publish(mosquitto* /*client*/, void* user, int number) noexcept {
     self(user).confirmed_.push_back(number);
+  }
+  static void on_message(mosquitto* /*client*/, void* user, const mosquitto_message* message) noexcept {
+    self(user).take(*message);
+  }
+  void take(const mosquitto_message& message) noexcept {
+    if (received_.size() >= kMostReceived || message.payloadlen > kLongestReceived) return;
+    try {
+      const auto* const bytes = static_cast<const char*>(message.payload);
+      received_.push_back({.topic = message.topic,
+                           .payload = std::string(bytes, bytes + message.payloadlen),
+                           .retained = message.retain,
+                           .qos = message.qos});
+    } catch (const std::exception&) {
+      return;  // no memory for a message
+    }
+  }
+  void subscribe() noexcept {
+    for (const std::string& topic : subscriptions_) {
+      const int code = mosquitto_subscribe(client_, nullptr, topic.c_str(), kSubscribedQos);
+      if (code != MOSQ_ERR_SUCCESS) say(mosquitto_strerror(code), spdlog::level::warn);
+    }
   }
   // The same sentence once, however often it comes. The log has a queue: nothing waits for it.
   void say(std::string_view sentence, spdlog::level::level_enum level = spdlog::level::info) noexcept {
@@ -135,6 +160,9 @@ class MosquittoBroker final : public app::Broker {
   std::chrono::milliseconds delay_ = kFirstDelay;
   std::uint64_t connections_ = 0;
   std::vector<std::int64_t> confirmed_;
+  std::vector<app::BrokerMessage> received_;
+  std::function<app::BrokerMessage()> will_;
+  std::vector<std::string> subscriptions_;
   std::string last_sentence_;
 };
 
@@ -144,16 +172,14 @@ std::string MosquittoBroker::start(const MqttSettings& settings, const Place& pl
   const auto failed = [](int code) { return std::string(mosquitto_strerror(code)); };
   mosquitto_connect_callback_set(client_, on_connect);
   mosquitto_publish_callback_set(client_, on_publish);
+  mosquitto_message_callback_set(client_, on_message);
   mosquitto_max_inflight_messages_set(client_, kMostInFlight);
   if (!settings.user.empty())
     if (const int code = mosquitto_username_pw_set(client_, settings.user.c_str(), settings.password.c_str());
         code != 0)
       return failed(code);
-  const auto& will = settings.will;
-  if (const int code = mosquitto_will_set(client_, will.topic.c_str(), static_cast<int>(will.payload.size()),
-                                          will.payload.data(), kQos, will.retained);
-      code != 0)
-    return "the will: " + failed(code);
+  will_ = settings.will;
+  subscriptions_ = settings.subscriptions;
   if (place.encrypted) {
     const bool is_own = !settings.ca_file.empty();
     const int code = mosquitto_tls_set(client_, is_own ? settings.ca_file.c_str() : nullptr,
@@ -169,7 +195,10 @@ void MosquittoBroker::connect() {
   if (now < next_try_) return;
   next_try_ = now + delay_;
   delay_ = std::min(2 * delay_, kLongestDelay);
-  const int code = mosquitto_connect_async(client_, place_.host.c_str(), place_.port, kKeepAlive_s);
+  const app::BrokerMessage will = will_();
+  int code = mosquitto_will_set(client_, will.topic.c_str(), static_cast<int>(will.payload.size()), will.payload.data(),
+                                will.qos, will.retained);
+  if (code == MOSQ_ERR_SUCCESS) code = mosquitto_connect_async(client_, place_.host.c_str(), place_.port, kKeepAlive_s);
   is_begun_ = code == MOSQ_ERR_SUCCESS;
   if (!is_begun_) lose(code);
 }

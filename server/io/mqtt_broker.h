@@ -2,8 +2,10 @@
 #pragma once
 
 #include <expected>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/app/ports/broker.h"
 
@@ -14,8 +16,10 @@ struct MqttSettings {
   std::string user{};  // "": none
   std::string password{};
   std::string client_id{};
-  std::string ca_file{};    // PEM; "": whom the system believes
-  app::BrokerMessage will;  // what the broker says when the server is gone
+  std::string ca_file{};  // PEM; "": whom the system believes
+  // What the broker says when the server is gone. Asked for before each connection, on the thread that uses the broker.
+  std::function<app::BrokerMessage()> will{};
+  std::vector<std::string> subscriptions{};
 };
 
 // "" or what is wrong with the URL, as the end of a sentence.

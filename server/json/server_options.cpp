@@ -89,6 +89,8 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("mqtt_client_id", into.mqtt_client_id);
   o.text("mqtt_prefix", into.mqtt_prefix);
   o.text("mqtt_ca", into.mqtt_ca);
+  o.text("sparkplug_group", into.sparkplug_group);
+  o.text("sparkplug_node", into.sparkplug_node);
   read_texts(o, "shift", "start of a shift as HH:MM, by the server's clock", into.shift);
   read_texts(o, "stop_reason", "reason that people choose from when a transfer has stopped", into.stop_reason);
   o.text("arming_hook", into.arming_hook);

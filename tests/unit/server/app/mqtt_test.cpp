@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "server/app/out/topics.h"
+
 namespace dripfeed::app {
 namespace {
 
