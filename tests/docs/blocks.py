@@ -22,7 +22,7 @@ ELSEWHERE = {
     ('operating.md', 'nginx'): 'tests/e2e/tls.py',
 }
 # Programs of others in blocks of commands, and the library of others that a block only calls.
-OTHERS = {'cat', 'cmake', 'createdb', 'createuser', 'ctest', 'curl', 'ninja', 'npx', 'systemctl'}
+OTHERS = {'cat', 'cmake', 'createdb', 'createuser', 'ctest', 'curl', 'ninja', 'npx', 'podman', 'systemctl'}
 OTHERS_CALLS = {('integrating.md', 'js'): 'standardwebhooks'}
 
 
