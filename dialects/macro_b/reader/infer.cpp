@@ -68,8 +68,8 @@ class BlockScan {
       }
       folder_line |= written == "&";
       if (folder_line) continue;
-      const bool behind_comma = std::exchange(comma, written == "," || (comma && token.kind == ir::TokenKind::white));
-      if (token.kind == ir::TokenKind::address && behind_comma) {
+      const bool after_comma = std::exchange(comma, written == "," || (comma && token.kind == ir::TokenKind::white));
+      if (token.kind == ir::TokenKind::address && after_comma) {
         letter = 0;  // ,C ,R ,A: a corner or an angle
       } else if (token.kind == ir::TokenKind::address) {
         letter = written.front();
