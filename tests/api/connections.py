@@ -59,7 +59,7 @@ def broken_requests(client):
         if not got.startswith(b"HTTP/1.1 %d " % status) or got.count(b"HTTP/1.1 ") != 1 or b"application/problem+json" not in got:
             wrong.append(f"{sent[:60]!r}: {got!r}")
     expect(not wrong, f"{len(wrong)} rows:\n" + "\n".join(wrong))
-    expect(raw(client, SECOND).startswith(b"HTTP/1.1 200 "), "the request behind them is none: the rows above show nothing")
+    expect(raw(client, SECOND).startswith(b"HTTP/1.1 200 "), "the request after them is not one: the rows above show nothing")
     for sent in (b"", b"\r\n", b"GET /hea", POST + b"Content-Length: 100\r\n\r\n{", POST + b"Transfer-Encoding: chunked\r\n\r\n5\r\n{"):
         expect(not raw(client, sent).startswith(b"HTTP/1.1 2"), f"half a request was taken: {sent}")
 

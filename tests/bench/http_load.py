@@ -75,7 +75,7 @@ def texts(client, program):
 
 
 def feed(client, control, name):
-    """A long program on its way to the control."""
+    """A long program that is being sent to the control."""
     job = client.queue(client.release(client.add_program(6000, name)["id"])["id"])
     client.wait_line("lathe", "idle")
     client.post(f"/jobs/{job}/arm")

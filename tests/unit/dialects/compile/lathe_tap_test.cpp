@@ -52,7 +52,7 @@ std::string expect_same_there(const std::string& text, const std::string& from, 
   EXPECT_GE(a.size(), 4U);
   EXPECT_EQ(a.size(), b.size()) << made.text;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const std::string where = made.text + ", way " + std::to_string(i);
+    const std::string where = made.text + ", move " + std::to_string(i);
     for (std::size_t axis = 0; axis < 6; ++axis) EXPECT_NEAR(a[i].end[axis], b[i].end[axis], 1e-9) << where;
     const bool rapid = a[i].kind == MotionKind::rapid;
     EXPECT_EQ(rapid, b[i].kind == MotionKind::rapid) << where;

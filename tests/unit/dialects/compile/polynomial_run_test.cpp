@@ -271,9 +271,9 @@ TEST(PolynomialRun, CornersAreNotMade) {
 }
 
 TEST(PolynomialRun, APathOfTheParameterThatThereIsNot) {
-  for (const std::string way : {"0", "-1", "0.00001", "100000"}) {
-    const Result ran = run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=" + way + "\nM30\n");
-    ASSERT_FALSE(ran.result.diagnostics.empty()) << way;
+  for (const std::string length : {"0", "-1", "0.00001", "100000"}) {
+    const Result ran = run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=" + length + "\nM30\n");
+    ASSERT_FALSE(ran.result.diagnostics.empty()) << length;
     EXPECT_EQ(ran.result.diagnostics.back().diagnostic.id, text::DiagnosticId::curve_invalid);
     EXPECT_EQ(ran.result.diagnostics.back().line, 2U);
   }

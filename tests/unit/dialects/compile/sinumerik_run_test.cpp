@@ -229,7 +229,7 @@ TEST(SinumerikFlow, SectionsAreRepeated) {
 
 TEST(SinumerikFlow, ASectionMayEndWithALoop) {
   const Result ran =
-      run("R1=0\nGOTOF BEHIND\nAA: FOR R2=1 TO 2\nR1=R1+1\nBB: ENDFOR\nR1=R1+100\nBEHIND:\nREPEAT AA BB P=2\nM30\n");
+      run("R1=0\nGOTOF AFTER\nAA: FOR R2=1 TO 2\nR1=R1+1\nBB: ENDFOR\nR1=R1+100\nAFTER:\nREPEAT AA BB P=2\nM30\n");
   EXPECT_EQ(ran.value("R1"), 4.0);
 }
 

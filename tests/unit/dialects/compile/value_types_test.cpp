@@ -59,8 +59,8 @@ TEST(ValueTypes, GlobalDataThatIsOnlyReadIsRefused) {
   EXPECT_NE(messages.find("the global data FIXTURE_HEIGHT, whose value is not known here,"), std::string::npos)
       << messages;
   // … also where one path does not set it.
-  const std::string way = refused("G17 G710 G90 G94\nIF R1>2\nDEPTH_OF=3\nENDIF\nG0 X=DEPTH_OF\nM30\n");
-  EXPECT_NE(way.find("DEPTH_OF, whose value is not known here"), std::string::npos) << way;
+  const std::string one_path = refused("G17 G710 G90 G94\nIF R1>2\nDEPTH_OF=3\nENDIF\nG0 X=DEPTH_OF\nM30\n");
+  EXPECT_NE(one_path.find("DEPTH_OF, whose value is not known here"), std::string::npos) << one_path;
   expect_moves_kept("", "FIXTURE_HEIGHT=5\nG0 X=FIXTURE_HEIGHT\n");
 }
 
