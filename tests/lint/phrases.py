@@ -10,24 +10,22 @@ import tree
 
 # Everywhere. What stands for two things, or for none, in the English of the trade.
 EVERYWHERE = (
-    r'on (?:all|both) ways', r'(?:is|are|was|were) (?:told|said)', r'figures? of holes', r'does not go', r'nobody', r'somebody', r'anybody',
-    r'anew', r'wak(?:es?|ing) up', r'places? of the machine', r'the length of the tool', r'(?:no|two|another|each|some|any) ways?', r'way out',
-    r'way back', r'by the way', r'in (?:its|their) own way',
+    r'ways?', r'(?:is|are|was|were) (?:told|said)', r'figures? of holes', r'does not go', r'nobody', r'somebody', r'anybody',
+    r'anew', r'wak(?:es?|ing) up', r'places? of the machine', r'the length of the tool',
 )
 # In messages also words that docs use for places: a file beside another, a server behind a proxy.
-IN_MESSAGES = (r'ways?', r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing', r'no more (?:armed|in)', r'(?:held|holds?) against',
+IN_MESSAGES = (r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing', r'no more (?:armed|in)', r'(?:held|holds?) against',
                r'beyond all places', r'what no run shows', r'one of both', r'otherwise than', r'(?:counts?|ends?|named) otherwise')
 
-# In comments also words that stand for "after", "in the same block as", "path" and "reports".
-IN_COMMENTS = (r'behind', r'beside', r'tells?', r'told', r'ways?', r'(?:held|holds?) against')
+# In comments also words that stand for "after", "in the same block as" and "reports".
+IN_COMMENTS = (r'behind', r'beside', r'tells?', r'told', r'(?:held|holds?) against')
 # The page has places: a text beside a picture.
 IN_PAGE_COMMENTS = tuple(one for one in IN_COMMENTS if one != 'beside')
 PAGE = ('.ts', '.tsx', '.mjs')
-# What these words are right for: a port that a device server stands before, two things that are alike, what is in transit.
-RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telnet|RFC 2217|gateway|address|others|real nginx)|told\s+apart|look-behind'
-                   r'|(?:on\s+(?:its|their)|under|gives?|given|gave)\s+way', re.I)
+# What these words are right for: a port that a device server stands before, two things that are alike.
+RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telnet|RFC 2217|gateway|address|others|real nginx)|told\s+apart|look-behind', re.I)
 # Test names, by the words that they are made of.
-IN_TEST_NAMES = re.compile(r'(?:Nobody|Somebody|Anybody|Anew|Behind|Beside|Tells?|Told|Ways|(?:Is|Are|And)Said)(?![a-z])')
+IN_TEST_NAMES = re.compile(r'(?:Nobody|Somebody|Anybody|Anew|Behind|Beside|Tells?|Told|Ways?|(?:Is|Are|And)Said)(?![a-z])')
 TEST_NAME = re.compile(r'\bTEST(?:_F|_P)?\(\w+,\s*(\w+)\)')
 
 # Literals that are names; a schema that is in use.
