@@ -90,7 +90,7 @@ def fault_of(row, command, computer):
     return None
 
 
-def faults_of(name, text, rows, computer, tell=print):
+def faults_of(name, text, rows, computer, report=print):
     shown = lines_of(text)
     if len(shown) != len(rows):
         yield f'{name}: {len(shown)} command lines and {len(rows)} rows in commands.py'
@@ -99,7 +99,7 @@ def faults_of(name, text, rows, computer, tell=print):
             yield f'{name}:{line}: {command} is not what the row has: {row.begins}'
             return
         if isinstance(row, NotRun):
-            tell(f'not run: {name}:{line}: {command}: {row.why}')
+            report(f'not run: {name}:{line}: {command}: {row.why}')
             continue
         try:
             fault = fault_of(row, command, computer)
