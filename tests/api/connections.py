@@ -111,7 +111,7 @@ def long_bodies_are_for_those_who_may(client):
         expect(answer.startswith(b"HTTP/1.1 %d " % (422 if status == 413 else status)), f"{path} as {role} in short chunks: {answer}")
 
 
-def nobody_is_held_up(client):
+def no_one_is_held_up(client):
     """Fifty who sent half a request, ten who do not read a large answer, ten who vanish in the middle of theirs."""
     text = plain_program(120000)
     large = client.post("/programs", {"name": "O9", "dialect": "fanuc", "text": text})["id"]
@@ -155,7 +155,7 @@ def read_all(link):
 
 def on_the_wire(folder):
     client = Client(folder).start()
-    for test in (broken_requests, connections_are_kept, bodies_in_chunks, long_bodies_are_for_those_who_may, nobody_is_held_up):
+    for test in (broken_requests, connections_are_kept, bodies_in_chunks, long_bodies_are_for_those_who_may, no_one_is_held_up):
         test(client)
         expect(client.server.alive() and client.call("GET", "/healthz", role=None).status == 200, f"the server is gone after {test.__name__}")
     client.server.stop()

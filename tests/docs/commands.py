@@ -38,7 +38,7 @@ ROWS = {
     'README.md': [NotRun('./deploy/run', BUILDS), NotRun('./deploy/test', BUILDS)],
     'contributing.md': [NotRun('./deploy/test', BUILDS), NotRun('cmake --preset dev', 'builds the tree that this test is run in'),
                         NotRun('ninja -C build/dev', 'builds the tree that this test is run in'),
-                        NotRun('ctest --test-dir build/dev -L lint', 'runs the lints, which are run beside this test')],
+                        NotRun('ctest --test-dir build/dev -L lint', 'runs the lints, which are tests of their own')],
     'getting-started.md': [
         NotRun('./deploy/run', BUILDS), NotRun('./deploy/run --smoke', BUILDS), NotRun('./deploy/test', BUILDS),
         Run('dripfeed serve --data data', SERVES),
