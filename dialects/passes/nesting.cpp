@@ -13,7 +13,6 @@ namespace dripfeed::passes {
 namespace {
 
 using ir::ExpressionId;
-using ir::Operator;
 using ir::StatementKind;
 
 class Nesting {
