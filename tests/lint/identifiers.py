@@ -8,7 +8,7 @@ import tokenize
 import tree
 
 WORDS = {'anew', 'ballast', 'behind', 'beside', 'keeper', 'nobody', 'somebody', 'tell', 'tells', 'told', 'unsaid', 'untold', 'said', 'way', 'ways'}
-# What a program or a person said is a name in many tests; tell() is a method of files.
+# What a program or a person said is a name in many tests; `tell()` is a method of files.
 PYTHON = WORDS - {'said', 'tell'}
 # Of 3964, where one side yields: the key of the profile and the action that it leads to.
 IDIOMS = {'give_way', 'gives_way'}

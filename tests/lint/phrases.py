@@ -1,5 +1,6 @@
 # Phrases that must not return to what people read: README, docs, the page's English, the messages of the program (its string
-# literals), and all comments: C++, Python with its docstrings, and TypeScript. docs/style.md has what to write instead.
+# literals), and all comments: C++, Python with its docstrings, TypeScript, the names of dialogs and what goldens show. docs/style.md has
+# what to write instead.
 import io
 import json
 import re
@@ -27,6 +28,9 @@ RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telne
 # Test names, by the words that they are made of.
 IN_TEST_NAMES = re.compile(r'(?:Nobody|Somebody|Anybody|Anew|Behind|Beside|Tells?|Told|Ways?|(?:Is|Are|And)Said)(?![a-z])')
 TEST_NAME = re.compile(r'\bTEST(?:_F|_P)?\(\w+,\s*(\w+)\)')
+
+# A dialog's comment and the name of a scene; what a golden is there to show.
+OF_TESTS = re.compile(r'(?:#|==) |.*\boracle:', re.I)
 
 # Literals that are names; a schema that is in use.
 LITERAL = re.compile(r'"(?:anybody|[a-z]+(?:-[a-z]+)+)"')  # a role, the name of a diagnostic
@@ -57,6 +61,9 @@ def faults(root):
     for path in tree.files(root, ('tests', 'deploy'), ('.py',)):
         if path not in NAMES_THEM:
             found += _in_python(path, tree.read(root, path), comments)
+    for path in tree.files(root, ('tests/wire', 'tests/golden')):
+        lines = ((n, line) for n, line in enumerate(tree.read(root, path).splitlines(), 1) if OF_TESTS.match(line))
+        found += [f'{path}:{n}: {m[0]} in a comment' for n, line in lines for m in comments.finditer(RIGHT.sub(' ', line))]
     for path in tree.files(root, ('web', 'tests'), PAGE):
         found += _in_comments(path, tree.read(root, path), pattern(EVERYWHERE + IN_PAGE_COMMENTS))
     for key, value in json.loads(tree.read(root, 'web/src/i18n/en.json')).items():

@@ -53,6 +53,14 @@ class Phrases(bad_tree.BadTree):
         self.write('tests/api/a.py', '# `nobody` of the system, behind the real nginx\nprint("nobody")\n')
         self.assert_clean(phrases.faults)
 
+    def test_dialogs_and_goldens(self):
+        for path, text in (('tests/wire/feed/a.dialog', '== silence behind the end\n'), ('tests/golden/fanuc/a/b.nc', '%\nO0001(ORACLE: WORDS BESIDE M99)\n'),
+                           ('tests/golden/sinumerik/a/b.mpf', '; oracle: known on all ways\n')):
+            self.write(path, text)
+            self.assert_refused(phrases.faults, path)
+            self.write(path, 'DEF REAL WAY\nG1 X=WAY\n')
+        self.assert_clean(phrases.faults)
+
     def test_comments_of_the_page(self):
         self.write('web/src/a.ts', 'export const a = 1; // drawn anew\n')
         self.assert_refused(phrases.faults, 'web/src/a.ts:1: anew')
