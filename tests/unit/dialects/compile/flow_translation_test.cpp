@@ -15,7 +15,7 @@ std::vector<double> places(const Result& played) {
 
 const Texts kPrograms = {{"SUB1", "PROC SUB1\nSUB2\nG0 X5\nM17\n"}};
 
-Texts with(std::string end) {
+Texts with(const std::string& end) {
   Texts programs = kPrograms;
   programs["SUB2"] = "PROC SUB2\nG0 X3\n" + end + "\n";
   return programs;

@@ -132,9 +132,9 @@ TEST(IsoTranslation, WhatNumbersCountFollowsThePaths) {
 TEST(IsoTranslation, InitialLevelsAfterIt) {
   const std::string head = "G17 G90 G94 G54 G71\nT5 M6\nD1\nG0 X0 Y0 Z50 F500 S1000 M3\n";
   const std::string holes = "MCALL CYCLE81(50,0,2,-5)\nX30\nX40\nMCALL\nX50\nR100=R101\nM30\n";
+  const auto with = [&](const std::string& what) { return head + "G291\n" + what + "\nG290\n" + holes; };
   for (const std::string what : {"G92 Z10.", "G52 Z5.", "G31 Z20. F100.\nG0", "G10 L2 P1 Z5.", "G43 H5"}) {
-    const ConvertResult made =
-        converted(head + "G291\n" + what + "\nG290\n" + holes, "fanuc", sinumerik(MachineKind::mill));
+    const ConvertResult made = converted(with(what), "fanuc", sinumerik(MachineKind::mill));
     EXPECT_EQ(made.text.find("G98"), std::string::npos) << what << made.text;
   }
   const ConvertResult skipped = converted(head + "/G0 Z60\n" + holes, "fanuc", sinumerik(MachineKind::mill));

@@ -271,13 +271,16 @@ TEST(PolynomialRun, CornersAreNotMade) {
 }
 
 TEST(PolynomialRun, APathOfTheParameterThatThereIsNot) {
+  const auto with_length = [](const std::string& length) {
+    return run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=" + length + "\nM30\n");
+  };
   for (const std::string length : {"0", "-1", "0.00001", "100000"}) {
-    const Result ran = run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=" + length + "\nM30\n");
+    const Result ran = with_length(length);
     ASSERT_FALSE(ran.result.diagnostics.empty()) << length;
     EXPECT_EQ(ran.result.diagnostics.back().diagnostic.id, text::DiagnosticId::curve_invalid);
     EXPECT_EQ(ran.result.diagnostics.back().line, 2U);
   }
-  EXPECT_TRUE(run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=0.0001\nM30\n").result.diagnostics.empty());
+  EXPECT_TRUE(with_length("0.0001").result.diagnostics.empty());
 }
 
 // In plain blocks of another control a polynomial is its chords; word by word it is refused where it stands.

@@ -126,7 +126,7 @@ TEST(ValueTypes, GlobalDataOfADefinitionFileHasOnePlaceForAllPrograms) {
 TEST(ValueTypes, ADefinitionFileBecomesItsInitialValues) {
   const ConvertResult result = with_gud(std::string(kGud), "fanuc");
   ASSERT_FALSE(text::has_error(result.diagnostics))
-      << messages_of(result.diagnostics, text::Source("program", kGud.data()));
+      << messages_of(result.diagnostics, text::Source("program", std::string(kGud)));
   EXPECT_NE(result.text.find("IF[#500 EQ #0]THEN #500=1.\nIF[#501 EQ #0]THEN #501=2.5\n"), std::string::npos)
       << result.text;
   EXPECT_NE(result.text.find("IF[#504 EQ #0]THEN #504=4.\n"), std::string::npos) << result.text;
