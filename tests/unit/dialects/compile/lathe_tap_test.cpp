@@ -295,10 +295,10 @@ TEST(LatheTap, AsPlainBlocks) {
 // Where G91 is a mode (systems B and C), the ends of the moves that stand for a cycle are absolute all the same.
 TEST(LatheCycles, WithG91AreAbsoluteMoves) {
   const std::string head = "%\nO1\nG21 G18 G40 G95 G90\nT0101\nG97 G00 X50. Z2. S1000 M03\n";
-  const std::string end = "G90\nG00 X60.\nM30\n%\n";
+  const auto with = [&](const std::string& cycle) { return head + cycle + "\nG90\nG00 X60.\nM30\n%\n"; };
   for (const std::string cycle :
-       {"G91 G77 X-4. Z-10. F0.2\n", "G91 G78 X-4. Z-10. F1.5\n", "G91 G75 X-10. Z-9. P2000 Q3000 F0.2\n"}) {
-    const std::string text = head + cycle + end;
+       {"G91 G77 X-4. Z-10. F0.2", "G91 G78 X-4. Z-10. F1.5", "G91 G75 X-10. Z-9. P2000 Q3000 F0.2"}) {
+    const std::string text = with(cycle);
     const ConvertResult made = converted(text, "fanuc", kSinumerik, MachineKind::lathe, ir::GSystem::b);
     ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("p", text));
     const auto before = run_text(text, find_dialect("fanuc")->control(MachineKind::lathe, ir::GSystem::b)).motions;

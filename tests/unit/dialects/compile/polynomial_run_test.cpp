@@ -62,7 +62,8 @@ TEST(PolynomialRun, AParabola) {
 TEST(PolynomialRun, ChordsAreAsNearAsPromised) {
   const auto moves = splines(run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=5\nM30\n"));
   for (const ir::Motion& m : moves)
-    for (double share = 0.1; share < 1.0; share += 0.1) {
+    for (int tenth = 1; tenth < 10; ++tenth) {
+      const double share = tenth / 10.0;
       const double x = m.start[0] + share * (m.end[0] - m.start[0]);
       const interpreter::AxisValues at = {x, x * (10.0 - x), 0.0};
       EXPECT_LT(interpreter::aside_of_chord(m.start, m.end, at), 1.1 * interpreter::kCurveChord_mm);
