@@ -155,19 +155,19 @@ void Envelope::check_arc(const ir::Motion& motion) {
   }
   const double turn = motion.kind == ir::MotionKind::arc_ccw ? 1.0 : -1.0;
   const double start_angle = std::atan2(start_o - center_o, start_a - center_a);
-  const auto behind = [&](double angle) {
+  const auto turn_to = [&](double angle) {
     const double full = 2.0 * std::numbers::pi;
     const double rest = std::fmod(turn * (angle - start_angle), full);
     return rest < 0.0 ? rest + full : rest;
   };
   const bool full_circle = std::hypot(end_a - start_a, end_o - start_o) < checks::kSamePoint_mm;
-  const double sweep = full_circle ? 2.0 * std::numbers::pi : behind(std::atan2(end_o - center_o, end_a - center_a));
+  const double sweep = full_circle ? 2.0 * std::numbers::pi : turn_to(std::atan2(end_o - center_o, end_a - center_a));
   const auto reach = [&](std::size_t i, ir::Axis axis, double value) {
     travel_.check(motion, axis, value);
     if (!motion.machine_coordinates && i < spans_.size()) spans_[i].include(value);
   };
   for (int quarter = 0; quarter < 4; ++quarter) {
-    const double reached = behind(quarter * 0.5 * std::numbers::pi);
+    const double reached = turn_to(quarter * 0.5 * std::numbers::pi);
     if (reached < kSameAngle || reached > sweep - kSameAngle) continue;  // the ends are looked at already
     const double sign = quarter < 2 ? 1.0 : -1.0;
     if (quarter % 2 == 0) {

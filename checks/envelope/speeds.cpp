@@ -86,10 +86,11 @@ double Speeds::feed_of_turns(const ir::Motion& cut, double diameter_mm) {
 // Of a thread whose lead grows, at its end.
 double Speeds::highest_lead(const ir::Motion& cut) const {
   if (cut.kind != ir::MotionKind::thread || !(cut.center[0] > 0.0)) return cut.feed;
-  double way = 0.0;
+  double longest_mm = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
-    if ((cut.axes_unknown >> i & 1U) == 0) way = std::max(way, std::fabs(travel_.slide(i, cut.end[i] - cut.start[i])));
-  return ir::lead_after(cut.feed, cut.center[0], way);
+    if ((cut.axes_unknown >> i & 1U) == 0)
+      longest_mm = std::max(longest_mm, std::fabs(travel_.slide(i, cut.end[i] - cut.start[i])));
+  return ir::lead_after(cut.feed, cut.center[0], longest_mm);
 }
 
 // Along all axes whose start is known, in a straight line.
@@ -97,8 +98,8 @@ double Speeds::distance_mm(const ir::Motion& cut) const {
   double square = 0.0;
   for (std::size_t i = 0; i < ir::kAxisCount; ++i) {
     if ((cut.axes_unknown >> i & 1U) != 0) continue;
-    const double way = travel_.slide(i, cut.end[i] - cut.start[i]);
-    square += way * way;
+    const double travel_mm = travel_.slide(i, cut.end[i] - cut.start[i]);
+    square += travel_mm * travel_mm;
   }
   return std::sqrt(square);
 }
@@ -106,12 +107,12 @@ double Speeds::distance_mm(const ir::Motion& cut) const {
 // Each axis has its share of a straight move; on arcs and where a start is not known no share is.
 void Speeds::check_axis_feeds(const ir::Motion& cut, double feed_mm_min) {
   if (cut.kind != ir::MotionKind::linear || (cut.axes_unknown & cut.axes_commanded) != 0) return;
-  const double way = distance_mm(cut);
-  if (!(way > 0.0)) return;
+  const double length_mm = distance_mm(cut);
+  if (!(length_mm > 0.0)) return;
   for (const checks::MachineAxis& axis : settings_.machine.axes) {
     const auto i = static_cast<std::size_t>(axis.axis);
     if (!(axis.feed_limit_mm_min > 0.0) || (cut.axes_unknown >> i & 1U) != 0) continue;
-    const double share = std::fabs(travel_.slide(i, cut.end[i] - cut.start[i])) / way;
+    const double share = std::fabs(travel_.slide(i, cut.end[i] - cut.start[i])) / length_mm;
     if (!is_beyond(share * feed_mm_min, axis.feed_limit_mm_min)) continue;
     report_.findings.add(
         text::DiagnosticId::axis_feed_too_high, cut.place, share * feed_mm_min, axis.feed_limit_mm_min, [&] {

@@ -36,7 +36,7 @@ class Lexer {
       end_line(eob);
     } else if (c == ' ' || c == '\t') {
       ++at_;
-    } else if (const std::size_t target = behind_is() ? target_length(text_.substr(at_)) : 0; target != 0) {
+    } else if (const std::size_t target = follows_is() ? target_length(text_.substr(at_)) : 0; target != 0) {
       add(LexemeKind::word, target);
     } else if (c == '#') {
       at_ = line_end();
@@ -58,7 +58,7 @@ class Lexer {
   }
 
   // What follows may be a place in a native program, where # is not a comment.
-  [[nodiscard]] bool behind_is() const {
+  [[nodiscard]] bool follows_is() const {
     return !out_.empty() && out_.back().kind == LexemeKind::word && out_.back().span.in(text_) == "is";
   }
 

@@ -65,9 +65,9 @@ void LoopWriter::for_begin(const Step& step) {
   const ValueWriter::Bound to = values_.bound(step.values[1], fmt::format("{}_to", name));
   if (names_.counts_whole(step)) return count_begin(step, from, to);
   const ValueWriter::Bound by = values_.bound(step.values[2], fmt::format("{}_step", name));
-  const ExpressionId way = step.down ? values_.calculate(Operator::subtract, values_.say(from), values_.say(to))
-                                     : values_.calculate(Operator::subtract, values_.say(to), values_.say(from));
-  const ExpressionId trips = values_.calculate(Operator::divide, way, values_.say(by));
+  const ExpressionId distance = step.down ? values_.calculate(Operator::subtract, values_.say(from), values_.say(to))
+                                          : values_.calculate(Operator::subtract, values_.say(to), values_.say(from));
+  const ExpressionId trips = values_.calculate(Operator::divide, distance, values_.say(by));
   const ValueWriter::Bound last = last_trip(trips, name);
   const ir::SymbolId index = emit_.new_symbol(fmt::format("{}_index", name));
   emit_.assign(index, emit_.constant(0.0));

@@ -90,11 +90,11 @@ ExpressionId ValueWriter::interpolate(const ir::Expression& along) {
                    emit_.binary(Operator::less, at(lists.x), emit_.variable(place))));
   emit_.assign(point, emit_.binary(Operator::add, emit_.variable(point), emit_.constant(1.0)));
   emit_.close(StatementKind::while_end);
-  const ExpressionId way = emit_.binary(Operator::subtract, emit_.variable(place), before(lists.x));
+  const ExpressionId offset = emit_.binary(Operator::subtract, emit_.variable(place), before(lists.x));
   const ExpressionId rise = emit_.binary(Operator::subtract, at(lists.y), before(lists.y));
   const ExpressionId run = emit_.binary(Operator::subtract, at(lists.x), before(lists.x));
   const ir::SymbolId value = emit_.new_symbol("between");
-  const ExpressionId gained = emit_.binary(Operator::divide, emit_.binary(Operator::multiply, way, rise), run);
+  const ExpressionId gained = emit_.binary(Operator::divide, emit_.binary(Operator::multiply, offset, rise), run);
   emit_.assign(value, emit_.binary(Operator::add, before(lists.y), gained));
   return emit_.variable(value);
 }

@@ -171,8 +171,8 @@ int operand_count(Operator op) {
 }
 
 bool is_foreign(const Program& program, std::uint32_t statement) {
-  const auto behind = std::ranges::upper_bound(program.foreign_parts, statement, {}, &ForeignPart::first);
-  return behind != program.foreign_parts.begin() && statement < std::prev(behind)->last;
+  const auto next = std::ranges::upper_bound(program.foreign_parts, statement, {}, &ForeignPart::first);
+  return next != program.foreign_parts.begin() && statement < std::prev(next)->last;
 }
 
 std::string print_same(const Program& program) {

@@ -63,11 +63,11 @@ std::uint32_t read_line(std::string_view text, std::uint32_t at, Line& line, std
       line.offsets.push_back(at + static_cast<std::uint32_t>(i));
     }
   }
-  const auto behind = static_cast<std::uint32_t>(end);
-  line.offsets.push_back(behind);
+  const auto line_end = static_cast<std::uint32_t>(end);
+  line.offsets.push_back(line_end);
   const std::uint32_t length = text::eob_length(text, end);
-  if (length > 0) tokens.push_back({TokenKind::eob, {behind, behind + length}});
-  return behind + length;
+  if (length > 0) tokens.push_back({TokenKind::eob, {line_end, line_end + length}});
+  return line_end + length;
 }
 
 }  // namespace dripfeed::linuxcnc

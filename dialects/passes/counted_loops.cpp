@@ -61,10 +61,10 @@ class CountedLoops {
   }
 
   void end_repeat(std::uint32_t i) {
-    const std::uint32_t behind = numbers_.next();
-    out_.emit_jump(jump_to(behind, structure_at(program_, i).condition));
+    const std::uint32_t after = numbers_.next();
+    out_.emit_jump(jump_to(after, structure_at(program_, i).condition));
     out_.emit_structure(StatementKind::loop_end, {});
-    out_.label_next(behind);
+    out_.label_next(after);
   }
 
   ir::Program& program_;

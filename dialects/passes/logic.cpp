@@ -72,10 +72,10 @@ class Logic {
       return jump_if(e.b, jump);
     }
     if (e.op == Operator::logic_and) {
-      const std::uint32_t behind = numbers_.next();
-      jump_if(negated(program_, e.a), jump_to(behind));
+      const std::uint32_t after = numbers_.next();
+      jump_if(negated(program_, e.a), jump_to(after));
       jump_if(e.b, jump);
-      return out_.label_next(behind);
+      return out_.label_next(after);
     }
     if (e.op == Operator::logic_not) return jump_if(negated(program_, e.a), jump);
     if (e.op == Operator::logic_xor)
@@ -109,18 +109,18 @@ class Logic {
     }
     const bool always = e.op == Operator::constant && e.value != 0.0;
     out_.emit_structure(StatementKind::loop_begin, opened);
-    behind_[i] = always ? 0 : numbers_.next();
-    if (!always) jump_if(negated(program_, head.condition), jump_to(behind_[i]));
+    label_after_[i] = always ? 0 : numbers_.next();
+    if (!always) jump_if(negated(program_, head.condition), jump_to(label_after_[i]));
   }
 
   void end_while(std::uint32_t i) {
     const ir::Structure tail = structure_at(program_, i);
-    const auto behind = behind_.find(tail.partner);
-    if (behind == behind_.end()) return out_.keep();
+    const auto after = label_after_.find(tail.partner);
+    if (after == label_after_.end()) return out_.keep();
     ir::Structure closed;
     closed.loop_number = tail.loop_number;
     out_.emit_structure(StatementKind::loop_end, closed);
-    if (behind->second != 0) out_.label_next(behind->second);
+    if (after->second != 0) out_.label_next(after->second);
   }
 
   ir::Program& program_;
@@ -128,7 +128,7 @@ class Logic {
   Rewrite out_;
   StructureReport report_;
   std::uint32_t at_ = 0;
-  std::unordered_map<std::uint32_t, std::uint32_t> behind_;  // opener -> label after its end; 0: none needed
+  std::unordered_map<std::uint32_t, std::uint32_t> label_after_;  // opener -> label after its end; 0: none needed
 };
 
 }  // namespace

@@ -13,7 +13,6 @@ namespace dripfeed::passes {
 namespace {
 
 using ir::ExpressionId;
-using ir::Operator;
 using ir::StatementKind;
 
 class Nesting {
@@ -30,7 +29,7 @@ class Nesting {
  private:
   struct Ends {
     std::uint32_t begin = 0;
-    std::uint32_t behind = 0;
+    std::uint32_t after = 0;
   };
 
   static bool opens(StatementKind kind) {
@@ -75,12 +74,12 @@ class Nesting {
     open_.push_back(ends);
     out_.label_next(ends.begin);
     const ExpressionId condition = structure_at(program_, i).condition;
-    if (condition != ExpressionId::none) out_.emit_jump(jump_to(ends.behind, negated(program_, condition)));
+    if (condition != ExpressionId::none) out_.emit_jump(jump_to(ends.after, negated(program_, condition)));
   }
 
   void end_jumps() {
     out_.emit_jump(jump_to(open_.back().begin));
-    out_.label_next(open_.back().behind);
+    out_.label_next(open_.back().after);
     open_.pop_back();
   }
 

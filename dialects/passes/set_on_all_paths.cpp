@@ -68,10 +68,10 @@ class SetOnAllPaths {
       for (const Use& use : uses_[i])
         if (use.at.set && program_.statements[i].skip_level == 0)
           out[use.bit / 64] |= std::uint64_t{1} << (use.bit % 64);
-      const std::vector<std::uint32_t> ways = graph.after(i);
-      for (const std::uint32_t next : ways) {
+      const std::vector<std::uint32_t> successors = graph.after(i);
+      for (const std::uint32_t next : successors) {
         Bits there = out;
-        if (ways.size() == 2 && ways[0] != ways[1]) note_asked(i, next, there);
+        if (successors.size() == 2 && successors[0] != successors[1]) note_asked(i, next, there);
         if (meet(in_[next], there)) work.push_back(next);
       }
     }

@@ -267,7 +267,7 @@ bool Feed::is_shut_after_the_end() const {
 }
 
 // May an unfinished block have reached the control? No only if what was handed ends with a whole block and the line has
-// brought all of it, or none of it is more than leader, or all that is still under way is trailer.
+// brought all of it, or none of it is more than leader, or all that is still in transit is trailer.
 bool Feed::in_block() const {
   const std::uint64_t handed = counters_.handed;
   if (handed >= program_end_wire_) return counters_.clocked < program_end_wire_;

@@ -59,9 +59,9 @@ void Feed::mark_sent(std::size_t n, Time now) {
     out_begin_ += count;
     counters_.handed += count;
     clock_.handed(count, std::max(now, now_));
-    const bool behind_eob =
+    const bool after_eob =
         counters_.handed > round_begin_ + settings_.wire.leader_chars && counters_.handed <= program_end_wire_;
-    if (at_block_end_ && behind_eob && settings_.line_delay > Time::zero()) {
+    if (at_block_end_ && after_eob && settings_.line_delay > Time::zero()) {
       clock_.rest(settings_.line_delay);
       rested_ += settings_.line_delay;
     }

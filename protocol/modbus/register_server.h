@@ -16,7 +16,7 @@ enum class Exception : std::uint8_t {
   function = 1,  // not a function of this server; writing is none
   address = 2,   // a register that is not there
   value = 3,     // a quantity or a length that cannot be
-  target = 0x0B  // no such unit behind this address
+  target = 0x0B  // no such unit at this address
 };
 
 // What is shown. Called on the server's thread; must not block for long. Registers may change between two calls, never

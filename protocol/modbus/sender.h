@@ -166,7 +166,7 @@ class Sender {
   SenderCounters counters_;
   Time now_{};
 
-  // The message in the mailbox and the request that is under way.
+  // The message in the mailbox and the request that is not answered yet.
   Mailbox mailbox_{};
   std::size_t mailbox_used_ = 0;
   std::uint64_t mailbox_text_end_ = 0;  // text bytes up to the end of its payload

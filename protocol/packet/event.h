@@ -21,7 +21,7 @@ enum class Stall : std::uint8_t {
   waiting_for_text,
   waiting_for_end,
   stopped_by_person,
-  partner_sends,  // 3964: both called, and this side gave way
+  partner_sends,  // 3964: both called, and this side yielded
 };
 inline constexpr std::size_t kStalls = 9;
 

@@ -1,4 +1,4 @@
-// The text of a job on its way into frames: what is coded and not yet accepted, which part of it is in the present
+// The text of a job while it becomes frames: what is coded and not yet accepted, which part of it is in the present
 // frame, and where blocks of the program end in it. Knows nothing of frames' forms.
 #pragma once
 

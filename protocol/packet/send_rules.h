@@ -23,7 +23,7 @@ enum class Signal : std::uint8_t {
   accepted,
   again,
   later,     // the wait begins again: the receiver is not ready, or what is awaited has come in part
-  yielded,   // both called, and this side gives way
+  yielded,   // both called, and this side yields
   telegram,  // the partner's is whole
   broken,    // with a cause
 };
@@ -77,7 +77,7 @@ class SendRules {
   virtual std::size_t reply(std::span<std::byte>) { return 0; }
   // Called when a person aborts inside a block of the program, between two frames: that what came is no whole text.
   virtual std::size_t abort(std::span<std::byte>) { return 0; }
-  // The last byte of a call, a frame or an end is on its way: an answer may come.
+  // The last byte of a call, a frame or an end is sent: an answer may come.
   virtual void sent() {}
   // The receiver has the present frame.
   virtual void accepted() = 0;
@@ -88,7 +88,7 @@ class SendRules {
   // The sender begins by itself, the receiver never asks.
   virtual bool starts_itself() const { return false; }
 
-  // What the partner sent when this side had given way; empty when nothing came, or it was taken.
+  // What the partner sent when this side had yielded; empty when nothing came, or it was taken.
   virtual std::span<const std::byte> telegram() const { return {}; }
   virtual void take_telegram() {}
 };

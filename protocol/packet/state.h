@@ -12,7 +12,7 @@ enum class State : std::uint8_t {
   idle,
   armed,      // a person armed a job; waiting for the receiver's start
   calling,    // 3964: STX is out, waiting for DLE; YMODEM: so with the header; the others pass through
-  receiving,  // 3964: both called, and this side gave way: the partner's telegram comes first
+  receiving,  // 3964: both called, and this side yielded: the partner's telegram comes first
   sending,    // a frame goes out
   waiting,    // all of it is out; waiting for its answer
   ready,      // no frame is in transit; the next waits for text, ledger, a person, or the receiver's request
@@ -43,7 +43,7 @@ enum class Input : std::uint8_t {
   finished,     // all of the text is accepted
   cut,          // a cancel is wanted, and what was accepted ends with a block
   expired,      // the arming's time is over
-  yielded,      // both called, and this side gives way
+  yielded,      // both called, and this side yields
 };
 inline constexpr std::size_t kInputs = 18;
 

@@ -1,4 +1,4 @@
-// Bytes on their way to the socket, whole commands at a time.
+// Bytes that wait for the socket, whole commands at a time.
 #include "protocol/telnet/output.h"
 
 #include <algorithm>

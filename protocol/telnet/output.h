@@ -1,4 +1,4 @@
-// Bytes on their way to the socket: one buffer with a named limit, filled with whole commands or data only.
+// Bytes that wait for the socket: one buffer with a named limit, filled with whole commands or data only.
 #pragma once
 
 #include <array>

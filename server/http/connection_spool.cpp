@@ -1,4 +1,4 @@
-// A long body on its way to a file. One piece is in memory at a time; the next is read when the disk has the one
+// A long body that is written to a file. One piece is in memory at a time; the next is read when the disk has the one
 // before.
 #include <chrono>
 #include <utility>

@@ -63,7 +63,7 @@ std::expected<std::optional<std::uint64_t>, Response> count_of(const Call& call,
   return std::unexpected(fault(call, 400, "INVALID_REQUEST", fmt::format("{}={} is not a number", name, text)));
 }
 
-// Those that may go to a machine, or are on their way there.
+// Those that may go to a machine, or are being sent there.
 store::Result<std::vector<json::MtconnectFile>> released_files(const Call& call) {
   store::Store& store = call.api.application().store();
   const auto releases = store.releases().list({.limit = kMostFiles, .after = {}}, {});

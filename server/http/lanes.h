@@ -9,7 +9,7 @@
 //   heavy    checks, rendering, sweeps: they wait for worker processes
 //   secret   signing in: a hash of a password takes a tenth of a second and 64 MiB, one at a time
 //   provider signing in by another system, which is asked meanwhile and may not answer
-//   spool    files of long bodies on their way here: it waits for the disk (see spool.h)
+//   spool    files of long bodies that arrive: it waits for the disk (see spool.h)
 //
 // Each lane has a queue with an end: who comes later is asked to come again.
 #pragma once

@@ -54,7 +54,7 @@ struct Answerer {
 
 struct ServerSettings {
   ListenAddress address;
-  std::filesystem::path spool_folder;  // for long bodies on their way here; made when it is needed
+  std::filesystem::path spool_folder;  // for long bodies that arrive; made when it is needed
   // PEM files; empty: plain HTTP. Read again when they change.
   std::string tls_certificate;
   std::string tls_key;

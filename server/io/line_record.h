@@ -11,7 +11,7 @@
 namespace dripfeed::io {
 
 enum class RecordState : std::uint8_t {
-  clean,    // nothing is under way; a control holds no part of a block
+  clean,    // nothing is in transit; a control holds no part of a block
   sending,  // bytes may leave, or left when whoever sent them ended
   torn,     // what left broke off inside a block
 };

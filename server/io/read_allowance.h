@@ -38,7 +38,7 @@ class ReadAllowance {
   // Nothing is left: reading rests for so long.
   static constexpr feed::Time kRest = std::chrono::milliseconds(5);
 
-  // It ran dry a moment ago: more of the same may be on its way, held back by a window that is closed.
+  // It ran dry a moment ago: more of the same may be in transit, held back by a window that is closed.
   [[nodiscard]] bool pressed(feed::Time now) const { return now - dry_at_ < kRelief; }
   // It ran dry again and again for a second, and not long ago: no burst that a network held back.
   [[nodiscard]] bool flooded(feed::Time now) const {

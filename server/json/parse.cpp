@@ -1,4 +1,4 @@
-// The text is read twice: once by a scrutiny that keeps nothing but the names on its way, then into a document.
+// The text is read twice: once by a scrutiny that keeps only the names, then into a document.
 #include "server/json/parse.h"
 
 #include <algorithm>

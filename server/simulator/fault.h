@@ -61,7 +61,7 @@ std::expected<Fault, std::string> parse_fault(std::string_view text);
 using Faults = std::vector<Fault>;
 std::optional<std::uint64_t> find_fault(const Faults& faults, FaultKind kind);
 
-// The faults that strike characters on their way, in both directions. Not those that end the link.
+// The faults that strike characters in transit, in both directions. Not those that end the link.
 class LineFaults {
  public:
   LineFaults(Faults faults, std::uint32_t seed) : faults_(std::move(faults)), random_(seed) {}

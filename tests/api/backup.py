@@ -97,7 +97,7 @@ def nothing_goes_on(other, controls, calls_before):
         control.say(DC1)
     for i, control in enumerate(controls):
         expect(control.wait_quiet() == b"", f"lathe-{i}: something was sent after a restore")
-        expect(other.get(f"/machines/lathe-{i}")["status"]["line"] == "torn", f"lathe-{i} may be armed, and what is at its control nobody knows")
+        expect(other.get(f"/machines/lathe-{i}")["status"]["line"] == "torn", f"lathe-{i} may be armed, and what is at its control no one knows")
     expect({job["state"] for job in other.get("/jobs")["items"]} == {"interrupted"}, "the jobs are not interrupted")
 
 

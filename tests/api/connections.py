@@ -59,7 +59,7 @@ def broken_requests(client):
         if not got.startswith(b"HTTP/1.1 %d " % status) or got.count(b"HTTP/1.1 ") != 1 or b"application/problem+json" not in got:
             wrong.append(f"{sent[:60]!r}: {got!r}")
     expect(not wrong, f"{len(wrong)} rows:\n" + "\n".join(wrong))
-    expect(raw(client, SECOND).startswith(b"HTTP/1.1 200 "), "the request behind them is none: the rows above show nothing")
+    expect(raw(client, SECOND).startswith(b"HTTP/1.1 200 "), "the request after them is not one: the rows above show nothing")
     for sent in (b"", b"\r\n", b"GET /hea", POST + b"Content-Length: 100\r\n\r\n{", POST + b"Transfer-Encoding: chunked\r\n\r\n5\r\n{"):
         expect(not raw(client, sent).startswith(b"HTTP/1.1 2"), f"half a request was taken: {sent}")
 
@@ -111,7 +111,7 @@ def long_bodies_are_for_those_who_may(client):
         expect(answer.startswith(b"HTTP/1.1 %d " % (422 if status == 413 else status)), f"{path} as {role} in short chunks: {answer}")
 
 
-def nobody_is_held_up(client):
+def no_one_is_held_up(client):
     """Fifty who sent half a request, ten who do not read a large answer, ten who vanish in the middle of theirs."""
     text = plain_program(120000)
     large = client.post("/programs", {"name": "O9", "dialect": "fanuc", "text": text})["id"]
@@ -155,7 +155,7 @@ def read_all(link):
 
 def on_the_wire(folder):
     client = Client(folder).start()
-    for test in (broken_requests, connections_are_kept, bodies_in_chunks, long_bodies_are_for_those_who_may, nobody_is_held_up):
+    for test in (broken_requests, connections_are_kept, bodies_in_chunks, long_bodies_are_for_those_who_may, no_one_is_held_up):
         test(client)
         expect(client.server.alive() and client.call("GET", "/healthz", role=None).status == 200, f"the server is gone after {test.__name__}")
     client.server.stop()

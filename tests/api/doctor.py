@@ -72,7 +72,7 @@ def ports(folder):
     before = client.get("/machines/there")["status"]
     expect(before["line"] == "idle", f"the look at its port changed the line: {before}")
     client.server.stop()
-    expect(not [one for one in doctor(client.server.data, code=1) if "in use" in one["text"]], "nobody has it now")
+    expect(not [one for one in doctor(client.server.data, code=1) if "in use" in one["text"]], "no one has it now")
     os.close(ours)
     os.close(theirs)
 

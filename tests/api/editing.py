@@ -171,7 +171,7 @@ def a_dump_is_taken_apart(client):
     client.refuse(422, "POST", "/split", {})
 
 
-def a_text_laid_out_anew(client):
+def a_text_laid_out_again(client):
     """The same program with other numbers, blanks or letters; or refused, with the line."""
 
     def rewrite(text, how, **more):
@@ -219,7 +219,7 @@ def run(folder):
     words(client)
     a_translation(client)
     a_faster_text(client)
-    a_text_laid_out_anew(client)
+    a_text_laid_out_again(client)
     what_it_amounts_to(client)
     a_preview(client)
     expect(client.server.alive(), "the server is gone")

@@ -27,7 +27,7 @@ def read(text):
             name = line.split(" ")[2]
             expect(NAME.fullmatch(name) and name not in families, f"{name} begins twice, or is not a name")
             expect(len(line.split(" ", 3)[3]) > 10 and line.endswith("."), f"no help: {line}")
-            expect(lines[at + 1].startswith(f"# TYPE {name} "), f"no type behind {line}")
+            expect(lines[at + 1].startswith(f"# TYPE {name} "), f"no type after {line}")
         elif line.startswith("# TYPE "):
             _, _, typed, kind = line.split(" ")
             expect(typed == name and kind in TYPES, line)

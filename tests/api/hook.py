@@ -3,13 +3,14 @@ refuses or warns; and that a feed and a stop do not wait for it."""
 
 import http.server
 import json
+import re
 import sys
 import threading
 import time
 
 from client import DC1, Client, HandControl, expect, hand_profile, in_folder
 from receipts import PROGRAM, Bench
-from receiver import verify
+from receiver import DOCS, verify
 
 SECRET = "whsec_" + "c2VjcmV0IG9mIHRoZSBhcm1pbmcgaG9vaw=="
 ASK_S = 2
@@ -79,6 +80,20 @@ class Shop:
             control.close()
 
 
+def is_like(shown, real):
+    """Whether the document of the page has members of the real one alone, of the same kinds."""
+    if isinstance(shown, dict) and isinstance(real, dict):
+        return all(name in real and is_like(value, real[name]) for name, value in shown.items())
+    return type(shown) is type(real)
+
+
+def it_is_as_the_docs_show(question):
+    shown = next(one for one in map(json.loads, re.findall(r"```json\n(.*?)```", DOCS, re.S)) if one["type"] == question["type"])
+    expect(shown.keys() == question.keys() and is_like(shown, question), f"docs/integrating.md shows {shown}, the question is {question}")
+    for wrong in ({**question, "job": "1"}, {**question, "order": {}}):  # the check can fail
+        expect(not is_like(shown, wrong), f"{wrong} is like the block of the docs")
+
+
 def it_is_asked_and_its_words_are_shown(folder):
     planner = Planner()
     shop = Shop(folder, planner)
@@ -89,6 +104,7 @@ def it_is_asked_and_its_words_are_shown(folder):
     expect(client.must("POST", f"/jobs/{job}/arm", {}, role="operator")["state"] == "armed", "it allowed")
     question, row = planner.asked[0], client.job(job)
     expect((question["type"], question["job"], question["machine"], question["operator"]) == ("dripfeed.job.arming", job, "lathe", "the operator"), f"{question}")
+    it_is_as_the_docs_show(question)
     expect((question["sha256"], question["release"], question["delivery"]) == (row["sha256"], row["release"], "drip"), f"{question}")
     expect(question["program"] == {"id": shop.program, "name": "O0042", "revision": 1}, f"{question}")
     expect((question["order"]["number"], question["order"]["operation"], question["order"]["metadata"]) == ("4711", "20", {"plant": "A7"}), f"{question}")

@@ -33,7 +33,7 @@ def lists_follow_the_store(folder):
         expect(len({answer.body for answer in answers}) == 1, f"{path}: three answers")
         expect(len({answer.headers["ETag"] for answer in answers}) == 1, f"{path}: three tags")
         return answers[0]
-    expect(asked("/programs").document["items"] == [], "programs of nobody")
+    expect(asked("/programs").document["items"] == [], "programs of no one")
     for count in range(1, 6):
         made = client.add_program(10 + count, f"O004{count}")
         expect(len(asked("/programs").document["items"]) == count, "a new program is not in the list")
@@ -48,7 +48,7 @@ def lists_follow_the_store(folder):
 
 def the_list_of_machines_follows_lines(folder):
     control, client = HandControl(), Client(folder).start()
-    expect(client.get("/machines")["items"] == [], "machines of nobody")
+    expect(client.get("/machines")["items"] == [], "machines of no one")
     profile = hand_profile(control)
     client.post("/machines", profile)
 

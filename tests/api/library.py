@@ -129,7 +129,7 @@ def after_a_restart(client, macro, main):
     library.write_bytes(b"no library" * 1000)
     client.server.start()
     settled(client)
-    expect(found(client, "second") == [macro], "a damaged library is not made anew")
+    expect(found(client, "second") == [macro], "a damaged library is not rebuilt")
 
 
 def all_of_it(folder):

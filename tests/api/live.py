@@ -72,7 +72,7 @@ def events_are_numbered_and_resumed(folder):
     for known in range(4):
         again = Watch(client, last=numbers[known])
         client_sees = again.numbered(3 - known)
-        expect(client_sees == seen[known + 1:], f"resumed behind {known}: {client_sees}")
+        expect(client_sees == seen[known + 1:], f"resumed after {known}: {client_sees}")
         again.close()
     a_feed_is_seen(client, control, watch, jobs[0])
     for wrong in ("x", "-1", "1.5", "99999999999999999999"):
@@ -141,10 +141,10 @@ def watch_last(client):
 def reset_first(client, last):
     watch = Watch(client, last=last)
     first = watch.next()
-    expect(first["event"] == "reset" and first["data"] == {} and first["id"] > 0, f"behind {last} came {first}")
+    expect(first["event"] == "reset" and first["data"] == {} and first["id"] > 0, f"after {last} came {first}")
     job = client.queue(1)
     after = watch.numbered(1)[0]
-    expect(after["id"] == first["id"] + 1 and after["data"]["id"] == job, f"behind the reset {first['id']} came {after}")
+    expect(after["id"] == first["id"] + 1 and after["data"]["id"] == job, f"after the reset {first['id']} came {after}")
     watch.close()
 
 

@@ -64,8 +64,8 @@ def gouges(s):
     expect([one["line"] for one in found["findings"]] == [FAULT_LINE], f"the fault of line {FAULT_LINE}: {found['findings']}")
     expect(abs(found["findings"][0]["value"] - 2.5) < 1e-9, f"its depth: {found['findings']}")
     (s.folder / "faulty.nc").write_text(FAULTY)
-    told = s.by_command("gouge", s.folder / "faulty.nc", "--nominal", GOUGE / "pocket.family", "--machine", s.profiles["mill"], code=1)
-    expect(told == found, f"the command says {told}, the server {found}")
+    printed = s.by_command("gouge", s.folder / "faulty.nc", "--nominal", GOUGE / "pocket.family", "--machine", s.profiles["mill"], code=1)
+    expect(printed == found, f"the command says {printed}, the server {found}")
     s.svg("/gouge?plot=stock", order | {"program": faulty}, [f"line {FAULT_LINE}"])
     s.refuse(422, "POST", "/gouge?plot=feed", order, words=["stock"])
     s.refuse(400, "POST", "/gouge?picture=stock", order)
@@ -77,8 +77,8 @@ def checks_with_nominal(s, faulty):
     expect(verdict["verdict"] == "fail" and verdict["gouge"]["findings"][0]["line"] == FAULT_LINE, f"{verdict}")
     expect(any("pocket-with-slot, revision 1" in one for one in verdict["not_checked"]), "whose nominal it was is not kept")
     s.refuse(422, "POST", "/checks", faulty | {"nominal": {"family": "pocket-with-slot", "values": {"nothing": "1 mm"}}})
-    told = s.by_command("check", s.folder / "faulty.nc", "--nominal", GOUGE / "pocket.family", "--machine", s.profiles["mill"], code=1)
-    expect(told["files"][0]["gouge"] == verdict["gouge"], "the command finds something else than the server")
+    printed = s.by_command("check", s.folder / "faulty.nc", "--nominal", GOUGE / "pocket.family", "--machine", s.profiles["mill"], code=1)
+    expect(printed["files"][0]["gouge"] == verdict["gouge"], "the command finds something else than the server")
     answers = [s.call("POST", "/gouge?plot=stock", faulty, headers={"Idempotency-Key": "once"}) for _ in range(2)]
     expect(answers[0].body == answers[1].body and answers[1].headers["Content-Type"] == "image/svg+xml", "a repeated picture is another")
 
@@ -108,8 +108,8 @@ def accuracy_of_a_roll(s):
     order = {"program": roll, "machine": "lathe"}
     s.refuse(422, "POST", "/accuracy", order | {"nominal": {"family": "hyperbolic-roll"}}, words=["/nominal"])
     figures = s.post("/accuracy", order)
-    told = s.by_command("accuracy", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--mode", "explicit", "--name", "O0100", "--drip")
-    expect(figures == a_line_later(told), f"the command says {told}, the server {figures}")
+    printed = s.by_command("accuracy", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--mode", "explicit", "--name", "O0100", "--drip")
+    expect(figures == a_line_later(printed), f"the command says {printed}, the server {figures}")
     expect(0 < figures["max_mm"] <= figures["chord_bound_mm"] < 0.0005, f"{figures}")
     # Points of the hyperbola, all of them 0.02 mm along z and 0.05 mm along the radius from their places.
     rows = [(2 * (100 * math.sqrt(1 + (z / 202.4) ** 2) + 0.05), z + 0.02) for z in range(-90, 91, 10)]
@@ -144,9 +144,9 @@ def sweeps(s, timed):
         others += worker.is_alive()
     expect(answers[0].status == 200 and others > 0 and refused > 0, f"{others} other answers, {refused} refusals; {answers[0]}")
     report = answers[0].document
-    told = s.by_command("sweep", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--samples", SAMPLES, "--seed", 3, "--mode", "explicit",
+    printed = s.by_command("sweep", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--samples", SAMPLES, "--seed", 3, "--mode", "explicit",
                         *[word for name, value in FIXED.items() for word in ("--set", f"{name}={value}")])
-    expect(report == told, f"the command says {told}, the server {report}")
+    expect(report == printed, f"the command says {printed}, the server {report}")
     expect([one["name"] for one in report["parameters"]] == ["angle_step", "speed_rpm"], f"{report['parameters']}")
     bounded = [side for one in report["parameters"] for side in (one["low_bound"], one["high_bound"]) if side]
     expect(bounded and all(side["check"] and side["text"] for side in bounded), f"nothing bounds: {report}")

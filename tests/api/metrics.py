@@ -85,7 +85,7 @@ def a_line(folder):
     expect(second.value("dripfeed_line_holds_total", **of) == 1, "the second was not held")
     grown(before, armed, held, first, second)
     control.say(DC1)  # nothing is armed
-    wait_scrape(client, "a start that nobody armed", lambda seen: seen.value("dripfeed_line_unarmed_starts_total", **of) == 1)
+    wait_scrape(client, "a start that no one armed", lambda seen: seen.value("dripfeed_line_unarmed_starts_total", **of) == 1)
     control.close()
     control.cut()
     control.wait_called(1)
@@ -137,7 +137,7 @@ def the_server(folder):
     timed = sum(second.value("dripfeed_http_request_duration_seconds_count", **labels) for labels in second.labels("dripfeed_http_request_duration_seconds_count"))
     expect(all_of == timed, f"{all_of} requests, {timed} durations")
     for turn in ("ledger", "others"):
-        expect(second.value("dripfeed_store_waiting_writes", turn=turn) == 0, "nobody waits")
+        expect(second.value("dripfeed_store_waiting_writes", turn=turn) == 0, "no one waits")
     expect(second.value("dripfeed_store_write_seconds_count", turn="others") > first.value("dripfeed_store_write_seconds_count", turn="others"), "the program was written")
     process = pathlib.Path(f"/proc/{client.server.process.pid}")
     resident = int((process / "statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")

@@ -140,11 +140,11 @@ def a_broker_that_is_away(folder):
     subscriber = Subscriber(broker.start())
     client.server.process.send_signal(signal.SIGCONT)
     wanted = ["program.added", "release.draft", "release.in_review", "release.proving", "job.queued", "job.armed", "job.feeding", "job.done"]
-    told = lambda: [one["type"] for one in subscriber.events() if not one["type"].startswith("line.")]  # noqa: E731
+    reported = lambda: [one["type"] for one in subscriber.events() if not one["type"].startswith("line.")]  # noqa: E731
     try:
-        shop.wait_for("what happened meanwhile", lambda: told() == wanted, 40)
+        shop.wait_for("what happened meanwhile", lambda: reported() == wanted, 40)
     except TimeoutError as late:
-        raise AssertionError(f"{late}: {told()} {(client.server.data / 'server.log').read_text()[-1500:]}") from None
+        raise AssertionError(f"{late}: {reported()} {(client.server.data / 'server.log').read_text()[-1500:]}") from None
     shop.wait_for("the state", lambda: subscriber.last("lathe/state"))
     subscriber.end()
     time.sleep(2)  # the server notes what was confirmed
@@ -154,7 +154,7 @@ def a_broker_that_is_away(folder):
     subscriber = Subscriber(broker.start())
     client.server.start()
     shop.wait_for("an event from before the kill", lambda: [one for one in subscriber.events() if one["data"].get("program") == second], 40)
-    shop.wait_for("the state anew", lambda: subscriber.last("lathe/state"), 5)
+    shop.wait_for("the state again", lambda: subscriber.last("lathe/state"), 5)
     expect(not [one for one in subscriber.events() if one["data"].get("job") == job and one["type"].startswith("job.")], "what the broker had confirmed came again")
     client.server.stop()
     subscriber.end()
@@ -172,7 +172,7 @@ def encrypted(folder):
     given[1] = f"mqtts://127.0.0.1:{broker.port}"
     client = Client(folder, *given).start()
     time.sleep(2)
-    expect(not subscriber.all(), "a broker that nobody vouches for was believed")
+    expect(not subscriber.all(), "a broker that no one vouches for was believed")
     client.server.stop()
     client = Client(folder, *given, "--mqtt-ca", str(certificate[0])).start()
     shop.wait_for("the connection", lambda: subscriber.last("dripfeed/connection") == "online")

@@ -128,12 +128,12 @@ def resolves(document, reference):
 
 def differences(rights, document):
     """Between {(method, path): role} and what the document says; a role of None is every caller's."""
-    told = {}
+    described = {}
     for path, item in document["paths"].items():
         for method, operation in item.items():
-            told[method.upper(), path] = None if operation.get("security") == [] else operation.get("x-role")
-    found = [f"{method} {path} is described and has no row" for method, path in told.keys() - rights.keys()]
-    found += [f"{method} {path} has a row and is not described" for method, path in rights.keys() - told.keys()]
-    found += [f"{method} {path} is said to need {told[method, path]}, not {role}"
-              for (method, path), role in rights.items() if (method, path) in told and told[method, path] != role]
+            described[method.upper(), path] = None if operation.get("security") == [] else operation.get("x-role")
+    found = [f"{method} {path} is described and has no row" for method, path in described.keys() - rights.keys()]
+    found += [f"{method} {path} has a row and is not described" for method, path in rights.keys() - described.keys()]
+    found += [f"{method} {path} is said to need {described[method, path]}, not {role}"
+              for (method, path), role in rights.items() if (method, path) in described and described[method, path] != role]
     return sorted(found)

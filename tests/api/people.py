@@ -180,7 +180,7 @@ def scopes_and_ends(folder):
     client.server.stop()
 
 
-def nobody_locks_the_shop_out(folder):
+def no_one_locks_the_shop_out(folder):
     client = Client(folder).start()
     command(client, "user", "add", "anna", "--role", "admin")
     command(client, "user", "password", "anna", secret=GOOD + "\n")
@@ -234,6 +234,6 @@ def audit(folder):
 
 
 if __name__ == "__main__":
-    for test in (secrets_and_sessions, locks, a_flood_of_sign_ins, roles_by_groups, scopes_and_ends, nobody_locks_the_shop_out, audit):
+    for test in (secrets_and_sessions, locks, a_flood_of_sign_ins, roles_by_groups, scopes_and_ends, no_one_locks_the_shop_out, audit):
         in_folder(test)
     sys.exit(0)

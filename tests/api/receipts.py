@@ -199,7 +199,7 @@ def a_drip_feed_is_armed_by_a_person(folder):
     expect(bench.client.job(noted["job"])["state"] == "queued", "a request armed a drip-feed")
     had = len(bench.control.text())
     bench.control.say(DC1)
-    expect(len(bench.control.wait_quiet()) == had, "something went out that nobody armed")
+    expect(len(bench.control.wait_quiet()) == had, "something went out that no one armed")
     bench.end()
 
 

@@ -8,7 +8,7 @@ from client import Client, HandControl, expect, hand_profile, in_folder, plain_p
 STATES = ["draft", "in_review", "proving", "approved", "obsolete"]
 ALLOWED = {("draft", "in_review"), ("draft", "obsolete"), ("in_review", "draft"), ("in_review", "proving"), ("in_review", "obsolete"), ("proving", "in_review"),
            ("proving", "approved"), ("proving", "obsolete"), ("approved", "obsolete")}
-WAY = {"draft": [], "in_review": ["in_review"], "proving": ["in_review", "proving"], "approved": ["in_review", "proving", "approved"], "obsolete": ["obsolete"]}
+STEPS_TO = {"draft": [], "in_review": ["in_review"], "proving": ["in_review", "proving"], "approved": ["in_review", "proving", "approved"], "obsolete": ["obsolete"]}
 FED = {"proving", "approved"}
 
 
@@ -27,7 +27,7 @@ class Texts:
         program = self.client.add_program(self.count + 2, f"O{self.count:04}")["id"]
         self.client.check(program)
         release = self.client.post("/releases", {"program": program, "machine": "lathe"})["id"]
-        for step in WAY[state]:
+        for step in STEPS_TO[state]:
             self.client.post(f"/releases/{release}/transitions", move(step))
         return release
 

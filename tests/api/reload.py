@@ -61,7 +61,7 @@ def what_is_taken_over(folder):
     client = served.client
     served.reload("no option has changed")
 
-    expect("Secure" not in session_cookie(client), "a proxy that nobody has named is believed")
+    expect("Secure" not in session_cookie(client), "a proxy that no one has named is believed")
     served.write(proxy=["127.0.0.1"])
     said = served.reload("proxy as the options state now")
     expect("next start" not in said, said)

@@ -50,7 +50,7 @@ def completion(folder):
         expect(complete(script, *path, "--") == options_of(path), f"{path}: {complete(script, *path, '--') ^ options_of(path)}")
     expect(complete(script, "ser") == {"serve"} and complete(script, "token", "re") == {"revoke"}, "a begun word")
     expect(complete(script, "check", "pa") == {"part.nc"}, "a file")
-    expect(complete(script, "serve", "--insecure", "--conf") == {"--config", "--config-schema"}, "behind a flag")
+    expect(complete(script, "serve", "--insecure", "--conf") == {"--config", "--config-schema"}, "after a flag")
     expect(complete(script, "serve", "--config", "pa") == {"part.nc"}, "the value of an option")
     expect("worker" not in complete(script, ""), "worker is for the program itself")
 

@@ -88,7 +88,7 @@ class Stops:
 
 
 def eight_at_once(folder):
-    """480 MB on their way: the heap has none of it but what is answered now, and a stop does not wait for the disk."""
+    """480 MB in transit: the heap has none of it but what is answered now, and a stop does not wait for the disk."""
     client = Client(folder).start()
     bodies = [program(f"LONG{n}") for n in range(8)]
     before = most_memory_mb(client)

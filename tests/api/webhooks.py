@@ -83,7 +83,7 @@ def a_plan_and_the_confirmation_of_an_end_come(folder):
     control.close()
 
 
-def a_job_is_told_from_its_text_to_its_end(folder):
+def a_job_is_reported_from_its_text_to_its_end(folder):
     client, control = bench(folder, "--event-source", "https://dnc.shop/a")
     receiver, jobs_only = Receiver(), Receiver()
     hook = add(client, receiver.url, description="the MES")
@@ -224,9 +224,9 @@ def nothing_is_lost_when_the_server_is_killed(folder):
             made.append(client.post("/programs", {"name": f"O{1000 + len(made)}", "dialect": "fanuc", "text": "%\nO1\nM30\n%\n"})["id"])
         client.server.kill()
         client.server.start()
-    told = lambda: {one.document["data"]["program"] for one in receiver.all("program.added")}  # noqa: E731
-    wait("each program", lambda: told() >= set(made))
-    expect(told() == set(made) | {1}, f"{told()}")
+    reported = lambda: {one.document["data"]["program"] for one in receiver.all("program.added")}  # noqa: E731
+    wait("each program", lambda: reported() >= set(made))
+    expect(reported() == set(made) | {1}, f"{reported()}")
     client.server.stop()
     control.close()
 
@@ -306,7 +306,7 @@ def a_secret_is_in_no_log(folder):
 
 
 if __name__ == "__main__":
-    for test in (a_job_is_told_from_its_text_to_its_end, a_plan_and_the_confirmation_of_an_end_come, receivers_that_fail, nothing_is_lost_when_the_server_is_killed, only_where_it_was_meant, a_secret_is_in_no_log):
+    for test in (a_job_is_reported_from_its_text_to_its_end, a_plan_and_the_confirmation_of_an_end_come, receivers_that_fail, nothing_is_lost_when_the_server_is_killed, only_where_it_was_meant, a_secret_is_in_no_log):
         begun = time.monotonic()
         in_folder(test)
         print(f"{test.__name__}: {time.monotonic() - begun:.1f} s")

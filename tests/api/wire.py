@@ -119,7 +119,7 @@ def a_control_gets_nothing_that_it_runs(folder):
     client.server.stop()
 
 
-def no_test_beside_anything_else(folder):
+def no_test_during_anything_else(folder):
     control = HandControl()
     client = bench(folder, control)
     release = client.release(client.add_program(600)["id"])["id"]
@@ -165,6 +165,6 @@ def nothing_is_armed_meanwhile(folder):
 
 if __name__ == "__main__":
     for test in (the_wire_shows_what_passes, parity_is_seen, a_bridged_line_is_measured, a_control_gets_nothing_that_it_runs,
-                 no_test_beside_anything_else, nothing_is_armed_meanwhile):
+                 no_test_during_anything_else, nothing_is_armed_meanwhile):
         in_folder(test)
     sys.exit(0)

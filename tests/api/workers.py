@@ -155,7 +155,7 @@ def work_of_people(s):
 def work_is_seen_and_cancelled(folder):
     s = Shop(folder)
     endless = s.program(ENDLESS, "O7001")
-    expect(work_of_people(s) == [], "work of nobody")
+    expect(work_of_people(s) == [], "work of no one")
     places = max(2, os.cpu_count() - 1)
     asked = [s.check_in_background(endless, "programmer") for _ in range(places + 2)]
 

@@ -64,12 +64,12 @@ def run(folder):
     threads = [threading.Thread(target=ask, args=(n,), daemon=True) for n in range(ASKERS)]
     for thread in threads:
         thread.start()
-    beside, beside_rate = measured(control, SECONDS)
+    loaded, loaded_rate = measured(control, SECONDS)
     stop.set()
     for thread in threads:
         thread.join(60)
     print(f"alone: {alone_rate:.0f} characters/s, {figures(alone)}")
-    print(f"beside {ASKERS} askers: {beside_rate:.0f} characters/s, {figures(beside)}")
+    print(f"beside {ASKERS} askers: {loaded_rate:.0f} characters/s, {figures(loaded)}")
     print(f"answered meanwhile: {', '.join(f'{path} {status}: {count}' for (path, status), count in sorted(answers.items()))}")
     client.end()
 

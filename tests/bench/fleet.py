@@ -124,8 +124,8 @@ def run(given, folder):
     shop.wait_for("all lines to be on", lambda: all(server.status(n)["line"] in ("feeding", "held") for n in names), 120, 1)
     until = time.monotonic() + given.seconds
     checked = []
-    beside = load(server, folder, until, checked) if given.load else []
-    for thread in beside:
+    loaders = load(server, folder, until, checked) if given.load else []
+    for thread in loaders:
         thread.start()
     begin, wall = (processor_s(server.process.pid), processor_s(fleet.pid)), time.monotonic()
     most_mib, stood = 0.0, collections.Counter()

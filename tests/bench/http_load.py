@@ -38,8 +38,8 @@ def bearer(client, role):
 def rate(name, url, token, process):
     """Requests a second, which others on this machine slow down, and the time of a core for each, which they hardly do."""
     before = cpu_s(process)
-    told = subprocess.run(["wrk", "-t1", "-c16", "-d4", url, "-H", f"Authorization: Bearer {token}"], capture_output=True, text=True, check=True).stdout
-    count, second = int(re.search(r"(\d+) requests in", told)[1]), float(re.search(r"Requests/sec:\s+([\d.]+)", told)[1])
+    printed = subprocess.run(["wrk", "-t1", "-c16", "-d4", url, "-H", f"Authorization: Bearer {token}"], capture_output=True, text=True, check=True).stdout
+    count, second = int(re.search(r"(\d+) requests in", printed)[1]), float(re.search(r"Requests/sec:\s+([\d.]+)", printed)[1])
     print(f"{name}: {second:.0f} a second, {1e6 * (cpu_s(process) - before) / count:.1f} us of a core each")
 
 
@@ -75,7 +75,7 @@ def texts(client, program):
 
 
 def feed(client, control, name):
-    """A long program on its way to the control."""
+    """A long program that is being sent to the control."""
     job = client.queue(client.release(client.add_program(6000, name)["id"])["id"])
     client.wait_line("lathe", "idle")
     client.post(f"/jobs/{job}/arm")

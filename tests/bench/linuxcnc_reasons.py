@@ -36,5 +36,5 @@ REASONS = {
     "g84/g19/g98": (DEFECT, "in G19 a tap along X goes along Y and changes the two others"),
     "g84/g19/g99": (DEFECT, "in G19 a tap along X goes along Y and changes the two others"),
     "nested-sub-in-file-error": (CONTROL, "a subprogram of a file calls another of it: refused there, run here"),
-    "oword-unwind": (CONTROL, "it goes on with the next line behind an error, as by hand"),
+    "oword-unwind": (CONTROL, "it goes on with the next line after an error, as by hand"),
 }

@@ -42,11 +42,11 @@ def tests_of(folder):
     for script in sorted(folder.rglob("test.sh")):
         name = str(script.parent.relative_to(folder))
         text = re.sub(r"^\s*#.*$", "", script.read_text(), flags=re.M)
-        beside = "".join(ini.read_text() for ini in script.parent.glob("*.ini") if "python" in ini.read_text().lower())
+        settings = "".join(ini.read_text() for ini in script.parent.glob("*.ini") if "python" in ini.read_text().lower())
         folders = [ini for ini in script.parent.glob("*.ini") if re.fullmatch(r"\s*\[RS274NGC\]\s*SUBROUTINE_PATH\s*=.*\s*", ini.read_text())]
         if folders:
             text = text.replace(f"-i {folders[0].name}", "")
-        needs = next((why for pattern, why in OUTSIDE if re.search(pattern, text + beside)), None)
+        needs = next((why for pattern, why in OUTSIDE if re.search(pattern, text + settings)), None)
         programs = [script.parent / found for found in re.findall(r"rs274[^\n|>]*?([\w.-]+\.ngc)", text)]
         for program in sorted(script.parent.glob("test-*legal-*.ngc")):
             tests.append(Test(f"{name}/{program.name}", [program], None, "-illegal-" in program.name, False))

@@ -34,23 +34,23 @@ class Counting(own_control.TcpControl):
         self.line_at = 0.0
         self.stopped_at = None
         self.after = []
-        self.behind = 0
+        self.late = 0
 
     def took(self, data, at):
         super().took(data, at)
         for _ in data:
             self.line_at = max(at, self.line_at + self.char_s)
             if self.stopped_at and self.line_at > self.stopped_at:
-                self.behind += 1
+                self.late += 1
 
     def stop(self):
         with self.loop.lock:
             self.hold()
-            self.stopped_at, self.behind = time.time(), 0
+            self.stopped_at, self.late = time.time(), 0
 
     def go(self):
         with self.loop.lock:
-            self.after.append(self.behind)
+            self.after.append(self.late)
             self.stopped_at = None
             self.start()
 

@@ -166,8 +166,8 @@ class OWordProgram:
     def leave(self, scope, _):
         o = self.o()
         self.put(f"{o} if {self.condition(scope)}")
-        loop, ways = self.loops[-1]
-        self.put(f"{loop} {self.pick(ways)}")
+        loop, branches = self.loops[-1]
+        self.put(f"{loop} {self.pick(branches)}")
         self.put(f"{o} endif")
 
     def subprogram(self):

@@ -213,12 +213,12 @@ class Pipeline final : public ir::MotionSink {
   timing::PieceArrays shape(const Batch& batch, const std::vector<ir::Motion>& led,
                             std::vector<timing::PathShape>& shapes) const {
     const std::uint64_t first = batch.motions[batch.lead].place.ordinal;
-    const std::uint64_t behind = batch.is_last ? UINT64_MAX : batch.motions.back().place.ordinal;
+    const std::uint64_t end = batch.is_last ? UINT64_MAX : batch.motions.back().place.ordinal;
     timing::PieceArrays part;
     shapes.assign(1, {});
     for (const ir::Motion& motion : led) {
       const timing::PathShape shape = timing::shape_of(motion, false);
-      if (!(shape.length > 0.0) || motion.place.ordinal >= behind) continue;
+      if (!(shape.length > 0.0) || motion.place.ordinal >= end) continue;
       if (motion.place.ordinal < first) {
         shapes.front() = shape;
         continue;

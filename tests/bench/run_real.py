@@ -44,7 +44,7 @@ def call_folders(repository, links):
 
 def kind_of(report):
     text = (report["alarm"] or {}).get("text", "")
-    if report["ended"] == "limit" and "has no way out" in text:
+    if report["ended"] == "limit" and "has no exit" in text:
         return "endless"
     if report["ended"] != "alarm":
         return str(report["ended"])

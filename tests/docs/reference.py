@@ -100,7 +100,7 @@ def main(arguments):
             print(f'{path.name}: written')
         else:
             old += 1
-            print(f'{path.name}: not current; UPDATE_DOCS=1 writes it anew')
+            print(f'{path.name}: not current; UPDATE_DOCS=1 writes it again')
     return 1 if old else 0
 
 

@@ -69,11 +69,11 @@ def boxes_of(machine, grid):
     return boxes
 
 
-def arrow(boxes, source, target, is_two_way, tip):
+def arrow(boxes, source, target, has_reverse, tip):
     a, b = boxes[source], boxes[target]
     dx, dy = b.middle[0] - a.middle[0], b.middle[1] - a.middle[1]
     length = (dx * dx + dy * dy) ** 0.5
-    aside = APART if is_two_way else 0
+    aside = APART if has_reverse else 0
     shift = (-dy / length * aside, dx / length * aside)
     start, end = a.edge_towards(b.middle), b.edge_towards(a.middle)
     start, end = (start[0] + shift[0], start[1] + shift[1]), (end[0] + shift[0], end[1] + shift[1])

@@ -106,7 +106,7 @@ def main(arguments):
             path.write_text(wanted, encoding='utf-8')
             print(f'{name}: written')
         else:
-            faults.append(f'{name}: older than its table; UPDATE_DOCS=1 writes it anew')
+            faults.append(f'{name}: older than its table; UPDATE_DOCS=1 writes it again')
     pages.finish('states', faults)
 
 

@@ -36,13 +36,13 @@ def definition_files(folder):
     expect(errors.count("the name GAUGE is not defined") == 1, errors)
     expect("verdict unknown" in errors, errors)
 
-    beside = folder / "beside"
-    write(beside / "part.mpf", PROGRAM)
-    write(beside / "Mgud.Def", DATA)
-    write(beside / "UMAC.DEF", MACROS)
-    write(beside / "_N_HELPER_SPF", HELPER)
-    expect_known("beside the program", beside / "part.mpf")
-    expect_known("by --path", alone, "--path", beside)
+    nearby = folder / "nearby"
+    write(nearby / "part.mpf", PROGRAM)
+    write(nearby / "Mgud.Def", DATA)
+    write(nearby / "UMAC.DEF", MACROS)
+    write(nearby / "_N_HELPER_SPF", HELPER)
+    expect_known("next to the program", nearby / "part.mpf")
+    expect_known("by --path", alone, "--path", nearby)
 
     control = folder / "control"
     write(control / "WKS.DIR" / "PART.WPD" / "PART.MPF", PROGRAM)

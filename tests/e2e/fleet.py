@@ -75,7 +75,7 @@ def a_cable_that_was_out_resumes_nothing(folder):
     expect(host.returncode == 3 and "link_lost" in err, f"send: {host.returncode} {err}")
     shop.wait_for("the cable", lambda: os.path.exists(f"{folder}/line"), 10)
     report = control.stop()
-    expect(report["bytes"] == 300, f"{report['bytes']} arrived: something was sent behind the break")
+    expect(report["bytes"] == 300, f"{report['bytes']} arrived: something was sent after the break")
 
 
 def the_operator_waits_for_a_program_that_is_held(folder):

@@ -83,7 +83,7 @@ def feeds_go_on(folder):
         alarms = server.get("/alarms?state=open&machine=lathe")["items"]
         print(f"flood {sent / WINDOWS / SECONDS / 1e6:.2f} MB/s taken; worst delay of each window {', '.join(f'{ms:.1f}' for ms in worst_ms)} ms; characters {min(counts)} to {max(counts)}")
         expect(min(worst_ms) < LONGEST_MS, f"in every window a feed waited for a line that floods: {worst_ms} ms")
-        expect("floods the line" in named.get("link_note", ""), f"nobody names the line that floods: {named}")
+        expect("floods the line" in named.get("link_note", ""), f"no one names the line that floods: {named}")
         expect(named["link_note_id"] == "line_flooded" and [one["kind"] for one in alarms] == ["line_flooded"], f"the flood is no alarm, or not the only one: {named} {alarms}")
         expect(alarms[0]["cleared_at_ms"] is None and alarms[0]["count"] == 1, f"a flood that lasts is one alarm that lasts: {alarms}")
     finally:

@@ -59,8 +59,8 @@ def nothing_waits_for_it(folder):
         expect(slowest < AT_MOST_MS, f"/healthz took {slowest:.0f} ms while a folder hung")
         expect(max(control.delays) * 1000 < AT_MOST_MS, f"the feed waited {max(control.delays) * 1000:.0f} ms")
         expect(control.count() > 300 + 2.5 * BAUD / BITS, f"only {control.count()} characters came")
-        told = server.status("fetches")
-        expect("does not answer" in json.dumps(told), f"nobody says that the folder hangs: {told}")
+        reported = server.status("fetches")
+        expect("does not answer" in json.dumps(reported), f"no one says that the folder hangs: {reported}")
 
         share.thaw()
         done = server.wait_job(drop, "done", "failed", "queued")

@@ -30,7 +30,7 @@ def cut(folder, url):
     control = rig.control("--speed", "1000")
     waiting = server.wait_line("lathe", "torn")
     expect(verify(server.data)["torn_machines"] == 1, "the torn machine is not counted")
-    expect(waiting["needs_confirmation"] is not None, "nobody is asked to confirm")
+    expect(waiting["needs_confirmation"] is not None, "no one is asked to confirm")
     other = server.post("/jobs", {"release": rig.release["id"]})["id"]
     try:
         server.post(f"/jobs/{other}/arm", {})
@@ -57,7 +57,7 @@ def tcp_is_reset(folder):
     cut(folder, f"tcp://127.0.0.1:{shop.free_port()}")
 
 
-def a_dead_controls_link_leads_to_nobody(folder):
+def a_dead_controls_link_leads_to_no_control(folder):
     """kill -9 of a simulated control leaves its link, and the system gives the number of its pseudo-terminal to the next one that asks."""
     rig = Rig(folder, f"pty:{folder}/lathe.tty", blocks=10)
     control = rig.control()
@@ -84,7 +84,7 @@ def a_dead_controls_link_leads_to_nobody(folder):
 
 
 if __name__ == "__main__":
-    in_folder(a_dead_controls_link_leads_to_nobody)
+    in_folder(a_dead_controls_link_leads_to_no_control)
     in_folder(pty_is_closed)
     in_folder(tcp_is_reset)
     sys.exit(0)

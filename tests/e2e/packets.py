@@ -52,8 +52,8 @@ def lrzsz_receives_what_we_send(folder):
             sent = send(path, f"pty:{link}?protocol={protocol}&{SPEED}")
             expect(sent.returncode == 0, f"{protocol} to {command}: {sent.stderr}")
         expect_text(path, target.read_bytes(), f"{protocol} to {command}")
-        told = json.loads(sent.stdout)
-        expect(told["confirmed"] == told["bytes"] == path.stat().st_size, f"{protocol}: {told}")
+        reported = json.loads(sent.stdout)
+        expect(reported["confirmed"] == reported["bytes"] == path.stat().st_size, f"{protocol}: {reported}")
         target.unlink()
 
 
@@ -68,8 +68,8 @@ def lrzsz_takes_a_batch(folder):
     files = list(received.iterdir())
     expect([file.name.upper() for file in files] == ["O0042.NC"], f"rb made {files}")
     expect(files[0].read_bytes() == path.read_bytes(), "rb has another text, or not its length")
-    told = json.loads(sent.stdout)
-    expect(told["confirmed"] == told["bytes"] == path.stat().st_size, f"ymodem: {told}")
+    reported = json.loads(sent.stdout)
+    expect(reported["confirmed"] == reported["bytes"] == path.stat().st_size, f"ymodem: {reported}")
 
 
 def receive(link, output, *arguments):
@@ -114,7 +114,7 @@ def what_breaks_is_kept_apart(folder):
     expect("a second file" in done.stderr, f"{done}")
 
 
-def two_signals_end_a_transfer_that_nobody_answers(folder):
+def two_signals_end_a_transfer_that_is_not_answered(folder):
     """The receiver asks, takes a packet and says nothing more: the first signal waits for a block's end, the second ends the job by name and ends
     the receiver by CAN CAN."""
     path = program(folder)
@@ -125,20 +125,20 @@ def two_signals_end_a_transfer_that_nobody_answers(folder):
         command = [binary(), "send", path, "--unreleased", "--json", "--ledger", folder / "ledger", "--link", f"pty:{ours}?protocol=xmodem&{SPEED}"]
         with open(folder / "said", "wb") as said, open(theirs, "r+b", buffering=0) as far:
             sender = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=said, text=True)
-            told = lambda words: words in (folder / "said").read_bytes()  # noqa: E731
-            shop.wait_for("the arming", lambda: told(b"waiting for the receiver's start"))
+            reported = lambda words: words in (folder / "said").read_bytes()  # noqa: E731
+            shop.wait_for("the arming", lambda: reported(b"waiting for the receiver's start"))
             far.write(b"\x15")
             came = b""
             while len(came) < 132:
                 came += far.read(132 - len(came))
-            shop.wait_for("the stall's name", lambda: told(b"waiting for ACK"))
+            shop.wait_for("the stall's name", lambda: reported(b"waiting for ACK"))
             sender.send_signal(signal.SIGINT)
-            shop.wait_for("the first signal's answer", lambda: told(b"stopping at the end of the block"))
+            shop.wait_for("the first signal's answer", lambda: reported(b"stopping at the end of the block"))
             expect(sender.poll() is None, "the first signal ended it inside a block")
             sender.send_signal(signal.SIGINT)
             out, _ = sender.communicate(timeout=20)
-            expect(far.read(8) == b"\x18" * 8, "the receiver was not told")
-        expect(sender.returncode == 3 and told(b"person: the control may have between byte 0 and 128"), f"{(folder / 'said').read_bytes()} {out}")
+            expect(far.read(8) == b"\x18" * 8, "the receiver was not cancelled")
+        expect(sender.returncode == 3 and reported(b"person: the control may have between byte 0 and 128"), f"{(folder / 'said').read_bytes()} {out}")
     finally:
         socat.kill()
         socat.wait()
@@ -191,9 +191,9 @@ def simulated_controls_read_in_packets(folder):
         sent = send(path, f"pty:{link}?{options}")
         report = control.finish()
         expect(sent.returncode == 0, f"{protocol}: {sent.stderr} {report}")
-        told = json.loads(sent.stdout)
-        expect(told["text_sha256"] == report["text_sha256"], f"{protocol}: another text arrived: {told} {report}")
-        expect(told["confirmed"] == told["bytes"], f"{protocol}: {told}")
+        reported = json.loads(sent.stdout)
+        expect(reported["text_sha256"] == report["text_sha256"], f"{protocol}: another text arrived: {reported} {report}")
+        expect(reported["confirmed"] == reported["bytes"], f"{protocol}: {reported}")
         expect(not report["alarm"] and report["holds"] > 0, f"{protocol}: {report}")
 
 
@@ -207,6 +207,6 @@ def what_cannot_be_is_refused(folder):
 if __name__ == "__main__":
     expect(shutil.which("rx") and shutil.which("socat"), "lrzsz or socat is not installed: deploy/install test")
     for test in [what_cannot_be_is_refused, lrzsz_receives_what_we_send, lrzsz_takes_a_batch, lrzsz_punches_and_we_receive, simulated_controls_punch_in_packets,
-                 what_breaks_is_kept_apart, two_signals_end_a_transfer_that_nobody_answers, a_server_feeds_a_batch,
+                 what_breaks_is_kept_apart, two_signals_end_a_transfer_that_is_not_answered, a_server_feeds_a_batch,
                  we_receive_what_lrzsz_sends, simulated_controls_read_in_packets]:
         in_folder(test)

@@ -101,9 +101,9 @@ def restarts(rig, port, asked):
     verify(rig.server.data)
     poke(port, BELL, CALL, 0, 0, 5)
     rig.server.start()
-    expect(answer_to(port, 5)[:2] == (REFUSED, 6), "a ring that nobody saw come is not missed")
+    expect(answer_to(port, 5)[:2] == (REFUSED, 6), "a ring that no one saw come is not missed")
     expect(requests(rig) == asked, f"acted on: {requests(rig)}")
-    shop.wait_for("the missed ring to be told", lambda: "doorbell 5 was missed" in (rig.server.status("lathe")["link_note"] or ""))
+    shop.wait_for("the missed ring to be reported", lambda: "doorbell 5 was missed" in (rig.server.status("lathe")["link_note"] or ""))
     expect(ring(port, 6, CALL)[:2] == (ANSWERED, 0), "the next ring does not count")
 
 

@@ -35,11 +35,11 @@ def a_server_receives(folder):
     punch(rig, "%\nO0078\nG0X1")
     torn = receipts(rig, 2)[0]
     expect(torn["state"] == "quarantined" and torn["reason"], f"{torn}")
-    for words, told in [("DIR", "(O0042 DNC)"), ("LOAD 4711", "(NOT FOUND 4711)")]:
+    for words, answered in [("DIR", "(O0042 DNC)"), ("LOAD 4711", "(NOT FOUND 4711)")]:
         record = rig.folder / "answer.nc"
         report = punch(rig, f"%\nO9999({words})\n%\n", "--then-read", "--record", str(record))
         answer = bytes(byte & 0x7F for byte in record.read_bytes()).decode()
-        expect(not report["alarm"] and told in answer, f"{report} {answer!r}")
+        expect(not report["alarm"] and answered in answer, f"{report} {answer!r}")
     load(rig)
     rig.server.stop()
 

@@ -81,14 +81,14 @@ def a_person_reads_a_program(folder):
         said = open(folder / "said", "wb")
         command = [binary(), "send", path, "--unreleased", "--json", "--ledger", folder / "ledger", "--link", f"pty:{ours}?{LINE}"]
         sender = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=said)
-        told = lambda words: words in (folder / "said").read_bytes()  # noqa: E731
-        shop.wait_for("the arming", lambda: told(b"waiting for DC1"))
+        reported = lambda words: words in (folder / "said").read_bytes()  # noqa: E731
+        shop.wait_for("the arming", lambda: reported(b"waiting for DC1"))
         expect(terminal.logged() == b"", f"something came before it was asked for: {terminal.logged()}")
         terminal.type(DC1)
         shop.wait_for("the first characters", lambda: len(terminal.logged()) > 300)
         terminal.type(DC3)
         held = stands_still(terminal)
-        expect(told(b"held by DC3"), f"held, and not said so: {(folder / 'said').read_bytes()}")
+        expect(reported(b"held by DC3"), f"held, and not said so: {(folder / 'said').read_bytes()}")
         expect(held < path.stat().st_size and sender.poll() is None, "the hold came too late to test anything")
         terminal.type(DC1)
         shop.wait_for("the end of the text", lambda: terminal.logged().rstrip(b"\r\n\0").endswith(b"M30\n%"))

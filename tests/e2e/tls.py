@@ -164,7 +164,7 @@ def documented_block(folder, port, server):
     return block, certificate
 
 
-def behind_nginx(folder):
+def through_nginx(folder):
     expect(pathlib.Path(NGINX).exists(), "nginx is missing: ./deploy/install test installs it")
     server = Serving(folder, "--proxy", "127.0.0.1")
     documented, plain = free_port(), free_port()
@@ -235,6 +235,6 @@ def forwarded_by_a_stranger(folder):
 
 
 if __name__ == "__main__":
-    for test in (own_tls, what_is_refused, behind_nginx):
+    for test in (own_tls, what_is_refused, through_nginx):
         in_folder(test)
     sys.exit(0)

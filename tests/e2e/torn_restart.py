@@ -126,7 +126,7 @@ def killed_inside_an_answer(folder):
     rig.server.kill()
     rig.server.start()
     waits = rig.server.get("/machines/lathe")["status"]["needs_confirmation"]
-    expect(waits and waits["job"] is None and "answer" in waits["text"], f"nobody is asked to confirm: {waits}")
+    expect(waits and waits["job"] is None and "answer" in waits["text"], f"no one is asked to confirm: {waits}")
     nothing_goes_out(control, rig.server, "an answer")
     verify(rig.server.data)
     rig.server.stop()

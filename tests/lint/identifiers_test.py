@@ -12,6 +12,18 @@ class Identifiers(bad_tree.BadTree):
                 self.write('dialects/text/number.h', f'// A number.\n\nint {name} = 0;\n')
                 self.assert_refused(identifiers.faults, f'dialects/text/number.h:3: {name}: the word "{word}"')
 
+    def test_words_of_python(self):
+        for word in identifiers.PYTHON:
+            self.write('tests/api/a.py', f'# What it is.\n\ndef is_{word}_by_table():\n    pass\n')
+            self.assert_refused(identifiers.faults, f'tests/api/a.py:3: is_{word}_by_table: the word "{word}"')
+
+    def test_idioms(self):
+        self.write('protocol/packet/state.h', '// States.\nint give_way = 0;\nbool gives_way = false;\nint away = 0, always = 1, midway = 2;\n')
+        self.write('tests/api/a.py', "# On its way.\nalways = 'a way'\n")
+        self.assert_clean(identifiers.faults)
+        self.write('protocol/packet/state.h', '// States.\nint gives_way_to = 0;\n')
+        self.assert_refused(identifiers.faults, 'state.h:2: gives_way_to')
+
     def test_other_words(self):
         self.write('dialects/text/number.h', '// It is told beside.\nint besides = 0;\nauto text = "nobody said";\nint intellect = 0;\n')
         self.write('web/src/said.ts', 'const said = 0;\n')

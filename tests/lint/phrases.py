@@ -1,5 +1,6 @@
 # Phrases that must not return to what people read: README, docs, the page's English, the messages of the program (its string
-# literals), and all comments: C++, Python with its docstrings, and TypeScript. docs/style.md has what to write instead.
+# literals), and all comments: C++, Python with its docstrings, TypeScript, the names of dialogs and what goldens show. docs/style.md has
+# what to write instead.
 import io
 import json
 import re
@@ -10,25 +11,26 @@ import tree
 
 # Everywhere. What stands for two things, or for none, in the English of the trade.
 EVERYWHERE = (
-    r'on (?:all|both) ways', r'(?:is|are|was|were) (?:told|said)', r'figures? of holes', r'does not go', r'nobody', r'somebody', r'anybody',
-    r'anew', r'wak(?:es?|ing) up', r'places? of the machine', r'the length of the tool', r'(?:no|two|another|each|some|any) ways?', r'way out',
-    r'way back', r'by the way', r'in (?:its|their) own way',
+    r'ways?', r'(?:is|are|was|were) (?:told|said)', r'figures? of holes', r'does not go', r'nobody', r'somebody', r'anybody',
+    r'anew', r'wak(?:es?|ing) up', r'places? of the machine', r'the length of the tool',
 )
 # In messages also words that docs use for places: a file beside another, a server behind a proxy.
-IN_MESSAGES = (r'ways?', r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing', r'no more (?:armed|in)', r'(?:held|holds?) against',
+IN_MESSAGES = (r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing', r'no more (?:armed|in)', r'(?:held|holds?) against',
                r'beyond all places', r'what no run shows', r'one of both', r'otherwise than', r'(?:counts?|ends?|named) otherwise')
 
-# In comments also words that stand for "after", "in the same block as", "path" and "reports".
-IN_COMMENTS = (r'behind', r'beside', r'tells?', r'told', r'ways?', r'(?:held|holds?) against')
+# In comments also words that stand for "after", "in the same block as" and "reports".
+IN_COMMENTS = (r'behind', r'beside', r'tells?', r'told', r'(?:held|holds?) against')
 # The page has places: a text beside a picture.
 IN_PAGE_COMMENTS = tuple(one for one in IN_COMMENTS if one != 'beside')
 PAGE = ('.ts', '.tsx', '.mjs')
-# What these words are right for: a port that a device server stands before, two things that are alike, what is in transit.
-RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telnet|RFC 2217|gateway|address|others|real nginx)|told\s+apart|look-behind'
-                   r'|(?:on\s+(?:its|their)|under|gives?|given|gave)\s+way', re.I)
+# What these words are right for: a port that a device server stands before, two things that are alike.
+RIGHT = re.compile(r'behind\s+(?:an?|the|one|this|that)?\s*(?:device|proxy|telnet|RFC 2217|gateway|address|others|real nginx)|told\s+apart|look-behind', re.I)
 # Test names, by the words that they are made of.
-IN_TEST_NAMES = re.compile(r'(?:Nobody|Somebody|Anybody|Anew|Behind|Beside|Tells?|Told|Ways|(?:Is|Are|And)Said)(?![a-z])')
+IN_TEST_NAMES = re.compile(r'(?:Nobody|Somebody|Anybody|Anew|Behind|Beside|Tells?|Told|Ways?|(?:Is|Are|And)Said)(?![a-z])')
 TEST_NAME = re.compile(r'\bTEST(?:_F|_P)?\(\w+,\s*(\w+)\)')
+
+# A dialog's comment and the name of a scene; what a golden is there to show.
+OF_TESTS = re.compile(r'(?:#|==) |.*\boracle:', re.I)
 
 # Literals that are names; a schema that is in use.
 LITERAL = re.compile(r'"(?:anybody|[a-z]+(?:-[a-z]+)+)"')  # a role, the name of a diagnostic
@@ -59,6 +61,9 @@ def faults(root):
     for path in tree.files(root, ('tests', 'deploy'), ('.py',)):
         if path not in NAMES_THEM:
             found += _in_python(path, tree.read(root, path), comments)
+    for path in tree.files(root, ('tests/wire', 'tests/golden')):
+        lines = ((n, line) for n, line in enumerate(tree.read(root, path).splitlines(), 1) if OF_TESTS.match(line))
+        found += [f'{path}:{n}: {m[0]} in a comment' for n, line in lines for m in comments.finditer(RIGHT.sub(' ', line))]
     for path in tree.files(root, ('web', 'tests'), PAGE):
         found += _in_comments(path, tree.read(root, path), pattern(EVERYWHERE + IN_PAGE_COMMENTS))
     for key, value in json.loads(tree.read(root, 'web/src/i18n/en.json')).items():

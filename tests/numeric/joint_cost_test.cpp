@@ -10,7 +10,7 @@
 //   third program has 122 and 88 of them in 16 ms. Blocks are what costs, which is the paper's own fourth rule.
 //
 // Figures: those, none below zero, whose worst ratio over all twelve is the smallest (what is left is the model's
-// error, not chance, so no row may hide behind the others). Jumps and calls come from tables 5 and 6.
+// error, not chance, so no other row may hide a row). Jumps and calls come from tables 5 and 6.
 #include <algorithm>
 #include <cmath>
 

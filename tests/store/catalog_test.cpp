@@ -62,7 +62,7 @@ TEST_F(Catalog, PartNamesItsFamilyRevision) {
   must(store_->families().add("roll", "text", by("anna")));
   EXPECT_EQ(refusal(store_->parts().add("R-1", {"roll", 2, "{}"}, by("anna"))), ErrorCode::broken_reference);
   EXPECT_EQ(refusal(store_->parts().add("R-1", {"ring", 1, "{}"}, by("anna"))), ErrorCode::broken_reference);
-  EXPECT_EQ(refusal(store_->parts().get("R-1")), ErrorCode::not_found) << "a refused part leaves nothing behind";
+  EXPECT_EQ(refusal(store_->parts().get("R-1")), ErrorCode::not_found) << "a refused part leaves nothing";
   must(store_->parts().add("R-1", {"roll", 1, "{1}"}, by("anna", 7)));
   EXPECT_EQ(refusal(store_->parts().add("R-1", {"roll", 1, "{1}"}, by("anna"))), ErrorCode::exists);
   const Part changed = must(store_->parts().change("R-1", 1, {"roll", 1, "{2}"}, by("bert", 8)));

@@ -79,7 +79,7 @@ TEST_F(CrashTest, KilledWhileItCommitsTheLedger) {
     for (const Id job : jobs) {
       const LedgerInterval known = must(store_->ledger().interval(job));
       EXPECT_GE(known.last.handed, last.handed) << "acknowledged, but lost";
-      EXPECT_LE(known.last.handed, last.handed + 96) << "one commit at most was on its way";
+      EXPECT_LE(known.last.handed, last.handed + 96) << "one commit at most was in transit";
       EXPECT_EQ(known.low, known.last.clocked);
       EXPECT_EQ(known.high, known.last.handed + 96);
       EXPECT_EQ(must(store_->ledger().verify(job)), known.seq);

@@ -98,7 +98,7 @@ Job add_job(Store& store, const std::string& machine) {
 
 void bring(Store& store, Id job, JobState state) {
   using enum JobState;
-  static const std::array<std::vector<JobState>, kJobStates> kWays{{
+  static const std::array<std::vector<JobState>, kJobStates> kStepsTo{{
       {},
       {armed},
       {armed, feeding},
@@ -109,8 +109,8 @@ void bring(Store& store, Id job, JobState state) {
       {cancelled},
       {armed, interrupted},
   }};
-  for (const JobState step : kWays[static_cast<std::size_t>(state)]) {
-    must(store.jobs().move(job, {step, "on the way", false}, by("tester")));
+  for (const JobState step : kStepsTo[static_cast<std::size_t>(state)]) {
+    must(store.jobs().move(job, {step, "step of a test", false}, by("tester")));
   }
 }
 

@@ -145,13 +145,13 @@ TEST_F(ReleaseTest, TheWholePath) {
 // Each pair of states, from a release that is in the first one.
 TEST_F(ReleaseTest, EveryOtherStepIsRefused) {
   using enum ReleaseState;
-  const std::array<std::vector<ReleaseState>, 5> ways{
+  const std::array<std::vector<ReleaseState>, 5> steps_to{
       {{}, {in_review}, {in_review, proving}, {in_review, proving, approved}, {obsolete}}};
   add_verdict(*store_, program_, "mill-1");
-  for (std::size_t from = 0; from < ways.size(); ++from) {
-    for (std::size_t to = 0; to < ways.size(); ++to) {
+  for (std::size_t from = 0; from < steps_to.size(); ++from) {
+    for (std::size_t to = 0; to < steps_to.size(); ++to) {
       const Release release = make_draft();
-      for (const ReleaseState step : ways.at(from)) must(move(release, step));
+      for (const ReleaseState step : steps_to.at(from)) must(move(release, step));
       const auto target = static_cast<ReleaseState>(to);
       bool listed = false;
       for (const ReleaseTransition& transition : release_transitions()) {
@@ -163,7 +163,7 @@ TEST_F(ReleaseTest, EveryOtherStepIsRefused) {
       } else {
         EXPECT_EQ(refusal(moved), ErrorCode::refused_transition) << from << " to " << to;
         EXPECT_EQ(must(store_->releases().get(release.id)).state, static_cast<ReleaseState>(from));
-        EXPECT_EQ(must(store_->releases().history(release.id)).size(), ways.at(from).size());
+        EXPECT_EQ(must(store_->releases().history(release.id)).size(), steps_to.at(from).size());
       }
       const auto end = must(store_->releases().get(release.id)).state;
       if (end != obsolete) must(move(release, obsolete));

@@ -1,4 +1,4 @@
-// 3964R with two partners that both send, in virtual time: one has priority, the other gives way, receives first and
+// 3964R with two partners that both send, in virtual time: one has priority, the other yields, receives first and
 // then sends its own. Calls cross, bytes are lost, flipped, doubled and late; no telegram is lost without a name.
 #include <deque>
 #include <memory>
@@ -69,7 +69,7 @@ class Partners {
   int given = 0;    // telegrams that the partner knows as delivered
   int came = 0;     // ... that we have, and that are as they were sent
   int spoiled = 0;  // ... and that are not
-  int yielded = 0;  // times that we gave way
+  int yielded = 0;  // times that we yielded
   int refused = 0;  // telegrams that the partner gave up, by name
   bool whole() const { return ours_->state() == State::done && sink_.text == text_; }
   bool wrong() const { return ours_->state() == State::done && sink_.text != text_; }

@@ -103,7 +103,7 @@ export type ProgramPlace = (typeof kProgramPlaces)[number];
 
 export const route = signal<Route>(routeOf(''));
 
-// An address that must not stay in the browser's history, such as a badge's, gives way to the floor.
+// An address that must not stay in the browser's history, such as a badge's, is replaced by the floor.
 export function forgetAddress(): void {
   history.replaceState(null, '', hrefs.floor);
   route.value = routeOf(location.hash);
@@ -142,7 +142,7 @@ export function go(href: string): void {
 
 const pathOf = (address: string): string => address.split('?', 1)[0] ?? '';
 
-// For what an answer leads to. Whoever has gone to another place while it was on its way stays there.
+// For what an answer leads to. Whoever has gone to another place before it came stays there.
 export function goUnlessLeft(): (href: string) => void {
   const asked = pathOf(route.peek().address);
   return (href) => {

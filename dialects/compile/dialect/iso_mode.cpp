@@ -126,8 +126,8 @@ bool concerns_host(const text::Diagnostic& d) {
 void join(std::vector<text::Diagnostic>& all, std::vector<text::Diagnostic> more, const ir::Program& host) {
   const auto is_outside = [&host](const text::Diagnostic& d) {
     const auto begin_of = [](const ir::ForeignPart& part) { return part.text.begin; };
-    const auto behind = std::ranges::upper_bound(host.foreign_parts, d.span.begin, {}, begin_of);
-    return behind == host.foreign_parts.begin() || std::prev(behind)->text.end <= d.span.begin;
+    const auto next = std::ranges::upper_bound(host.foreign_parts, d.span.begin, {}, begin_of);
+    return next == host.foreign_parts.begin() || std::prev(next)->text.end <= d.span.begin;
   };
   std::erase_if(more, [&](const text::Diagnostic& d) { return concerns_host(d) || is_outside(d); });
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

@@ -139,9 +139,10 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   // The motions of one block. Where it turns the spindle round between two cuts, it taps.
   void release() {
     const std::vector<ir::Motion> block = std::exchange(held_, {});
-    const auto cuts_turning = [&](ir::SpindleState way) {
-      return std::ranges::any_of(
-          block, [way](const ir::Motion& m) { return m.kind == ir::MotionKind::linear && m.spindle == way; });
+    const auto cuts_turning = [&](ir::SpindleState direction) {
+      return std::ranges::any_of(block, [direction](const ir::Motion& m) {
+        return m.kind == ir::MotionKind::linear && m.spindle == direction;
+      });
     };
     if (cuts_turning(ir::SpindleState::clockwise) && cuts_turning(ir::SpindleState::counterclockwise)) {
       const ir::Place& place = block.front().place;

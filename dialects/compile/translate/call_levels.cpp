@@ -85,12 +85,12 @@ std::vector<text::Diagnostic> CallLevels::too_deep(const ir::Control& to) const 
 }
 
 // Macros and subprograms are counted apart, as the control does it. Loops of calls are the run's.
-void CallLevels::follow(const Way& way, const ir::Control& to, std::size_t& steps,
+void CallLevels::follow(const CallPath& path, const ir::Control& to, std::size_t& steps,
                         std::vector<text::Diagnostic>& out) const {
   for (const Edge& edge : edges_) {
     if (!out.empty() || ++steps > kMostSteps) return;
-    if (edge.from != way.names.back() || std::ranges::find(way.names, edge.to) != way.names.end()) continue;
-    Way next = way;
+    if (edge.from != path.names.back() || std::ranges::find(path.names, edge.to) != path.names.end()) continue;
+    CallPath next = path;
     next.names.push_back(edge.to);
     const std::uint32_t depth = edge.macro ? ++next.macros : ++next.subprograms;
     const std::uint32_t most = edge.macro ? to.limits.macro_nesting : to.limits.call_nesting;

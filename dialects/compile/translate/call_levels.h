@@ -29,12 +29,13 @@ class CallLevels {
     bool macro = false;
     text::Span span;
   };
-  struct Way {
+  struct CallPath {
     std::vector<std::string> names;
     std::uint32_t macros = 0;
     std::uint32_t subprograms = 0;
   };
-  void follow(const Way& way, const ir::Control& to, std::size_t& steps, std::vector<text::Diagnostic>& out) const;
+  void follow(const CallPath& path, const ir::Control& to, std::size_t& steps,
+              std::vector<text::Diagnostic>& out) const;
 
   std::vector<std::string> names_;
   std::vector<Edge> edges_;

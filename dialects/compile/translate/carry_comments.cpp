@@ -180,9 +180,9 @@ class Weaver {
     const bool has_own = next_ < comments_.size() && comments_[next_].line == origin && origin != 0;
     if (!has_own) return add(line, origin);
     const Carried& carried = comments_[next_++];
-    const std::string behind = std::string(line) + " " + comment(carried.text);
-    const bool fits = carried.text.size() <= kLongestComment && (most_ == 0 || behind.size() <= most_);
-    if (takes_comment(line) && fits) return add(behind, origin);
+    const std::string commented = std::string(line) + " " + comment(carried.text);
+    const bool fits = carried.text.size() <= kLongestComment && (most_ == 0 || commented.size() <= most_);
+    if (takes_comment(line) && fits) return add(commented, origin);
     alone(carried);
     add(line, origin);
   }

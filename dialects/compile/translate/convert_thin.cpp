@@ -179,10 +179,10 @@ class ThinConverter {
     for (const ir::PlainStretch& one : thin_.stretches.all) lines += one.line_count;
     origins_.reserve(lines);
     for (std::size_t i = 0; i < thin_.stretches.all.size(); ++i) {
-      const std::uint32_t behind = thin_.line_after(i);
-      const auto at = std::find(origins.begin() + static_cast<std::ptrdiff_t>(copied), origins.end(), behind);
+      const std::uint32_t line_after = thin_.line_after(i);
+      const auto at = std::find(origins.begin() + static_cast<std::ptrdiff_t>(copied), origins.end(), line_after);
       const auto index = static_cast<std::size_t>(at - origins.begin());
-      if (index < copied + ThinProgram::kKeptBefore || !has_form(printed, origins, index, behind)) return false;
+      if (index < copied + ThinProgram::kKeptBefore || !has_form(printed, origins, index, line_after)) return false;
       copy(printed, origins, copied, index);
       if (!write_stretch(thin_.stretches.all[i])) return false;
       copied = index;
@@ -193,10 +193,10 @@ class ThinConverter {
 
   // Each line that is kept around a stretch must be one line of the translation, in the form that its look has.
   [[nodiscard]] bool has_form(const std::vector<std::string_view>& printed, const std::vector<std::uint32_t>& origins,
-                              std::size_t index, std::uint32_t behind) const {
+                              std::size_t index, std::uint32_t line_after) const {
     for (std::size_t k = 0; k < ThinProgram::kKeptBefore + ThinProgram::kKeptAfter; ++k) {
       const std::size_t at = index - ThinProgram::kKeptBefore + k;
-      const auto line = static_cast<std::uint32_t>(behind - ThinProgram::kKeptBefore + k);
+      const auto line = static_cast<std::uint32_t>(line_after - ThinProgram::kKeptBefore + k);
       std::string again;
       if (at >= printed.size() || origins[at] != line || counts_[line] != 1) return false;
       if (!writer_.append(source_lines_[line - 1], again) || again != std::string(printed[at]) + "\n") return false;

@@ -1,6 +1,6 @@
 // The translation is run, too, and must move as the source did, from its first block to its last. Within a cycle that
-// both controls have, a rapid may stop on its way, chips may be broken by another speed back and a tap be written as a
-// thread: the passes that translate cycles know why. A tap that is written as a tap has the same lead, at the same
+// both controls have, a rapid may stop before its end, chips may be broken by another speed back and a tap be written
+// as a thread: the passes that translate cycles know why. A tap that is written as a tap has the same lead, at the same
 // speed; how a spindle turns that its position is given for, a run does not say.
 #include <algorithm>
 #include <array>

@@ -314,8 +314,8 @@ class Splicing {
   }
   [[nodiscard]] bool in_text_of_part(std::uint32_t place) const {
     const auto begin_of = [](const ir::ForeignPart& part) { return part.text.begin; };
-    const auto behind = std::ranges::upper_bound(program_.foreign_parts, place, {}, begin_of);
-    return behind != program_.foreign_parts.begin() && place < std::prev(behind)->text.end;
+    const auto next = std::ranges::upper_bound(program_.foreign_parts, place, {}, begin_of);
+    return next != program_.foreign_parts.begin() && place < std::prev(next)->text.end;
   }
 
   void cannot(passes::Refusal what, text::Span span) {

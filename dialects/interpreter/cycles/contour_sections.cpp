@@ -54,7 +54,7 @@ class Sections {
   }
 
   // Down from the piece that falls, and up to its height; what is left of the last piece stays. False when the contour
-  // falls once more on its way up, or ends before it is as high.
+  // falls once more while it rises, or ends before it is as high.
   bool take(Relief& relief) {
     const double level = pieces_[at_].segment.from.level;
     for (; at_ < pieces_.size(); ++at_) {

@@ -152,10 +152,10 @@ class ShapeCutter {
     if (std::abs(begin_.level - start) > 1e-9) return begin_.level < start ? -1.0 : 1.0;
     return segments_.empty() || segments_.back().to.level >= start ? -1.0 : 1.0;
   }
-  [[nodiscard]] double way0() const { return along_z_ ? z0_ : x0_ / factor_; }
+  [[nodiscard]] double begin_along() const { return along_z_ ? z0_ : x0_ / factor_; }
   [[nodiscard]] double forward() const {
     const double end = segments_.empty() ? begin_.travel : segments_.back().to.travel;
-    return end < way0() ? -1.0 : 1.0;
+    return end < begin_along() ? -1.0 : 1.0;
   }
 
   // Travels at which the level goes into the shape and out of it, in the order of the cut. The first stretch begins at
@@ -169,7 +169,7 @@ class ShapeCutter {
     const double last = segments_.empty() ? begin_.travel : segments_.back().to.travel;
     const auto is_free = [&](double at) { return side() < 0.0 ? at < level - 1e-9 : at > level + 1e-9; };
     bool open = is_free(begin_.level) || std::abs(begin_.level - level) <= 1e-9;
-    double from = way0();
+    double from = begin_along();
     for (const ShapeSegment& s : segments_) {
       const bool free_after = is_free(s.to.level);
       if (open && !free_after) {
@@ -200,11 +200,11 @@ class ShapeCutter {
       to(MotionKind::linear, s.to - forward() * e, level - side() * e);
       first = false;
     }
-    to(MotionKind::rapid, way0(), here().level);
+    to(MotionKind::rapid, begin_along(), here().level);
   }
 
   void along_shape() {
-    to(MotionKind::rapid, way0(), here().level);
+    to(MotionKind::rapid, begin_along(), here().level);
     const bool by_rapid = moves_.front().kind == MotionKind::rapid;
     to(by_rapid ? MotionKind::rapid : MotionKind::linear, begin_.travel, begin_.level);
     const double dx = data_.allowance_x_mm * factor_;

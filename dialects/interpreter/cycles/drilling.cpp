@@ -232,16 +232,16 @@ class Driller {
     const double length = std::abs(end - begin);
     const double peck = kept(d_.peck_mm);
     if (!pecks() || peck <= 0.0 || peck >= length) return feed(end, bottom_known());
-    const double way = end > begin ? 1.0 : -1.0;
+    const double sign = end > begin ? 1.0 : -1.0;
     const auto count = static_cast<std::uint32_t>(std::ceil(length / peck - 1e-9));
     for (std::uint32_t n = 1; n < count; ++n) {
-      const double depth = begin + way * peck * n;
+      const double depth = begin + sign * peck * n;
       feed(depth, bottom_known());
       if (row_.advance == Advance::break_chips) {
-        rapid(depth - way * std::min(kept(rules_.semantics.chip_break_retract_mm), peck * n), bottom_known());
+        rapid(depth - sign * std::min(kept(rules_.semantics.chip_break_retract_mm), peck * n), bottom_known());
       } else {
         rapid(begin, r_known());
-        rapid(depth - way * std::min(kept(rules_.semantics.peck_clearance_mm), peck * n), bottom_known());
+        rapid(depth - sign * std::min(kept(rules_.semantics.peck_clearance_mm), peck * n), bottom_known());
       }
     }
     feed(end, bottom_known());
@@ -283,11 +283,11 @@ class Driller {
     target.end[axis_] = level;
     go(kind, target);
   }
-  void shift(double way) {
+  void shift(double sign) {
     Target target{.end = state_.position};
     target.commanded = target.incremental = static_cast<std::uint16_t>(1U << plane_.p | 1U << plane_.q);
-    target.end[plane_.p] += way * d_.shift_p_mm;
-    target.end[plane_.q] += way * d_.shift_q_mm;
+    target.end[plane_.p] += sign * d_.shift_p_mm;
+    target.end[plane_.q] += sign * d_.shift_q_mm;
     go(MotionKind::rapid, target);
   }
   // A move of no length from a known place is none.

@@ -301,7 +301,9 @@ class Miller {
         cycle_.cuts == ir::FaceCuts::first_to_and_fro || cycle_.cuts == ir::FaceCuts::second_to_and_fro;
     const double along = (along_first ? cycle_.length : cycle_.width) / 2.0 + radius_ + cycle_.clearance;
     const double across = along_first ? cycle_.width : cycle_.length;
-    const auto point = [&](double way, double at) { return along_first ? PlanePoint{way, at} : PlanePoint{at, way}; };
+    const auto point = [&](double lengthwise, double at) {
+      return along_first ? PlanePoint{lengthwise, at} : PlanePoint{at, lengthwise};
+    };
     const int count = counted(steps(across, step()));
     double begin = -along;
     for (int n = 1; n <= count; ++n) {

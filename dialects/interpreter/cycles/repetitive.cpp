@@ -112,7 +112,7 @@ bool peck(const PeckRun& run, const EndPoint& end, Pen& pen) {
   const auto to = [&](MotionKind kind, double along, double across) {
     pen.to(kind, run.along_z ? across : along, run.along_z ? along : across);
   };
-  const double way = along1 < along0 ? -1.0 : 1.0;
+  const double sign_along = along1 < along0 ? -1.0 : 1.0;
   const double side = across1 < across0 ? -1.0 : 1.0;
   const double depth = std::abs(along1 - along0);
   const double width = std::abs(across1 - across0);
@@ -124,8 +124,8 @@ bool peck(const PeckRun& run, const EndPoint& end, Pen& pen) {
     const double across = across0 + side * std::min(width, step_over * column);
     to(MotionKind::rapid, along0, across);
     for (int n = 1; one * n < depth - 1e-9; ++n) {
-      to(MotionKind::linear, along0 + way * one * n, across);
-      to(MotionKind::rapid, along0 + way * (one * n - run.retract), across);
+      to(MotionKind::linear, along0 + sign_along * one * n, across);
+      to(MotionKind::rapid, along0 + sign_along * (one * n - run.retract), across);
     }
     to(MotionKind::linear, along1, across);
     // At the bottom aside, where there is room: the first cut has a wall on that side.
@@ -187,18 +187,18 @@ void thread(const Words& words, const EndPoint& end, ModalState& state, Pen& pen
   const double x0 = pen.x();
   const double z0 = pen.z();
   const double side = end.x < x0 ? -1.0 : 1.0;
-  const double way = end.z < z0 ? -1.0 : 1.0;
+  const double sign_z = end.z < z0 ? -1.0 : 1.0;
   // One flank cuts: each depth begins further along by its share of the angle.
   const double slope = sine_deg(angle / 2.0) / cosine_deg(angle / 2.0);
   const double run_out = one_block || state.feed_unknown ? 0.0 : data.run_out_leads * state.feed;
   for (const double depth : thread_depths(height, first, least, data.allowance_mm, data.finishes)) {
     const double x = end.x - side * (height - depth);
-    const double z = z0 + way * depth * slope;
+    const double z = z0 + sign_z * depth * slope;
     pen.to(MotionKind::rapid, x + taper, z);
     // The tool leaves at 45 degrees over the last leads, as far as there is room.
     const double out = std::min({run_out, std::abs(end.z - z), std::abs(x0 - x)});
     if (out > 0.0) {
-      pen.to(MotionKind::thread, x + taper * out / std::abs(end.z - z), end.z - way * out);
+      pen.to(MotionKind::thread, x + taper * out / std::abs(end.z - z), end.z - sign_z * out);
       pen.to(MotionKind::thread, x - side * out, end.z);
     } else {
       pen.to(MotionKind::thread, x, end.z);

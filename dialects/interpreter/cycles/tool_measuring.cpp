@@ -28,10 +28,10 @@ std::optional<Target> slow_from(const PlainBlock& block, const BlockRules& rules
   if (!block.has(Address::r) || !one || diameter || (state.unknown & target.commanded) != 0) return std::nullopt;
   const auto axis = static_cast<std::size_t>(std::countr_zero(target.commanded));
   const double distance = rules.length_mm(block, Address::r, state.modes.inch);
-  const double way = target.end[axis] - state.position[axis];
-  if (distance <= 0.0 || distance >= std::abs(way)) return std::nullopt;
+  const double travel = target.end[axis] - state.position[axis];
+  if (distance <= 0.0 || distance >= std::abs(travel)) return std::nullopt;
   Target from = target;
-  from.end[axis] -= std::copysign(distance, way);
+  from.end[axis] -= std::copysign(distance, travel);
   return from;
 }
 

@@ -79,8 +79,8 @@ class Turner {
   // A taper that begins beyond the cycle's own start: R against the approach, and longer.
   [[nodiscard]] bool is_taper_too_long(double x, double z) const {
     const bool facing = t_.cycle == TurningCycle::along_x;
-    const double way = facing ? t_.z - z : (t_.x - x) / (rules_.x_is_diameter ? 2.0 : 1.0);
-    return way * t_.taper < 0.0 && std::abs(t_.taper) > std::abs(way) + 1e-9;
+    const double approach = facing ? t_.z - z : (t_.x - x) / (rules_.x_is_diameter ? 2.0 : 1.0);
+    return approach * t_.taper < 0.0 && std::abs(t_.taper) > std::abs(approach) + 1e-9;
   }
 
   void go(MotionKind kind, double x, double z) {

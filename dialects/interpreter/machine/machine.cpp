@@ -403,7 +403,7 @@ void Machine::show_state(StateObserver& states) {
                          .state = state_,
                          .in_main = stack_.in_main() && !shape_.active() && !contour_.active,
                          .modal_call = stack_.has_modal(),
-                         .guessed = report_.took_uncertain_way()};
+                         .guessed = report_.took_uncertain_path()};
   if (states.begin(begin) && begin.in_main)
     states.variables(list_variables(variables_, stack_.program(), storage_, shared_));
 }

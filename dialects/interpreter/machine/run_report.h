@@ -42,7 +42,7 @@ class RunReport {
   // From here on the program takes a branch that a value decides which is not known: its alarms are possible, not
   // certain.
   void take_uncertain_path() { uncertain_ = true; }
-  [[nodiscard]] bool took_uncertain_way() const { return uncertain_; }
+  [[nodiscard]] bool took_uncertain_path() const { return uncertain_; }
   // The passes that are left are none, because too many branches were guessed: the limit says so.
   void end_guesses() { guesses_end_ = true; }
   void count(const Report& report);

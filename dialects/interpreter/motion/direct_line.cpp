@@ -115,10 +115,10 @@ class DirectLine {
   void both_ends(const Target& target) {
     const PlanePoint from = point_of(state_.position);
     const PlanePoint to = point_of(target.end);
-    const PlanePoint way{to.p - from.p, to.q - from.q};
+    const PlanePoint chord{to.p - from.p, to.q - from.q};
     const PlanePoint wanted = direction_of(angle());
-    const double across = way.p * wanted.q - way.q * wanted.p;
-    if (std::abs(across) > kSameDirection * length_of(way))
+    const double across = chord.p * wanted.q - chord.q * wanted.p;
+    if (std::abs(across) > kSameDirection * length_of(chord))
       return fail(target, "the end does not lie on the line", ir::AlarmDetail::not_an_end);
     go(block_, target);
   }
@@ -126,11 +126,11 @@ class DirectLine {
   void one_end(Target target, bool p) {
     const PlanePoint from = point_of(state_.position);
     const PlanePoint to = point_of(target.end);
-    const PlanePoint way = direction_of(angle());
-    const double run = p ? way.p : way.q;
+    const PlanePoint direction = direction_of(angle());
+    const double run = p ? direction.p : direction.q;
     const double named = p ? to.p - from.p : to.q - from.q;
     if (std::abs(run) < kParallel) return fail(target, "the line never reaches the coordinate", ir::AlarmDetail::none);
-    const double other = named / run * (p ? way.q : way.p);
+    const double other = named / run * (p ? direction.q : direction.p);
     const std::size_t axis = p ? axes_.q : axes_.p;
     target.end[axis] = ((p ? from.q : from.p) + other) * factor(axis);
     target.commanded |= static_cast<std::uint16_t>(1U << axis);

@@ -110,9 +110,9 @@ void end_at_touch(Target& target, const ModalState& state) {
   double part = 1.0;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
     const auto bit = static_cast<std::uint16_t>(1U << axis);
-    const double way = target.end[axis] - state.position[axis];
-    if ((target.commanded & state.touch_known & ~state.unknown & bit) == 0 || way == 0.0) continue;
-    const double at = (state.touch[axis] - state.position[axis]) / way;
+    const double travel = target.end[axis] - state.position[axis];
+    if ((target.commanded & state.touch_known & ~state.unknown & bit) == 0 || travel == 0.0) continue;
+    const double at = (state.touch[axis] - state.position[axis]) / travel;
     if (at >= 0.0) part = std::min(part, at);
   }
   if (part < 1.0)

@@ -107,11 +107,11 @@ void Mover::changing_thread(const Target& target) {
   const bool by_letters = !rules_.semantics.arc_radius_is_r;
   const double first = by_letters && !has_lead_letter(block_) ? 0.0 : by_letters ? lead() : state_.feed;
   const double change = lead_change(by_letters ? Address::f : Address::k);
-  double way = 0.0;
+  double travel = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    way = std::max(way, std::abs(radius_of(axis, target.end[axis] - state_.position[axis])));
+    travel = std::max(travel, std::abs(radius_of(axis, target.end[axis] - state_.position[axis])));
   const bool known = ((state_.unknown | target.unknown) & target.commanded) == 0;
-  if (first < 0.0 || (known && first > 0.0 && way > 0.0 && !(ir::lead_after(first, change, way) > 0.0))) {
+  if (first < 0.0 || (known && first > 0.0 && travel > 0.0 && !(ir::lead_after(first, change, travel) > 0.0))) {
     result_.fault = text::DiagnosticId::thread_invalid;
     result_.reason = first < 0.0 ? "its lead is below 0" : "its lead falls to 0 before its end";
     return;

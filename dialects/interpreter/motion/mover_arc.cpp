@@ -55,11 +55,12 @@ void Mover::arc_tangent(const Target& target) {
   if (starts_unknown(axes) || target.unknown != 0 || !state_.tangent_known) return lose(target);
   if (state_.modes.has_matrix && !image_of(state_.modes.matrix, axes).stays)
     return arc_in_tilted_plane(ir::Function::arc_tangent, target);
-  const PlanePoint way = {state_.tangent[axes.p], state_.tangent[axes.q]};
+  const PlanePoint tangent = {state_.tangent[axes.p], state_.tangent[axes.q]};
   const PlanePoint to_end = chord(axes, target);
-  const PlanePoint left = {-way.q, way.p};
+  const PlanePoint left = {-tangent.q, tangent.p};
   const double aside = left.p * to_end.p + left.q * to_end.q;
-  if (length_of(way) < 1e-9 || std::abs(aside) < 1e-9 * length_of(way)) return straight(MotionKind::linear, target);
+  if (length_of(tangent) < 1e-9 || std::abs(aside) < 1e-9 * length_of(tangent))
+    return straight(MotionKind::linear, target);
   const double factor = (to_end.p * to_end.p + to_end.q * to_end.q) / (2.0 * aside);
   emit_arc(aside > 0.0 ? MotionKind::arc_ccw : MotionKind::arc_cw, axes, {factor * left.p, factor * left.q}, target);
 }

@@ -40,10 +40,10 @@ ModalState as_programmed(const BlockRules& rules, const ModalState& state) {
 // PGA, "Circular interpolation via intermediate point (CIP)": with G91 it counts from the start, as the end does.
 Vector Mover::vector_to_via() const {
   const bool in_frame = state_.modes.has_matrix;
-  Vector way{};
-  if (in_frame) way = programmed_position(rules_, state_);
-  const Vector start = way;
-  for (std::size_t axis = 0; axis < way.size(); ++axis) {
+  Vector to_via{};
+  if (in_frame) to_via = programmed_position(rules_, state_);
+  const Vector start = to_via;
+  for (std::size_t axis = 0; axis < to_via.size(); ++axis) {
     const Address address = kViaAddresses[axis];
     if (!block_.has(address)) continue;
     const bool absolute = (block_.absolute & bit_of(address)) != 0;
@@ -52,20 +52,20 @@ Vector Mover::vector_to_via() const {
     if (axis == 0) value *= rules_.x_factor(state_.modes, adds);
     const double from = state_.position[axis] - state_.modes.shift[axis] - state_.coordinate_shift[axis];
     if (adds)
-      way[axis] += radius_of(axis, value);
+      to_via[axis] += radius_of(axis, value);
     else
-      way[axis] = in_frame ? radius_of(axis, value) : radius_of(axis, value - from);
+      to_via[axis] = in_frame ? radius_of(axis, value) : radius_of(axis, value - from);
   }
-  if (!in_frame) return way;
-  for (std::size_t axis = 0; axis < way.size(); ++axis) way[axis] -= start[axis];
-  return multiply(state_.modes.matrix, way);
+  if (!in_frame) return to_via;
+  for (std::size_t axis = 0; axis < to_via.size(); ++axis) to_via[axis] -= start[axis];
+  return multiply(state_.modes.matrix, to_via);
 }
 
 Vector Mover::vector_to(const Target& target) const {
-  Vector way{};
-  for (std::size_t axis = 0; axis < way.size(); ++axis)
-    way[axis] = radius_of(axis, target.end[axis] - state_.position[axis]);
-  return way;
+  Vector travel{};
+  for (std::size_t axis = 0; axis < travel.size(); ++axis)
+    travel[axis] = radius_of(axis, target.end[axis] - state_.position[axis]);
+  return travel;
 }
 
 void Mover::arc_in_space(const SpaceArc& arc, const Target& target) {
@@ -75,8 +75,8 @@ void Mover::arc_in_space(const SpaceArc& arc, const Target& target) {
     AxisValues point{};
     for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
       point[axis] = start[axis] + t * (target.end[axis] - start[axis]);
-    const Vector way = arc.at(t);
-    for (std::size_t axis = 0; axis < way.size(); ++axis) point[axis] = start[axis] + kept_of(axis, way[axis]);
+    const Vector offset = arc.at(t);
+    for (std::size_t axis = 0; axis < offset.size(); ++axis) point[axis] = start[axis] + kept_of(axis, offset[axis]);
     return point;
   };
   std::uint16_t commanded = target.commanded;
@@ -128,10 +128,10 @@ void Mover::bring_out_of_tilted_plane(const ir::Motion& motion, const Target& ta
   }
   if (motion.kind == MotionKind::linear) return straight(motion.kind, part);
   const PlaneAxes axes = axes_of(motion.plane);
-  const auto way = [&](std::size_t axis) { return radius_of(axis, motion.end[axis] - motion.start[axis]); };
+  const auto travel = [&](std::size_t axis) { return radius_of(axis, motion.end[axis] - motion.start[axis]); };
   const Turn turn = motion.kind == MotionKind::arc_ccw ? Turn::counterclockwise : Turn::clockwise;
-  const SpaceArc arc = arc_in_plane(axes, {motion.center[axes.p], motion.center[axes.q]}, {way(axes.p), way(axes.q)},
-                                    way(axes.normal), turn);
+  const SpaceArc arc = arc_in_plane(axes, {motion.center[axes.p], motion.center[axes.q]},
+                                    {travel(axes.p), travel(axes.q)}, travel(axes.normal), turn);
   arc_in_space(image_of(arc, state_.modes.matrix), part);
 }
 

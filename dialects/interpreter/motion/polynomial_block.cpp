@@ -66,15 +66,15 @@ class Polynomial {
 
   // The direction at its end; none where it stands there.
   [[nodiscard]] std::optional<Vector> end_tangent(bool x_is_diameter) const {
-    Vector way{};
-    for (std::size_t axis = 0; axis < way.size(); ++axis) {
-      way[axis] = end_[axis] - start_[axis];
+    Vector tangent{};
+    for (std::size_t axis = 0; axis < tangent.size(); ++axis) {
+      tangent[axis] = end_[axis] - start_[axis];
       for (std::size_t power = ir::kFirstPower; power <= ir::kLastPower; ++power)
-        way[axis] += bends_[power][axis] * static_cast<double>(power - 1);
+        tangent[axis] += bends_[power][axis] * static_cast<double>(power - 1);
     }
-    if (x_is_diameter) way[kX] /= 2.0;
-    if (std::hypot(way[0], way[1], way[2]) < kNoDistance_mm) return std::nullopt;
-    return way;
+    if (x_is_diameter) tangent[kX] /= 2.0;
+    if (std::hypot(tangent[0], tangent[1], tangent[2]) < kNoDistance_mm) return std::nullopt;
+    return tangent;
   }
 
   // The axes that are somewhere else in between than on the straight line.
@@ -137,9 +137,9 @@ void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, con
   mover.leave_corners();
   const auto at = [&](double t) { return curve.at(t); };
   emit_chords(chords_of(state.position, at), moved, rules, state, out, result);
-  const auto way = curve.end_tangent(rules.x_is_diameter);
-  state.tangent_known = way.has_value();
-  state.tangent = way.value_or(Vector{});
+  const auto tangent = curve.end_tangent(rules.x_is_diameter);
+  state.tangent_known = tangent.has_value();
+  state.tangent = tangent.value_or(Vector{});
 }
 
 }  // namespace dripfeed::interpreter

@@ -36,27 +36,27 @@ std::optional<Vector> direction_of(const ir::Motion& m, bool at_end, bool x_is_d
   if (m.machine_coordinates || (m.axes_unknown & m.axes_commanded & kSplineAxes) != 0 ||
       (m.gaps & ir::kEndUnknown) != 0)
     return std::nullopt;
-  Vector way{};
-  for (std::size_t axis = 0; axis < way.size(); ++axis)
-    way[axis] = (m.end[axis] - m.start[axis]) / (axis == 0 && x_is_diameter ? 2.0 : 1.0);
+  Vector direction{};
+  for (std::size_t axis = 0; axis < direction.size(); ++axis)
+    direction[axis] = (m.end[axis] - m.start[axis]) / (axis == 0 && x_is_diameter ? 2.0 : 1.0);
   if (m.kind == ir::MotionKind::arc_cw || m.kind == ir::MotionKind::arc_ccw) {
     const PlaneAxes axes = axes_of(m.plane);
     const double sign = m.kind == ir::MotionKind::arc_ccw ? 1.0 : -1.0;
-    const double p = (at_end ? way[axes.p] : 0.0) - m.center[axes.p];
-    const double q = (at_end ? way[axes.q] : 0.0) - m.center[axes.q];
+    const double p = (at_end ? direction[axes.p] : 0.0) - m.center[axes.p];
+    const double q = (at_end ? direction[axes.q] : 0.0) - m.center[axes.q];
     // Of a helix the rise goes with the angle.
     const double radius = std::hypot(m.center[axes.p], m.center[axes.q]);
     const double from = std::atan2(-m.center[axes.q], -m.center[axes.p]);
-    const double to = std::atan2(way[axes.q] - m.center[axes.q], way[axes.p] - m.center[axes.p]);
+    const double to = std::atan2(direction[axes.q] - m.center[axes.q], direction[axes.p] - m.center[axes.p]);
     constexpr double kFull = 6.283185307179586;
     double turned = sign * (to - from);
     while (turned <= 1e-12) turned += kFull;
-    way[axes.normal] *= radius > 0.0 ? std::hypot(p, q) / (radius * turned) : 0.0;
-    way[axes.p] = -sign * q;
-    way[axes.q] = sign * p;
+    direction[axes.normal] *= radius > 0.0 ? std::hypot(p, q) / (radius * turned) : 0.0;
+    direction[axes.p] = -sign * q;
+    direction[axes.q] = sign * p;
   }
-  if (std::hypot(way[0], way[1], way[2]) < kSamePlace_mm) return std::nullopt;
-  return way;
+  if (std::hypot(direction[0], direction[1], direction[2]) < kSamePlace_mm) return std::nullopt;
+  return direction;
 }
 
 // Whether an axis that the spline moves is somewhere that is not known. What does not move may be anywhere.
@@ -166,9 +166,9 @@ void close(const SplineEnd& end, const BlockRules& rules, ModalState& state, Mot
 void begin(const Target& target, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
   SplineRun run;
   if (const ir::Motion* before = out.last_move(); before != nullptr) {
-    const auto way = direction_of(*before, true, rules.x_is_diameter);
-    run.tangent_known = way.has_value();
-    run.tangent = way.value_or(Vector{});
+    const auto direction = direction_of(*before, true, rules.x_is_diameter);
+    run.tangent_known = direction.has_value();
+    run.tangent = direction.value_or(Vector{});
   }
   if (state.spline.active) {
     ir::Motion next;
@@ -231,9 +231,9 @@ void move_along_spline(const PlainBlock& block, const BlockRules& rules, const M
   point.motion = out.used() - 1;
   run.points.push_back(point);
   // A tangential arc after it goes by the line through the last two points (PG, "CT").
-  const auto way = direction_of(out.at(point.motion), true, rules.x_is_diameter);
-  state.tangent_known = way.has_value();
-  state.tangent = way.value_or(Vector{});
+  const auto direction = direction_of(out.at(point.motion), true, rules.x_is_diameter);
+  state.tangent_known = direction.has_value();
+  state.tangent = direction.value_or(Vector{});
   if (run.points.size() == kKeptAtMost)
     make_pieces(kKeptAtMost - 1 - kFar, {.kind = ir::kSplineFree, .direction = std::nullopt}, rules, state, out);
 }

@@ -1,6 +1,6 @@
 // ASPLINE, BSPLINE, CSPLINE: a spline goes over several blocks, and its path in one of them depends on blocks that come
-// later. Each block's straight move stands in the buffer until the curve is known, and then gives way to the chords of
-// its piece.
+// later. Each block's straight move stands in the buffer until the curve is known, and is then replaced by the chords
+// of its piece.
 #pragma once
 
 #include "dialects/interpreter/motion/move.h"

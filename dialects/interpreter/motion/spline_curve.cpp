@@ -95,11 +95,11 @@ SplineCurve::Slopes SplineCurve::akima(const Slopes& chords) const {
   Slopes m;
   for (std::size_t i = 0; i <= n; ++i) {
     const double before = std::abs(d[i + 3] - d[i + 2]);
-    const double behind = std::abs(d[i + 1] - d[i]);
-    const double sum = before + behind;
+    const double after = std::abs(d[i + 1] - d[i]);
+    const double sum = before + after;
     // Two straight lines meet: half of each.
     const bool straight = sum <= 1e-12 * (std::abs(d[i + 1]) + std::abs(d[i + 2]));
-    m.push_back(straight || sum == 0.0 ? (d[i + 1] + d[i + 2]) / 2.0 : (before * d[i + 1] + behind * d[i + 2]) / sum);
+    m.push_back(straight || sum == 0.0 ? (d[i + 1] + d[i + 2]) / 2.0 : (before * d[i + 1] + after * d[i + 2]) / sum);
   }
   return m;
 }

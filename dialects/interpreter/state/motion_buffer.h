@@ -45,7 +45,7 @@ class MotionBuffer {
   void hold_plane(bool on) { held_for_plane_ = on; }
   // Takes the motions from `first` on back out of the buffer.
   std::vector<ir::Motion> take_back(std::size_t first);
-  // The first `taken` motions that are kept give way to others, which are handed over.
+  // The first `taken` motions that are kept are replaced by others, which are handed over.
   void replace(std::size_t taken, const std::vector<ir::Motion>& made);
   // The move that was added last, as far back as it is remembered; nullptr when there is none.
   [[nodiscard]] const ir::Motion* last_move() const;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,7 +41,7 @@ struct Block {
 
   [[nodiscard]] bool has(char letter) const { return letters[static_cast<std::size_t>(letter - 'A')]; }
   [[nodiscard]] bool g(double number) const {
-    return std::ranges::find(g10, static_cast<std::int32_t>(number * 10.0 + 0.5)) != g10.end();
+    return std::ranges::find(g10, static_cast<std::int32_t>(std::lround(number * 10.0))) != g10.end();
   }
   [[nodiscard]] bool m(int number) const { return std::ranges::find(m10, number * 10) != m10.end(); }
   // Words of these blocks are arguments or data, not axes.
@@ -68,8 +69,8 @@ class BlockScan {
       }
       folder_line |= written == "&";
       if (folder_line) continue;
-      const bool behind_comma = std::exchange(comma, written == "," || (comma && token.kind == ir::TokenKind::white));
-      if (token.kind == ir::TokenKind::address && behind_comma) {
+      const bool after_comma = std::exchange(comma, written == "," || (comma && token.kind == ir::TokenKind::white));
+      if (token.kind == ir::TokenKind::address && after_comma) {
         letter = 0;  // ,C ,R ,A: a corner or an angle
       } else if (token.kind == ir::TokenKind::address) {
         letter = written.front();
@@ -92,7 +93,7 @@ class BlockScan {
     if (letter != 'G' && letter != 'M') return;
     const auto value = text::parse_number(written);
     if (!value || *value > 9999.0) return;
-    (letter == 'G' ? block.g10 : block.m10).push_back(static_cast<std::int32_t>(*value * 10.0 + 0.5));
+    (letter == 'G' ? block.g10 : block.m10).push_back(static_cast<std::int32_t>(std::lround(*value * 10.0)));
   }
 
   // Whole lines, each with all of its EOB. False: the text is used up.

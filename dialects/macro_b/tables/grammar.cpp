@@ -102,9 +102,9 @@ KeywordIndex::Match KeywordIndex::match(std::string_view text) const {
       best = {&keyword, static_cast<std::uint32_t>(keyword.spelling.size())};
     }
   }
-  const std::size_t behind = text.find_first_not_of(" \t", 2);
-  if (best.keyword != nullptr || behind == std::string_view::npos) return best;
-  const char next = text[behind];
+  const std::size_t after = text.find_first_not_of(" \t", 2);
+  if (best.keyword != nullptr || after == std::string_view::npos) return best;
+  const char next = text[after];
   for (const Keyword& keyword : starting_with(text.front())) {
     if (keyword.spelling.size() > 2 && keyword.spelling[1] == text[1] && can_follow(keyword.role, next)) {
       return {&keyword, 2};

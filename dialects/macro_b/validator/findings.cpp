@@ -133,7 +133,7 @@ bool is_axis(const ir::Control& control, ir::Address address) {
 
 std::string_view text_of(const ir::Program& program, text::Span span) { return span.in(program.source.text()); }
 
-WaysIn::WaysIn(const ir::Program& program, const Section& section) : program_(program) {
+Entries::Entries(const ir::Program& program, const Section& section) : program_(program) {
   for (std::uint32_t i = section.first; i < section.last; ++i) {
     const ir::Statement& s = program.statements[i];
     if (s.kind == ir::StatementKind::go_to) {
@@ -153,7 +153,7 @@ WaysIn::WaysIn(const ir::Program& program, const Section& section) : program_(pr
   }
 }
 
-bool WaysIn::at(std::uint32_t statement) const {
+bool Entries::at(std::uint32_t statement) const {
   if (!program_.statements[statement].is_label) return false;
   if (computed_ || names_blocks_) return true;
   const auto label = std::ranges::lower_bound(program_.labels, statement, {}, &ir::Label::statement);

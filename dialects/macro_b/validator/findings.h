@@ -64,9 +64,9 @@ std::string_view text_of(const ir::Program& program, text::Span span);
 
 // Which labels of a section are entries: those that a jump goes to. After a computed jump, or where other blocks name
 // block numbers (G71 P Q, M99 P of a called program), every label is.
-class WaysIn {
+class Entries {
  public:
-  WaysIn(const ir::Program& program, const Section& section);
+  Entries(const ir::Program& program, const Section& section);
   [[nodiscard]] bool at(std::uint32_t statement) const;
   // Whether blocks other than jumps name block numbers.
   [[nodiscard]] bool blocks_are_named() const { return names_blocks_; }

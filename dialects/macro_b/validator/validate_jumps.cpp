@@ -23,7 +23,7 @@ class JumpCheck {
         section_(section),
         findings_(findings),
         labels_(program, section),
-        ways_in_(program, section) {}
+        entries_(program, section) {}
 
   void run() {
     find_loops();
@@ -93,7 +93,7 @@ class JumpCheck {
       if (s.kind == StatementKind::if_begin) conditional_line = s.line;
       const bool closes = s.kind == StatementKind::if_end || s.kind == StatementKind::while_end ||
                           s.kind == StatementKind::loop_end || s.kind == StatementKind::else_begin;
-      reached = reached || closes || ways_in_.at(i);
+      reached = reached || closes || entries_.at(i);
       if (!reached && s.kind != StatementKind::empty && !is_folder_line(program_, s)) {
         findings_.add(unreachable, s.span);
         reached = true;
@@ -109,7 +109,7 @@ class JumpCheck {
   const Section& section_;
   Findings& findings_;
   LabelIndex labels_;
-  WaysIn ways_in_;
+  Entries entries_;
   std::vector<Loop> loops_;
   std::vector<std::uint32_t> inside_;  // by statement of the section: index of its innermost loop
   std::unordered_set<std::uint32_t> reported_;

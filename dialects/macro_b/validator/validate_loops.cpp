@@ -72,13 +72,13 @@ class LoopCheck {
     if (partner != open_.rbegin()) {
       findings_.add(wrong_nesting, span, {name_of(i, "END"), name_of(open_.back(), "DO")});
     } else if (open_.size() <= kDeepestLoopLookedAt) {
-      check_way_out(*partner, i);
+      check_exit(*partner, i);
     }
     open_.erase(std::next(partner).base());
   }
 
   // A loop without condition, or whose condition cannot change inside it, needs a jump, a return or a stop.
-  void check_way_out(std::uint32_t begin, std::uint32_t end) {
+  void check_exit(std::uint32_t begin, std::uint32_t end) {
     const ir::ExpressionId condition = structure(begin).condition;
     if (changes_by_itself(condition)) return;
     for (std::uint32_t i = begin + 1; i < end; ++i) {

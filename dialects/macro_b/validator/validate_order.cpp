@@ -31,7 +31,7 @@ class OrderCheck {
       : program_(program),
         control_(control),
         findings_(findings),
-        ways_in_(program, section),
+        entries_(program, section),
         in_effect_(program, facts),
         taps_(program, control, findings),
         has_lathe_corners_(control.kind == ir::MachineKind::lathe),
@@ -42,7 +42,7 @@ class OrderCheck {
   void statement(std::uint32_t at) {
     const ir::Statement& s = program_.statements[at];
     if (s.kind == StatementKind::program_end) taps_.end(s.span);
-    if (ways_in_.at(at)) forget();
+    if (entries_.at(at)) forget();
     if (!corner_span_.empty() && s.kind != StatementKind::empty && s.kind != StatementKind::assign) corner(s);
     if (s.kind == StatementKind::block) {
       if (at == 0 || s.is_label || !keeps_modes(at - 1)) load(at);
@@ -324,7 +324,7 @@ class OrderCheck {
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
-  WaysIn ways_in_;
+  Entries entries_;
   facts::InEffect in_effect_;
   TapOrder taps_;
   bool has_lathe_corners_;

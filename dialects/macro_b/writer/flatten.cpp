@@ -141,18 +141,18 @@ class Flattener {
     opened.loop_number = head.loop_number;
     out_.emit_structure(StatementKind::loop_begin, opened);
     const ExpressionId condition = legal(head.condition, deepest() - 1, false);
-    behind_[i] = numbers_.next();
-    out_.emit_jump(passes::jump_to(behind_[i], passes::negated(program_, condition)));
+    label_after_[i] = numbers_.next();
+    out_.emit_jump(passes::jump_to(label_after_[i], passes::negated(program_, condition)));
   }
 
   void end_while(std::uint32_t i) {
     const ir::Structure tail = passes::structure_at(program_, i);
-    const auto behind = behind_.find(tail.partner);
-    if (behind == behind_.end()) return out_.keep();
+    const auto after = label_after_.find(tail.partner);
+    if (after == label_after_.end()) return out_.keep();
     ir::Structure closed;
     closed.loop_number = tail.loop_number;
     out_.emit_structure(StatementKind::loop_end, closed);
-    out_.label_next(behind->second);
+    out_.label_next(after->second);
   }
 
   [[nodiscard]] bool needs_variables(ExpressionId id) const {
@@ -411,7 +411,7 @@ class Flattener {
   passes::FreeNumbers& numbers_;
   passes::Rewrite out_;
   std::vector<text::Diagnostic> diagnostics_;
-  std::unordered_map<std::uint32_t, std::uint32_t> behind_;  // lowered WHILE -> label after its end
+  std::unordered_map<std::uint32_t, std::uint32_t> label_after_;  // lowered WHILE -> label after its end
   std::uint32_t index_ = 0;
   std::uint32_t made_ = 0;
 };

@@ -24,7 +24,7 @@ ir::Code code(Function function) {
 }
 
 // As the number of its M function.
-Function way_of(int number) {
+Function spindle_code(int number) {
   return number == 3 ? Function::spindle_cw : number == 4 ? Function::spindle_ccw : Function::spindle_stop;
 }
 
@@ -120,7 +120,7 @@ void HoleWriter::add_tap(const Hole& hole, ir::Code& drill, std::vector<ir::Word
 void HoleWriter::turn_again(const Hole& hole) {
   if (hole.lead == 0.0 && !hole.floats) return;
   const Turning& turning = place_.turning();
-  const Function after = way_of(hole.after);
+  const Function after = spindle_code(hole.after);
   place_.leave_turning(hole.after == 5 ? std::nullopt : std::optional(after));
   if (hole.lead == 0.0) return emit_code(after);
   out_.emit_block({code(after)}, {word(Address::s, whole(*turning.speed)), word(Address::f, constant(*turning.feed))});
@@ -155,7 +155,7 @@ void HoleWriter::write_by_cycle(const Hole& hole) {
 void HoleWriter::cut(const Hole& hole, Address axis) {
   if (hole.spindle != 0) {
     place_.leave_turning(std::nullopt);  // it ends stopped
-    emit_code(way_of(hole.spindle));
+    emit_code(spindle_code(hole.spindle));
   }
   out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.level)});
   std::vector<ir::Word> in = {absolute(axis, hole.depth)};
@@ -178,10 +178,10 @@ void HoleWriter::draw_out(const Hole& hole, const PlaneAxes& axes) {
   shift(hole, axes, -1.0, 0.0);
 }
 
-void HoleWriter::shift(const Hole& hole, const PlaneAxes& axes, double way, double lift) {
+void HoleWriter::shift(const Hole& hole, const PlaneAxes& axes, double sign, double lift) {
   std::vector<ir::Word> words;
-  if (hole.shift_first != 0.0) words.push_back(by(axes.first, way * hole.shift_first));
-  if (hole.shift_second != 0.0) words.push_back(by(axes.second, way * hole.shift_second));
+  if (hole.shift_first != 0.0) words.push_back(by(axes.first, sign * hole.shift_first));
+  if (hole.shift_second != 0.0) words.push_back(by(axes.second, sign * hole.shift_second));
   if (lift != 0.0) words.push_back(by(axes.normal, lift));
   if (!words.empty()) out_.emit_block({code(Function::rapid)}, words);
 }
@@ -215,8 +215,8 @@ ir::Word HoleWriter::absolute(Address address, ExpressionId value) {
   return w;
 }
 
-ir::Word HoleWriter::by(Address axis, double way) {
-  ir::Word w = word(axis, constant(way));
+ir::Word HoleWriter::by(Address axis, double distance) {
+  ir::Word w = word(axis, constant(distance));
   w.mode = ir::WordMode::incremental;
   return w;
 }

@@ -51,7 +51,7 @@ class HoleWriter {
   void write_by_cycle(const Hole& hole);
   void cut(const Hole& hole, ir::Address axis);
   void draw_out(const Hole& hole, const PlaneAxes& axes);
-  void shift(const Hole& hole, const PlaneAxes& axes, double way, double lift);
+  void shift(const Hole& hole, const PlaneAxes& axes, double sign, double lift);
   void turn_again(const Hole& hole);
   // How the spindle turns on the approach; nothing where that is not known.
   [[nodiscard]] std::optional<ir::Function> cutting_direction(const Hole& hole) const;
@@ -60,7 +60,7 @@ class HoleWriter {
   ir::ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }
   ir::ExpressionId whole(double value) { return program_.add_constant(value, {}, false); }
   ir::Word absolute(ir::Address address, ir::ExpressionId value);
-  ir::Word by(ir::Address axis, double way);
+  ir::Word by(ir::Address axis, double distance);
   ir::Word feed(double value);
 
   ir::Program& program_;

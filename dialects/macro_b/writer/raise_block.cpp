@@ -238,16 +238,16 @@ void BlockRaiser::follow_direction(const ir::Code& code) {
   const Function f = code.function;
   if (f >= Function::plane_xy && f <= Function::plane_yz) plane_is_xy_ = f == Function::plane_xy;
   if (code.group != ir::ModalGroup::motion && code.group != ir::ModalGroup::cycle && f != Function::cycle_off) return;
-  way_ = f == Function::nurbs ? Way::curve : f == Function::drill ? Way::holes : Way::other;
+  moves_by_ = f == Function::nurbs ? MovesBy::curve : f == Function::drill ? MovesBy::holes : MovesBy::other;
   const auto cycle = static_cast<ir::DrillCycle>(code.argument);
-  shifts_ = way_ == Way::holes && (cycle == ir::DrillCycle::fine_bore || cycle == ir::DrillCycle::back_bore);
+  shifts_ = moves_by_ == MovesBy::holes && (cycle == ir::DrillCycle::fine_bore || cycle == ir::DrillCycle::back_bore);
 }
 
 // Words that count or weigh, with a letter that is a length elsewhere: holes (K), passes (R of G73), knots and weights.
 bool BlockRaiser::is_plain_number(const ir::Word& word, const Traits& traits) const {
-  if (word.address == Address::r) return traits.counts_passes || way_ == Way::curve;
+  if (word.address == Address::r) return traits.counts_passes || moves_by_ == MovesBy::curve;
   if (word.address != Address::k) return false;
-  return way_ == Way::curve || (way_ == Way::holes && !(shifts_ && !plane_is_xy_));
+  return moves_by_ == MovesBy::curve || (moves_by_ == MovesBy::holes && !(shifts_ && !plane_is_xy_));
 }
 
 // Only one that these controls have themselves: others are refused, and their end by itself ends nothing.
@@ -278,7 +278,7 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   if (traits.changes_lead && !same_ && word.address == Address::k && in_increments)
     return cannot(*statement_, passes::by_parameter("the change of a lead without a point"));
   // Mazak's second feed of G85, which others do not have.
-  if (!same_ && word.address == Address::e && way_ == Way::holes)
+  if (!same_ && word.address == Address::e && moves_by_ == MovesBy::holes)
     return cannot(*statement_, passes::together("the word E together with a drilling cycle"));
   if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
   ir::Word raised = word;

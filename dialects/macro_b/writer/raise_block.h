@@ -111,8 +111,8 @@ class BlockRaiser {
   std::vector<bool> lacks_edge_;          // by statement, once it is asked for
   bool stands_on_xy_ = false;             // all tools do
   std::uint32_t index_ = 0;
-  enum class Way : std::uint8_t { other, holes, curve };
-  Way way_ = Way::other;
+  enum class MovesBy : std::uint8_t { other, holes, curve };
+  MovesBy moves_by_ = MovesBy::other;
   bool shifts_ = false;  // the cycle goes aside at the bottom, by I, J or K
   bool plane_is_xy_;     // K is no letter of it
   bool incremental_ = false;

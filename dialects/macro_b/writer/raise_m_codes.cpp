@@ -36,7 +36,7 @@ void BlockRaiser::split_m_codes() {
     if (starts(*code)) kept = code;
   if (kept == draft_.codes.end()) kept = std::ranges::find_if(draft_.codes, is_m);
   std::vector<ir::Code> codes;
-  std::vector<Draft> behind;
+  std::vector<Draft> last;
   std::optional<std::size_t> turn_in_front;
   for (auto code = draft_.codes.begin(); code != draft_.codes.end(); ++code) {
     if (code == kept || !is_m(*code)) {
@@ -45,12 +45,12 @@ void BlockRaiser::split_m_codes() {
       before_.push_back({{*code}, {}});
       if (turns(*code)) turn_in_front = before_.size() - 1;
     } else {
-      behind.push_back({{*code}, {}});
+      last.push_back({{*code}, {}});
     }
   }
   draft_.codes = std::move(codes);
   if (turn_in_front) write_speed(before_[*turn_in_front]);
-  after_.insert(after_.begin(), behind.begin(), behind.end());
+  after_.insert(after_.begin(), last.begin(), last.end());
 }
 
 // S goes with the spindle, and with S what it counts: G96 or G97, with the axis (P) of G96.

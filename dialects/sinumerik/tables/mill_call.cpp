@@ -118,10 +118,10 @@ void MillCall::kind(bool may_do_both) {
 void MillCall::entry() {
   constexpr std::array kEntries = {ir::MillEntry::rapid, ir::MillEntry::straight, ir::MillEntry::helix,
                                    ir::MillEntry::oscillation};
-  const auto way = static_cast<std::size_t>(digit("VARI", 10.0));
-  if (way >= kEntries.size()) return alarm(kAlarmKind);
+  const auto index = static_cast<std::size_t>(digit("VARI", 10.0));
+  if (index >= kEntries.size()) return alarm(kAlarmKind);
   if (digit("VARI", 100.0) != 0 || digit("VARI", 1000.0) > 1) return leave("with a kind (VARI) that is not known");
-  reading.cycle.entry = kEntries[way];
+  reading.cycle.entry = kEntries[index];
   reading.cycle.entry_depth = size("DP1");
 }
 

@@ -48,7 +48,7 @@ class Nesting {
     if (!open_.empty() || faulty_) return;
     jumps();
     for (std::uint32_t i = 0; i < statements.size(); ++i)
-      if (repeats_for_ever(i) && !has_way_out(i)) check_.report(DiagnosticId::endless_loop, statements[i].span);
+      if (repeats_for_ever(i) && !has_exit(i)) check_.report(DiagnosticId::endless_loop, statements[i].span);
   }
 
  private:
@@ -130,7 +130,7 @@ class Nesting {
     return e.op == ir::Operator::constant && e.value != 0.0;
   }
 
-  [[nodiscard]] bool has_way_out(std::uint32_t begin) const {
+  [[nodiscard]] bool has_exit(std::uint32_t begin) const {
     const auto& statements = check_.program.statements;
     const std::uint32_t end = check_.program.structures[statements[begin].payload].partner;
     for (std::uint32_t i = begin; i < end; ++i) {

@@ -105,7 +105,7 @@ void check_alone(const Check& check, const ir::Block& block) {
 }
 
 // X=DC(…): the shortest direction is of an axis that turns.
-void check_ways(const Check& check, const ir::Word& word) {
+void check_axis_modes(const Check& check, const ir::Word& word) {
   struct Row {
     std::string_view mode;
     std::string_view alarm;
@@ -176,7 +176,7 @@ void check_words(const Check& check) {
     if (s.kind == StatementKind::native) check_tool_call(check, s);
     if (s.kind == StatementKind::block) check_alone(check, check.block_of(s));
   }
-  for (const ir::Word& word : check.program.words) check_ways(check, word);
+  for (const ir::Word& word : check.program.words) check_axis_modes(check, word);
   for (const ir::Variable& v : check.program.variables) check_indices(check, v);
 }
 

@@ -37,10 +37,10 @@ class Writer {
     code.function = function;
     out_.emit_block({code}, words);
   }
-  void shift(double way) {
+  void shift(double sign) {
     std::vector<ir::Word> words;
-    if (hole_.shift_x != ExpressionId::none) words.push_back(by(Address::x, hole_.shift_x, way));
-    if (hole_.shift_y != ExpressionId::none) words.push_back(by(Address::y, hole_.shift_y, way));
+    if (hole_.shift_x != ExpressionId::none) words.push_back(by(Address::x, hole_.shift_x, sign));
+    if (hole_.shift_y != ExpressionId::none) words.push_back(by(Address::y, hole_.shift_y, sign));
     if (!words.empty()) block(Function::rapid, words);
   }
   // Numbers are in units of the program already.
@@ -50,12 +50,12 @@ class Writer {
     w.mode = ir::WordMode::absolute;
     return w;
   }
-  ir::Word by(Address address, ExpressionId length, double way) {
+  ir::Word by(Address address, ExpressionId length, double sign) {
     const ir::Expression e = program_.at(length);
     ir::Word w = word(address, length);
     if (e.op == ir::Operator::constant)
-      w.value = program_.add_constant(e.value * way);
-    else if (way < 0.0)
+      w.value = program_.add_constant(e.value * sign);
+    else if (sign < 0.0)
       w.value = program_.add_operator(ir::Operator::negate, length);
     w.mode = ir::WordMode::incremental;
     return w;

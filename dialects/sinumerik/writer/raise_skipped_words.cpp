@@ -51,14 +51,14 @@ void choose(const Raising& raising, passes::Rewrite& out, passes::FreeNumbers& n
   const std::vector<ir::Code> first_codes = first_of(codes, block);
   const std::vector<ir::Word> first_words = first_of(words, block);
   const std::uint32_t whole = numbers.next();
-  const std::uint32_t behind = numbers.next();
+  const std::uint32_t after = numbers.next();
   out.emit_jump(passes::jump_to(whole));
   out.last().skip_level = block.rest_level;
   if (!first_codes.empty() || !first_words.empty()) out.emit_block(first_codes, first_words);
-  out.emit_jump(passes::jump_to(behind));
+  out.emit_jump(passes::jump_to(after));
   out.label_next(whole);
   out.emit_block(all_codes, all_words);
-  out.label_next(behind);
+  out.label_next(after);
 }
 
 }  // namespace

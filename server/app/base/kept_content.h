@@ -1,4 +1,4 @@
-// Bytes on their way into the store, in slices that leave others their turn: whoever takes the store again at once
+// Writes bytes into the store, in slices that leave others their turn: whoever takes the store again at once
 // leaves them no gap, however short a slice is.
 #pragma once
 

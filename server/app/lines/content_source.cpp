@@ -74,13 +74,13 @@ Result<TextPart> part_for(store::Contents& contents, const std::string& sha256, 
   const auto last = lift(contents.read(sha256, known->bytes - tail.size(), tail));
   if (!first || !last) return fail(ErrorCode::unavailable, "the stored text cannot be read");
   const std::size_t begin = machine::archive_head(head);
-  const std::size_t behind = machine::archive_tail(tail);
+  const std::size_t tail_bytes = machine::archive_tail(tail);
   std::string lines;
   tape_code::EobReader eobs;
   for (const char c : std::string_view(head).substr(0, begin)) eobs.put(c, lines);
   eobs.finish(lines);
   return TextPart{.begin = begin,
-                  .end = std::max<std::uint64_t>(begin, known->bytes - behind),
+                  .end = std::max<std::uint64_t>(begin, known->bytes - tail_bytes),
                   .line = 1 + static_cast<std::uint64_t>(std::ranges::count(lines, '\n'))};
 }
 

@@ -1,4 +1,4 @@
-// The file of one job on its way into a shop's folder: written under a name that no control fetches, read back, then
+// The file of one job that goes into a shop's folder: written under a name that no control fetches, read back, then
 // named in one step. Every member blocks for as long as the folder's file system likes, for ever where its server
 // hangs: only the folder's own thread calls them.
 #pragma once

@@ -37,7 +37,7 @@ constexpr std::chrono::seconds kPatience{1};        // then a folder counts as o
 constexpr std::chrono::milliseconds kFarewell{20};  // a line that goes waits so long for its thread to tidy up
 constexpr std::string_view kNoAnswer = "folder does not answer";
 
-// One job on its way into the folder.
+// One job that is being written into the folder.
 struct Drop {
   Drop(LineOrder given, const tape_code::WireFormat& format)
       : order(std::move(given)),

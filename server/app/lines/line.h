@@ -84,7 +84,7 @@ struct LineReport {
   LineState state = LineState::disconnected;
   JobEnd end = JobEnd::none;
   std::string_view stall;    // "" or a name: "waiting for DC1", "held by DC3", "CTS off", "peer gone", …
-  bool stop_wanted = false;  // a person's stop is in force, reached or on its way to the block end
+  bool stop_wanted = false;  // a person's stop is in force, reached or waiting for the block end
   std::string_view cause;    // why the job ended, "" while it runs
   std::string link_error;    // why the link is down
   std::string link_note;     // of a link that is up: what its device server did not confirm

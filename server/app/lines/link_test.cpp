@@ -90,10 +90,10 @@ class Test final : private LinkListener, private Ticker {
     const std::uint64_t place = received_++;
     if (byte != character(place)) ++result_.wrong;
     heard_at_ = at;
-    if (step_ == Step::counting) ++behind_;
+    if (step_ == Step::counting) ++after_dc3_;
     if (place == kBeforeDc3 && step_ == Step::streaming) {
       step_ = Step::counting;  // from here on nothing is written: what still comes was below us
-      behind_ = 0;
+      after_dc3_ = 0;
     }
   }
 
@@ -171,7 +171,7 @@ class Test final : private LinkListener, private Ticker {
     deadline_ = at + kTick;
     if (received_ < written_ && at - heard_at_ > plan_.patience) return end(nothing_came());
     if (received_ < written_ || at - heard_at_ < kAfter) return;
-    result_.after_dc3.push_back(behind_);
+    result_.after_dc3.push_back(after_dc3_);
     if (result_.after_dc3.size() < plan_.holds) return begin_stream();
     finish();
   }
@@ -242,7 +242,7 @@ class Test final : private LinkListener, private Ticker {
   feed::Time heard_at_{};
   std::uint64_t written_ = 0;
   std::uint64_t received_ = 0;
-  std::uint64_t behind_ = 0;
+  std::uint64_t after_dc3_ = 0;
   LinkTestResult result_;
   std::promise<Done> done_;
 };

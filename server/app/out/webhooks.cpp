@@ -1,4 +1,4 @@
-// One delivery of a webhook is on its way at a time, so that they come in their order while all goes well; webhooks do
+// A webhook sends one delivery at a time, so that they come in their order while all goes well; webhooks do
 // not wait for each other.
 #include "server/app/out/webhooks.h"
 

@@ -56,7 +56,7 @@ class Webhooks {
   Result<std::uint64_t> replay_dead(store::Id webhook, std::int64_t since_ms, std::string_view actor);
   Result<void> remove(store::Id webhook, std::string_view actor);
 
-  // Ends the thread; what is on its way is sent again at the next start.
+  // Ends the thread; what is in transit is sent again at the next start.
   void stop();
 
  private:

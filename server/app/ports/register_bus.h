@@ -55,7 +55,7 @@ class BusUser {
   ~BusUser() = default;
 };
 
-// A user's place on the bus. Its turns begin at once; the destructor waits for one that is on its way.
+// A user's place on the bus. Its turns begin at once; the destructor waits for one that has begun.
 class BusSeat {
  public:
   BusSeat() = default;

@@ -201,7 +201,7 @@ class FedLine(threading.Thread):
             self.permit.set("silent", "the control was reset, and nothing is armed")
             self.served.post(f"/machines/{self.name}/confirm-reset", {"reason": "the test pressed RESET"})
         elif torn:
-            self.judge_of_all.violation(2, self.name, self.scene, "a block is torn at the control, and nobody is asked to confirm")
+            self.judge_of_all.violation(2, self.name, self.scene, "a block is torn at the control, and no one is asked to confirm")
         self.control.begin()
         self.drop_answer()
         self.permit.set("silent", "the control was reset, and nothing is armed")
@@ -292,7 +292,7 @@ class FedLine(threading.Thread):
         if torn:
             self.torn(f"{how} inside a block, in {self.scene}")
         else:
-            self.permit.set("silent", f"after {how}: nobody armed anything")
+            self.permit.set("silent", f"after {how}: no one armed anything")
         self.died = how if busy or torn else None
         if hasattr(self.control, "free"):
             self.control.free()

@@ -45,7 +45,7 @@ def flood_at_rest(line):
     forget_flood(line)
 
 
-def arm_behind_a_flood(line):
+def arm_after_a_flood(line):
     """What came before the arming is no start, though it was not read yet: the arming is refused, or waits for a start of its own."""
     line.wait_line("idle")
     line.permit.set("silent", "nothing is armed")
@@ -154,7 +154,7 @@ def cut_if(line, condition):
     with line.loop.lock:
         if not condition():
             return False
-        line.permit.set("sending", "what was on its way")
+        line.permit.set("sending", "what was in transit")
         line.control.unplug()
         if line.control.inside_block():
             line.torn("the link was cut inside a block")
@@ -219,7 +219,7 @@ SCENES = {
     "feed with holds": (4, feed_with_holds, 4),
     "start, nothing armed": (2, start_with_nothing_armed, 1),
     "flood at rest": (1, flood_at_rest, 4),
-    "arm behind a flood": (1, arm_behind_a_flood, 1),
+    "arm after a flood": (1, arm_after_a_flood, 1),
     "flood in a feed": (1, flood_in_a_feed, 2),
     "stop and resume": (2, stop_and_resume, 1),
     "reset while stopped": (1, reset_while_stopped, 1),

@@ -491,7 +491,7 @@ async function pages(page) {
   const rows = page.locator('[data-program]');
   await until(async () => (await rows.count()) === 50, 'a page has 50 programs');
   await page.getByRole('button', { name: 'Show more' }).click();
-  await until(async () => (await rows.count()) > 60, 'the next page comes behind it');
+  await until(async () => (await rows.count()) > 60, 'the next page comes after it');
   const ids = await rows.evaluateAll((all) => all.map((one) => one.dataset.program));
   expect(new Set(ids).size === ids.length, 'each program once');
 }

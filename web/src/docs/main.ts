@@ -49,7 +49,7 @@ function start(form: HTMLFormElement): void {
     if (query.trim() === '') return close();
     try {
       const found = (await prepare())(query);
-      if (query !== field.value) return; // another one is on its way
+      if (query !== field.value) return; // another one is in transit
       list.replaceChildren(...found.hits.map(itemOf));
       status.textContent = sentenceOf(found);
     } catch (error) {

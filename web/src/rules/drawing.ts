@@ -137,7 +137,7 @@ export function pictureOf(view: View, width: number): Picture {
   const at = (point: readonly number[]): Point => [left + ((point[0] ?? 0) - box.low[0]) * scale, top + (box.high[1] - (point[1] ?? 0)) * scale];
   const edge: Record<Side, number> = { left, right: left + wide * scale, top, bottom: top + high * scale };
   const covered: Covered[] = [];
-  // Where two sides meet, a level text gives way along its own line: it has more room.
+  // Where two sides meet, a level text moves aside along its own line: it has more room.
   const isUpwards = ({ side }: Lane) => side === 'left' || side === 'right';
   const placed: PlacedDimension[] = [...lanes.filter(isUpwards), ...lanes.filter((one) => !isUpwards(one))].map((one) => {
     const wished = outside(one, at, edge, width, height);

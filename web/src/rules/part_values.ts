@@ -8,10 +8,10 @@ export const isList = (parameter: Parameter): boolean => parameter.most > 0;
 // "10 … 400 mm", "in steps of 0.5 mm"; null where there is no bound.
 export function boundsOf({ low, high, unit }: Pick<Parameter, 'low' | 'high' | 'unit'>): string | null {
   if (low === null && high === null) return null;
-  const behind = unit === '' ? '' : ` ${unit}`;
-  if (low === null) return `≤ ${high}${behind}`;
-  if (high === null) return `≥ ${low}${behind}`;
-  return `${low} … ${high}${behind}`;
+  const suffix = unit === '' ? '' : ` ${unit}`;
+  if (low === null) return `≤ ${high}${suffix}`;
+  if (high === null) return `≥ ${low}${suffix}`;
+  return `${low} … ${high}${suffix}`;
 }
 
 // A plain number in a field of a unit is meant in that unit: the language itself wants it written.

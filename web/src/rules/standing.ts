@@ -62,7 +62,7 @@ export const standingOf = (now: StandingNow, job: Job | null, queued: number, en
 function keyOf(status: StandingNow, job: Job | null, queued: number, ended: Job | null): StandingKey {
   if (isTorn(status)) return 'torn';
   if (stallKind(status.stall) === 'reset') return 'reset_suspected';
-  if (status.line === 'disconnected') return isOnTheWay(job) ? 'lost_with_job' : 'disconnected';
+  if (status.line === 'disconnected') return isUnfinished(job) ? 'lost_with_job' : 'disconnected';
   if (hasJob(status)) return onLine(status);
   if (status.line === 'receiving' || status.line === 'answering') return status.line;
   if (status.plc_alarm > 0) return 'machine_alarm';
@@ -72,7 +72,7 @@ function keyOf(status: StandingNow, job: Job | null, queued: number, ended: Job 
   return queued > 0 ? 'queued' : 'idle';
 }
 
-const isOnTheWay = (job: Job | null): boolean => job !== null && job.ended_at_ms === null && job.state !== 'queued';
+const isUnfinished = (job: Job | null): boolean => job !== null && job.ended_at_ms === null && job.state !== 'queued';
 
 function onLine(status: StandingNow): StandingKey {
   const kind = stallKind(status.stall);

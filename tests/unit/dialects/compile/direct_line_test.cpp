@@ -82,7 +82,7 @@ TEST(DirectLine, WhatDoesNotFollowIsNotCertain) {
   const Played wrong = lathe("X60. Z-30. ,A100.\nX70.\n", "mazak");
   EXPECT_TRUE(is_reported(wrong));
   const auto after = moves_of(wrong.motions);
-  EXPECT_NE(after.back().axes_unknown & 4U, 0U) << "Z is not known behind it";
+  EXPECT_NE(after.back().axes_unknown & 4U, 0U) << "Z is not known after it";
   const Played right = lathe("X60. Z-10. ,A135.\n");
   EXPECT_FALSE(is_reported(right));
 }

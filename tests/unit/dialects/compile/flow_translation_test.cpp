@@ -15,7 +15,7 @@ std::vector<double> places(const Result& played) {
 
 const Texts kPrograms = {{"SUB1", "PROC SUB1\nSUB2\nG0 X5\nM17\n"}};
 
-Texts with(std::string end) {
+Texts with(const std::string& end) {
   Texts programs = kPrograms;
   programs["SUB2"] = "PROC SUB2\nG0 X3\n" + end + "\n";
   return programs;
@@ -105,8 +105,8 @@ TEST(RepeatedParts, OneInAnother) {
 // A jump back to the first block of the program does not end the repetitions that are on.
 TEST(RepeatedParts, GoOnAfterAJumpToTheFirstBlock) {
   expect_places_everywhere(
-      "DEF INT TIMES=0\nBEGIN: G17 G710 G90 G94 G40 F100\nIF TIMES>0 GOTOF BEHIND\nG0 X0 Y0 Z0\nREPEAT LAB1 LAB2 P=3\n"
-      "BEHIND: G0 X=IC(100)\nGOTOF LAB2\n"
+      "DEF INT TIMES=0\nBEGIN: G17 G710 G90 G94 G40 F100\nIF TIMES>0 GOTOF AFTER\nG0 X0 Y0 Z0\nREPEAT LAB1 LAB2 P=3\n"
+      "AFTER: G0 X=IC(100)\nGOTOF LAB2\n"
       "LAB1: TIMES=TIMES+1\nG0 X=IC(1)\nIF TIMES==2 GOTOB BEGIN\nLAB2: G0 X=IC(10)\nM30\n",
       {0, 1, 11, 12, 112, 122, 123, 133, 233, 243});
 }

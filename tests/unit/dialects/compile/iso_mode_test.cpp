@@ -133,8 +133,8 @@ TEST(IsoMode, SubprogramsAreCalledAndReturn) {
 
 // What ISO mode takes of Siemens mode: calls (Diagnostics Manual, alarm 12710). What they call begins in ISO mode, too.
 TEST(IsoMode, CallsAreWrittenAsInSiemensModeToo) {
-  const Texts called = {{"SUB", "G0 X9. Y0.\nM99\n"}, {"WAY", "PROC WAY(REAL XA)\nG0 X=XA\nM17\n"}};
-  EXPECT_EQ(path(after_head("G291\nG0 X1.\nSUB\nY2.\nN9 WAY(4)\nCALL \"SUB\"\nY3.\nG290\nG0 X=1+1\n", called)),
+  const Texts called = {{"SUB", "G0 X9. Y0.\nM99\n"}, {"RUN", "PROC RUN(REAL XA)\nG0 X=XA\nM17\n"}};
+  EXPECT_EQ(path(after_head("G291\nG0 X1.\nSUB\nY2.\nN9 RUN(4)\nCALL \"SUB\"\nY3.\nG290\nG0 X=1+1\n", called)),
             path(after_head("G0 X1\nX9 Y0\nY2\nX4\nX9 Y0\nY3\nX2\n")));
 }
 

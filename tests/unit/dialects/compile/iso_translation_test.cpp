@@ -132,9 +132,9 @@ TEST(IsoTranslation, WhatNumbersCountFollowsThePaths) {
 TEST(IsoTranslation, InitialLevelsAfterIt) {
   const std::string head = "G17 G90 G94 G54 G71\nT5 M6\nD1\nG0 X0 Y0 Z50 F500 S1000 M3\n";
   const std::string holes = "MCALL CYCLE81(50,0,2,-5)\nX30\nX40\nMCALL\nX50\nR100=R101\nM30\n";
+  const auto with = [&](const std::string& what) { return head + "G291\n" + what + "\nG290\n" + holes; };
   for (const std::string what : {"G92 Z10.", "G52 Z5.", "G31 Z20. F100.\nG0", "G10 L2 P1 Z5.", "G43 H5"}) {
-    const ConvertResult made =
-        converted(head + "G291\n" + what + "\nG290\n" + holes, "fanuc", sinumerik(MachineKind::mill));
+    const ConvertResult made = converted(with(what), "fanuc", sinumerik(MachineKind::mill));
     EXPECT_EQ(made.text.find("G98"), std::string::npos) << what << made.text;
   }
   const ConvertResult skipped = converted(head + "/G0 Z60\n" + holes, "fanuc", sinumerik(MachineKind::mill));
@@ -230,12 +230,12 @@ TEST(IsoTranslation, ThreadsAndShapesOfALathe) {
       sinumerik(MachineKind::lathe));
   EXPECT_NE(made.find("G34 Z-20. F2. K0.1"), std::string::npos) << made;
   // After a cycle the feed is that of its block, whatever its shape says.
-  const std::string behind = expect_same_there(
+  const std::string after = expect_same_there(
       head +
           "G0 X42. Z2.\nG71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X20.\nG1 Z-10. F0.1\nN20 X42.\nG0 X60.\nZ5.\n"
           "G290\nG33 Z-10 K2\nG1 X70\nR100=R101\nM30\n",
       "fanuc", sinumerik(MachineKind::lathe));
-  EXPECT_NE(behind.find("F0.3\nG01 X70."), std::string::npos) << behind;
+  EXPECT_NE(after.find("F0.3\nG01 X70."), std::string::npos) << after;
   const std::string shape = "G73 U2. W2. R3\nG73 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X20.\nG1 Z-10. F0.1\nN20 X42.\n";
   EXPECT_NE(
       refusal(head + shape + "G290\nG0 X60\nG291\n" + shape + "G290\nM30\n", "fanuc", sinumerik(MachineKind::lathe))

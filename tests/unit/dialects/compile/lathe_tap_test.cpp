@@ -18,6 +18,9 @@ const std::string kNumberedEnd = "G80\nG00 X100. Z50.\nG01 X99. F0.2\nM05\nM30\n
 const std::string kNamed = "G71 G90 G18 G95 G40 DIAMON G54\nT1 D1\nG97 S300 M3\nG0 X0 Z5\n";
 const std::string kNamedEnd = "G18\nG0 X100 Z50\nS200 M3\nG1 X99 F0.2\nM5\nM30\n";
 
+std::string numbered(const std::string& blocks) { return kNumbered + blocks + kNumberedEnd; }
+std::string named(const std::string& blocks) { return kNamed + blocks + kNamedEnd; }
+
 ConvertResult converted(const std::string& text, const std::string& from, const std::string& to,
                         MachineKind kind = MachineKind::lathe, ir::GSystem system = ir::GSystem::a) {
   ConvertRequest request;
@@ -52,7 +55,7 @@ std::string expect_same_there(const std::string& text, const std::string& from, 
   EXPECT_GE(a.size(), 4U);
   EXPECT_EQ(a.size(), b.size()) << made.text;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const std::string where = made.text + ", way " + std::to_string(i);
+    const std::string where = made.text + ", move " + std::to_string(i);
     for (std::size_t axis = 0; axis < 6; ++axis) EXPECT_NEAR(a[i].end[axis], b[i].end[axis], 1e-9) << where;
     const bool rapid = a[i].kind == MotionKind::rapid;
     EXPECT_EQ(rapid, b[i].kind == MotionKind::rapid) << where;
@@ -91,12 +94,11 @@ const std::vector<std::string> kControls = {"fanuc", "mazak", "mitsubishi-m80"};
 // PG, "Tapping with compensating chuck (G63)": 300 turns of 1.5 mm are 450 mm a minute.
 TEST(LatheTap, FloatingBecomesG63) {
   for (const std::string& from : kControls) {
-    const std::string made =
-        expect_same_there(kNumbered + "G84 Z-20. R-2. P500 F1.5\nZ-15.\n" + kNumberedEnd, from, kSinumerik);
+    const std::string made = expect_same_there(numbered("G84 Z-20. R-2. P500 F1.5\nZ-15.\n"), from, kSinumerik);
     expect_has(made, "G94\nG63 Z-20. F450\nG4 F0.5\nG63 Z3. M4\nG0 Z5.\nS300 M3\nG95\n");
     expect_has(made, "G63 Z-15. F450");
-    const std::string by_time = expect_same_there(
-        kNumbered + "G98 G01 Z4. F100.\nG84 Z-20. R-2. F450.\nG80\nG01 Z6.\n" + kNumberedEnd, from, kSinumerik);
+    const std::string by_time =
+        expect_same_there(numbered("G98 G01 Z4. F100.\nG84 Z-20. R-2. F450.\nG80\nG01 Z6.\n"), from, kSinumerik);
     expect_has(by_time, "G63 Z-20. F450\nG63 Z2. M4\n");
     expect_has_not(by_time, "G95");
   }
@@ -104,28 +106,25 @@ TEST(LatheTap, FloatingBecomesG63) {
 
 TEST(LatheTap, FloatingFromTheSide) {
   const std::string made =
-      expect_same_there(kNumbered + "G00 X60. Z-5.\nG88 X20. R-2. F1.25\nW-10.\n" + kNumberedEnd, "fanuc", kSinumerik);
+      expect_same_there(numbered("G00 X60. Z-5.\nG88 X20. R-2. F1.25\nW-10.\n"), "fanuc", kSinumerik);
   expect_has(made, "G63 X20. F375\nG63 X56. M4\n");
 }
 
 TEST(LatheTap, RigidBecomesG331AndG332) {
   const std::string pair = "M19\nG331 Z-20. K1.5 S300\nG4 F0.5\nG332 Z3. K1.5\n";
   const std::string tap = "G84 Z-20. R-2. P500 F1.5";
-  expect_has(expect_same_there(kNumbered + "M29 S300\n" + tap + "\n" + kNumberedEnd, "fanuc", kSinumerik), pair);
-  expect_has(expect_same_there(kNumbered + tap + " ,R1\n" + kNumberedEnd, "mitsubishi-m80", kSinumerik), pair);
-  expect_has(expect_same_there(kNumbered + "G84.2 Z-20. R-2. P500 F1.5\n" + kNumberedEnd, "mazak", kSinumerik), pair);
-  const std::string stopped =
-      expect_same_there(kNumbered + "M05\nM29 S300\n" + tap + "\n" + kNumberedEnd, "fanuc", kSinumerik);
+  expect_has(expect_same_there(numbered("M29 S300\n" + tap + "\n"), "fanuc", kSinumerik), pair);
+  expect_has(expect_same_there(numbered(tap + " ,R1\n"), "mitsubishi-m80", kSinumerik), pair);
+  expect_has(expect_same_there(numbered("G84.2 Z-20. R-2. P500 F1.5\n"), "mazak", kSinumerik), pair);
+  const std::string stopped = expect_same_there(numbered("M05\nM29 S300\n" + tap + "\n"), "fanuc", kSinumerik);
   expect_has(stopped, pair + "G0 Z5.\nM5\n");
   const std::string side = expect_same_there(
-      kNumbered + "G00 X60. Z-5.\nG98\nM29 S300\nG88 X20. R-2. F450.\nZ-9.\nG80\nG99\n" + kNumberedEnd, "fanuc",
-      kSinumerik);
+      numbered("G00 X60. Z-5.\nG98\nM29 S300\nG88 X20. R-2. F450.\nZ-9.\nG80\nG99\n"), "fanuc", kSinumerik);
   expect_has(side, "G331 X20. I1.5 S300\nG332 X56. I1.5\nG0 X60.\n");
   expect_has_not(side, "M29");
   // ,R1: F is the lead in G98, too.
-  const std::string by_lead =
-      expect_same_there(kNumbered + "G98 G01 Z4. F100.\nG84 Z-20. R-2. F1.5 ,R1\nG80\nG99\n" + kNumberedEnd,
-                        "mitsubishi-m80", kSinumerik);
+  const std::string by_lead = expect_same_there(numbered("G98 G01 Z4. F100.\nG84 Z-20. R-2. F1.5 ,R1\nG80\nG99\n"),
+                                                "mitsubishi-m80", kSinumerik);
   expect_has(by_lead, "G331 Z-20. K1.5 S300\n");
 }
 
@@ -135,14 +134,13 @@ TEST(LatheTap, InchesAndLoops) {
       "Z2.\nM30\n%\n";
   expect_has(expect_same_there(inch, "fanuc", kSinumerik), "G331 Z-0.8 K0.05 S300\nG332 Z0.1 K0.05\n");
   const std::string loop =
-      kNumbered + "#1=0\nWHILE[#1 LT 3]DO1\nG00 X[40.+#1] Z5.\nM29 S300\nG84 Z-20. R-2. F1.5\nG80\n#1=#1+1\nEND1\n" +
-      kNumberedEnd;
+      numbered("#1=0\nWHILE[#1 LT 3]DO1\nG00 X[40.+#1] Z5.\nM29 S300\nG84 Z-20. R-2. F1.5\nG80\n#1=#1+1\nEND1\n");
   expect_has(expect_same_there(loop, "fanuc", kSinumerik), "WHILE");
 }
 
 TEST(LatheTap, WhatIsNotSureOfNumberedTapsIsRefused) {
   const auto refused = [](const std::string& body, const std::string& why, const std::string& from = "fanuc") {
-    expect_has(refusal(kNumbered + body + kNumberedEnd, from, kSinumerik), why);
+    expect_has(refusal(numbered(body), from, kSinumerik), why);
   };
   refused("G84 Z-20. R-2. Q5000 F1.5\n", "Q5000");
   refused("M05\nG84 Z-20. R-2. F1.5\n", "does not turn by M3");
@@ -162,15 +160,14 @@ TEST(LatheTap, WhatIsNotSureOfNumberedTapsIsRefused) {
 // --- from SINUMERIK
 
 TEST(LatheTap, CalledTapsBecomeG84OrG88) {
-  const std::string called = kNamed + "G17\nCYCLE84(5,0,2,-20,,1,3,,1.5,0,300,300)\n" + kNamedEnd;
+  const std::string called = named("G17\nCYCLE84(5,0,2,-20,,1,3,,1.5,0,300,300)\n");
   expect_has(expect_same_there(called, kSinumerik, "fanuc"),
              "G00 Z2.\nS300\nM29\nG84 Z-20. R0. P1000 F1.5\nG80\nG00 Z5.\nS300 M03\n");
   expect_has(expect_same_there(called, kSinumerik, "mazak"), "G84.2 Z-20. R0. P1000 F1.5\nG80\n");
   expect_has(expect_same_there(called, kSinumerik, "mitsubishi-m80"), "G84 Z-20. R0. P1000 F1.5 ,R1\nG80\n");
-  const std::string side = kNamed +
-                           "G0 X60 Z-10\nG19 G94 F100\nMCALL CYCLE84(60,40,2,20,,0,5,8,,0,300,300)\nZ-20\nZ-30\nMCALL\n"
-                           "G1 Z-35\nG18 G95\n" +
-                           kNamedEnd;
+  const std::string side = named(
+      "G0 X60 Z-10\nG19 G94 F100\nMCALL CYCLE84(60,40,2,20,,0,5,8,,0,300,300)\nZ-20\nZ-30\nMCALL\n"
+      "G1 Z-35\nG18 G95\n");
   expect_has(expect_same_there(side, kSinumerik, "fanuc"),
              "G00 X42.\nS300\nM29\nG88 X20. R0. F375.\nG80\nG00 X60.\nM05\n");
   expect_has(expect_same_there(side, kSinumerik, "mazak"), "G88.2 X20. R0. F375.\n");
@@ -181,8 +178,8 @@ TEST(LatheTap, CalledTapsBecomeG84OrG88) {
 }
 
 TEST(LatheTap, FloatingCallsBecomeG84) {
-  const std::string by_lead = kNamed + "G17\nCYCLE840(5,0,2,-20,,0,0,3,0,,1.5)\n" + kNamedEnd;
-  const std::string by_feed = kNamed + "F1.5\nG17\nCYCLE840(5,0,2,-20,,0.3,4,5,1)\n" + kNamedEnd;
+  const std::string by_lead = named("G17\nCYCLE840(5,0,2,-20,,0,0,3,0,,1.5)\n");
+  const std::string by_feed = named("F1.5\nG17\nCYCLE840(5,0,2,-20,,0.3,4,5,1)\n");
   for (const std::string& to : kControls) {
     const std::string made = expect_same_there(by_lead, kSinumerik, to);
     expect_has(made, "G00 Z2.\nG84 Z-20. R0. F1.5\nG80\nG00 Z5.\nS300 M03\n");
@@ -193,23 +190,22 @@ TEST(LatheTap, FloatingCallsBecomeG84) {
 
 TEST(LatheTap, PairsBecomeG84) {
   for (const std::string& to : kControls) {
-    const std::string rigid = expect_same_there(
-        kNamed + "SPOS=0\nG0 Z3\nG331 Z-20 K1.5 S300\nG4 F0.5\nG332 Z3 K1.5\n" + kNamedEnd, kSinumerik, to);
+    const std::string rigid =
+        expect_same_there(named("SPOS=0\nG0 Z3\nG331 Z-20 K1.5 S300\nG4 F0.5\nG332 Z3 K1.5\n"), kSinumerik, to);
     expect_has(rigid, "M05\nG00 Z3.\nS300\n");
     expect_has(rigid, "Z-20. R0. P500 F1.5");
     expect_has_not(rigid, "SPOS");
     const std::string side =
-        expect_same_there(kNamed + "G0 X60 Z-9\nM19\nG331 X20 I1.5 S300\nG332 X60 I1.5\n" + kNamedEnd, kSinumerik, to);
+        expect_same_there(named("G0 X60 Z-9\nM19\nG331 X20 I1.5 S300\nG332 X60 I1.5\n"), kSinumerik, to);
     expect_has(side, " X20. R0. F1.5");
-    const std::string floating =
-        expect_same_there(kNamed + "G94\nG63 Z-20 F450\nG63 Z5 M4\nG95\n" + kNamedEnd, kSinumerik, to);
+    const std::string floating = expect_same_there(named("G94\nG63 Z-20 F450\nG63 Z5 M4\nG95\n"), kSinumerik, to);
     expect_has(floating, "G84 Z-20. R0. F450.\nG80\nS300 M04\n");
   }
 }
 
 TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
   const auto refused = [](const std::string& body, const std::string& why) {
-    expect_has(refusal(kNamed + body + kNamedEnd, kSinumerik, "fanuc"), why);
+    expect_has(refusal(named(body), kSinumerik, "fanuc"), why);
   };
   const std::string left = "not right-handed";
   refused("G17\nCYCLE84(5,0,2,-20,,0,3,,-1.5,0,300,300)\n", left);
@@ -271,11 +267,11 @@ TEST(LatheTap, PecksOfATapAndAnAxisOfADrillAreRefused) {
 TEST(LatheTap, CyclesAlongAnAxisOfThePlane) {
   for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const std::string drilled = "G0 X0 Z5 F0.2\nCYCLE83(5,0,2,-20,,,5,0,,,1,1,1)\n";
-    expect_same_there(kNamed + drilled + kNamedEnd, kSinumerik, to);
+    expect_same_there(named(drilled), kSinumerik, to);
     const std::string tapped = "CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,1)\n";
-    expect_has(expect_same_there(kNamed + tapped + kNamedEnd, kSinumerik, to), "Z-20.");
+    expect_has(expect_same_there(named(tapped), kSinumerik, to), "Z-20.");
     const std::string floats = "CYCLE840(5,0,2,-20,,0,4,3,0,,1.5,1)\n";
-    expect_same_there(kNamed + floats + kNamedEnd, kSinumerik, to);
+    expect_same_there(named(floats), kSinumerik, to);
   }
 }
 
@@ -288,24 +284,21 @@ TEST(LatheTap, AsPlainBlocks) {
     request.mode = ConvertMode::explicit_blocks;
     return convert(request);
   };
-  const ConvertResult floating = plain(kNumbered + "G84 Z-20. R-2. F1.5\n" + kNumberedEnd, "fanuc", kSinumerik);
+  const ConvertResult floating = plain(numbered("G84 Z-20. R-2. F1.5\n"), "fanuc", kSinumerik);
   EXPECT_FALSE(text::has_error(floating.diagnostics));
   expect_has(messages_of(floating.diagnostics, text::Source("", "")), "feed override and feed hold");
-  EXPECT_TRUE(text::has_error(
-      plain(kNumbered + "M29 S300\nG84 Z-20. R-2. F1.5\n" + kNumberedEnd, "fanuc", kSinumerik).diagnostics));
-  EXPECT_TRUE(text::has_error(
-      plain(kNumbered + "G84 Z-20. R-2. F1.5 ,R1\n" + kNumberedEnd, "mitsubishi-m80", "fanuc").diagnostics));
-  EXPECT_TRUE(
-      text::has_error(plain(kNumbered + "G84.2 Z-20. R-2. F1.5\n" + kNumberedEnd, "mazak", "fanuc").diagnostics));
+  EXPECT_TRUE(text::has_error(plain(numbered("M29 S300\nG84 Z-20. R-2. F1.5\n"), "fanuc", kSinumerik).diagnostics));
+  EXPECT_TRUE(text::has_error(plain(numbered("G84 Z-20. R-2. F1.5 ,R1\n"), "mitsubishi-m80", "fanuc").diagnostics));
+  EXPECT_TRUE(text::has_error(plain(numbered("G84.2 Z-20. R-2. F1.5\n"), "mazak", "fanuc").diagnostics));
 }
 
 // Where G91 is a mode (systems B and C), the ends of the moves that stand for a cycle are absolute all the same.
 TEST(LatheCycles, WithG91AreAbsoluteMoves) {
   const std::string head = "%\nO1\nG21 G18 G40 G95 G90\nT0101\nG97 G00 X50. Z2. S1000 M03\n";
-  const std::string end = "G90\nG00 X60.\nM30\n%\n";
+  const auto with = [&](const std::string& cycle) { return head + cycle + "\nG90\nG00 X60.\nM30\n%\n"; };
   for (const std::string cycle :
-       {"G91 G77 X-4. Z-10. F0.2\n", "G91 G78 X-4. Z-10. F1.5\n", "G91 G75 X-10. Z-9. P2000 Q3000 F0.2\n"}) {
-    const std::string text = head + cycle + end;
+       {"G91 G77 X-4. Z-10. F0.2", "G91 G78 X-4. Z-10. F1.5", "G91 G75 X-10. Z-9. P2000 Q3000 F0.2"}) {
+    const std::string text = with(cycle);
     const ConvertResult made = converted(text, "fanuc", kSinumerik, MachineKind::lathe, ir::GSystem::b);
     ASSERT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, text::Source("p", text));
     const auto before = run_text(text, find_dialect("fanuc")->control(MachineKind::lathe, ir::GSystem::b)).motions;

@@ -62,7 +62,8 @@ TEST(PolynomialRun, AParabola) {
 TEST(PolynomialRun, ChordsAreAsNearAsPromised) {
   const auto moves = splines(run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=5\nM30\n"));
   for (const ir::Motion& m : moves)
-    for (double share = 0.1; share < 1.0; share += 0.1) {
+    for (int tenth = 1; tenth < 10; ++tenth) {
+      const double share = tenth / 10.0;
       const double x = m.start[0] + share * (m.end[0] - m.start[0]);
       const interpreter::AxisValues at = {x, x * (10.0 - x), 0.0};
       EXPECT_LT(interpreter::aside_of_chord(m.start, m.end, at), 1.1 * interpreter::kCurveChord_mm);
@@ -271,13 +272,16 @@ TEST(PolynomialRun, CornersAreNotMade) {
 }
 
 TEST(PolynomialRun, APathOfTheParameterThatThereIsNot) {
-  for (const std::string way : {"0", "-1", "0.00001", "100000"}) {
-    const Result ran = run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=" + way + "\nM30\n");
-    ASSERT_FALSE(ran.result.diagnostics.empty()) << way;
+  const auto with_length = [](const std::string& length) {
+    return run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=" + length + "\nM30\n");
+  };
+  for (const std::string length : {"0", "-1", "0.00001", "100000"}) {
+    const Result ran = with_length(length);
+    ASSERT_FALSE(ran.result.diagnostics.empty()) << length;
     EXPECT_EQ(ran.result.diagnostics.back().diagnostic.id, text::DiagnosticId::curve_invalid);
     EXPECT_EQ(ran.result.diagnostics.back().line, 2U);
   }
-  EXPECT_TRUE(run(kHead + "POLY PO[X]=(10) PO[Y]=(0,-4) PL=0.0001\nM30\n").result.diagnostics.empty());
+  EXPECT_TRUE(with_length("0.0001").result.diagnostics.empty());
 }
 
 // In plain blocks of another control a polynomial is its chords; word by word it is refused where it stands.

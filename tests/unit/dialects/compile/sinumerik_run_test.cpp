@@ -229,7 +229,7 @@ TEST(SinumerikFlow, SectionsAreRepeated) {
 
 TEST(SinumerikFlow, ASectionMayEndWithALoop) {
   const Result ran =
-      run("R1=0\nGOTOF BEHIND\nAA: FOR R2=1 TO 2\nR1=R1+1\nBB: ENDFOR\nR1=R1+100\nBEHIND:\nREPEAT AA BB P=2\nM30\n");
+      run("R1=0\nGOTOF AFTER\nAA: FOR R2=1 TO 2\nR1=R1+1\nBB: ENDFOR\nR1=R1+100\nAFTER:\nREPEAT AA BB P=2\nM30\n");
   EXPECT_EQ(ran.value("R1"), 4.0);
 }
 
@@ -291,11 +291,12 @@ TEST(SinumerikFlow, PartsOfProgramsAreCalled) {
 TEST(SinumerikFlow, APartOfTheProgramItselfHasItsVariables) {
   const std::string head = "DEF REAL A=3\nG17 G90 G0 X0 Y0 Z0\n";
   const std::string tail = "\nGOTOF ENDE\nL1:\nG0 X=A\nA=A+1\nL2:\nENDE:\nM30\n";
-  const Result ran = run(head + "CALL BLOCK \"L1\" TO \"L2\"\nCALL BLOCK \"l1\" TO \"L2\"" + tail);
+  const auto with = [&](const std::string& lines) { return run(head + lines + tail); };
+  const Result ran = with("CALL BLOCK \"L1\" TO \"L2\"\nCALL BLOCK \"l1\" TO \"L2\"");
   EXPECT_EQ(moves(ran),
             "2 rapid X0.0000 Y0.0000 Z0.0000\n7 rapid X3.0000 Y0.0000 Z0.0000\n7 rapid X4.0000 Y0.0000 Z0.0000\n");
   for (const std::string line : {"CALL BLOCK \"L1\" TO \"L2\" P=3", "P=3 CALL BLOCK \"L1\" TO \"L2\""})
-    EXPECT_TRUE(run(head + line + tail).names("CALL")) << line;
+    EXPECT_TRUE(with(line).names("CALL")) << line;
   EXPECT_TRUE(run("DEF STRING[5] TX=\"L1\"\n" + head + "CALL BLOCK TX TO \"L2\"" + tail).names("CALL"));
 }
 

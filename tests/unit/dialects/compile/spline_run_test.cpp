@@ -60,22 +60,22 @@ class Ends : public testing::TestWithParam<std::pair<std::int16_t, std::int16_t>
 TEST_P(Ends, CubicSplineIsWhatDefinesIt) {
   const auto points = points_of(kPlaces);
   const auto chords = chords_of(kPlaces);
-  const Vector way = {3.0, 4.0, 12.0};
+  const Vector tangent = {3.0, 4.0, 12.0};
   const auto [begin, end] = GetParam();
-  const SplineCurve curve(ir::kSplineCubic, 3, points, {begin, way}, {end, way}, false);
+  const SplineCurve curve(ir::kSplineCubic, 3, points, {begin, tangent}, {end, tangent}, false);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < chords.size(); ++i) {
       EXPECT_NEAR(derivatives(curve, i, 0.0, chords[i], axis)[0], points[i].at[axis], 1e-9);
       EXPECT_NEAR(derivatives(curve, i, 1.0, chords[i], axis)[0], points[i + 1].at[axis], 1e-9);
       if (i == 0) continue;
       const auto before = derivatives(curve, i - 1, 1.0, chords[i - 1], axis);
-      const auto behind = derivatives(curve, i, 0.0, chords[i], axis);
-      EXPECT_NEAR(before[1], behind[1], 1e-9);
-      EXPECT_NEAR(before[2], behind[2], 1e-9);
+      const auto after = derivatives(curve, i, 0.0, chords[i], axis);
+      EXPECT_NEAR(before[1], after[1], 1e-9);
+      EXPECT_NEAR(before[2], after[2], 1e-9);
       const bool free_begin = i == 1 && begin == ir::kSplineFree;
       const bool free_end = i + 1 == chords.size() && end == ir::kSplineFree;
       if (free_begin || free_end) {
-        EXPECT_NEAR(before[3], behind[3], 1e-9);
+        EXPECT_NEAR(before[3], after[3], 1e-9);
       }
     }
     const auto first = derivatives(curve, 0, 0.0, chords.front(), axis);
@@ -87,10 +87,10 @@ TEST_P(Ends, CubicSplineIsWhatDefinesIt) {
       EXPECT_NEAR(last[2], 0.0, 1e-9);
     }
     if (begin == ir::kSplineTangent) {
-      EXPECT_NEAR(first[1], way[axis] / 13.0, 1e-9);
+      EXPECT_NEAR(first[1], tangent[axis] / 13.0, 1e-9);
     }
     if (end == ir::kSplineTangent) {
-      EXPECT_NEAR(last[1], way[axis] / 13.0, 1e-9);
+      EXPECT_NEAR(last[1], tangent[axis] / 13.0, 1e-9);
     }
   }
 }

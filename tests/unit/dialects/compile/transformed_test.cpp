@@ -232,9 +232,9 @@ TEST(Transmit, FromAnUnknownPlaceIsReported) {
 }
 
 // How far a place lies from a path of lines and arcs in the plane of X and Y.
-double next_to_it(const std::vector<ir::Motion>& way, Place p) {
+double next_to_it(const std::vector<ir::Motion>& path, Place p) {
   double least = 1e9;
-  for (const ir::Motion& m : way) {
+  for (const ir::Motion& m : path) {
     const double dx = m.end[0] - m.start[0];
     const double dy = m.end[1] - m.start[1];
     double t = ((p.along - m.start[0]) * dx + (p.across - m.start[1]) * dy) / std::max(1e-12, dx * dx + dy * dy);

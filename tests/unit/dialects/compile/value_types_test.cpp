@@ -59,8 +59,8 @@ TEST(ValueTypes, GlobalDataThatIsOnlyReadIsRefused) {
   EXPECT_NE(messages.find("the global data FIXTURE_HEIGHT, whose value is not known here,"), std::string::npos)
       << messages;
   // … also where one path does not set it.
-  const std::string way = refused("G17 G710 G90 G94\nIF R1>2\nDEPTH_OF=3\nENDIF\nG0 X=DEPTH_OF\nM30\n");
-  EXPECT_NE(way.find("DEPTH_OF, whose value is not known here"), std::string::npos) << way;
+  const std::string one_path = refused("G17 G710 G90 G94\nIF R1>2\nDEPTH_OF=3\nENDIF\nG0 X=DEPTH_OF\nM30\n");
+  EXPECT_NE(one_path.find("DEPTH_OF, whose value is not known here"), std::string::npos) << one_path;
   expect_moves_kept("", "FIXTURE_HEIGHT=5\nG0 X=FIXTURE_HEIGHT\n");
 }
 
@@ -126,7 +126,7 @@ TEST(ValueTypes, GlobalDataOfADefinitionFileHasOnePlaceForAllPrograms) {
 TEST(ValueTypes, ADefinitionFileBecomesItsInitialValues) {
   const ConvertResult result = with_gud(std::string(kGud), "fanuc");
   ASSERT_FALSE(text::has_error(result.diagnostics))
-      << messages_of(result.diagnostics, text::Source("program", kGud.data()));
+      << messages_of(result.diagnostics, text::Source("program", std::string(kGud)));
   EXPECT_NE(result.text.find("IF[#500 EQ #0]THEN #500=1.\nIF[#501 EQ #0]THEN #501=2.5\n"), std::string::npos)
       << result.text;
   EXPECT_NE(result.text.find("IF[#504 EQ #0]THEN #504=4.\n"), std::string::npos) << result.text;

@@ -31,9 +31,9 @@ TEST(SpaceArc, HalfACircleThatStands) {
   expect_near(arc->at(0.0), {}, 1e-12);
   expect_near(arc->at(0.5), {5.0, 0.0, 5.0}, 1e-12);
   expect_near(arc->at(1.0), {10.0, 0.0, 0.0}, 1e-12);
-  const Vector way = arc->end_tangent();
-  EXPECT_LT(way[2], 0.0);
-  EXPECT_NEAR(way[0], 0.0, 1e-12);
+  const Vector tangent = arc->end_tangent();
+  EXPECT_LT(tangent[2], 0.0);
+  EXPECT_NEAR(tangent[0], 0.0, 1e-12);
 }
 
 // The same three points, the short arc and the long one: what lies in between decides.
@@ -80,9 +80,9 @@ TEST(SpaceArc, AHelixInItsPlane) {
   const double h = 5.0 * std::sqrt(0.5);
   expect_near(arc.at(0.5), {-h, 1.5, h - 5.0}, 1e-12);
   // Along -Z at its end, and rising 3 on a path of 5 pi / 2.
-  const Vector way = arc.end_tangent();
-  EXPECT_NEAR(way[0], 0.0, 1e-12);
-  EXPECT_NEAR(way[1] / way[2], -3.0 / (2.5 * std::numbers::pi), 1e-12);
+  const Vector tangent = arc.end_tangent();
+  EXPECT_NEAR(tangent[0], 0.0, 1e-12);
+  EXPECT_NEAR(tangent[1] / tangent[2], -3.0 / (2.5 * std::numbers::pi), 1e-12);
 }
 
 TEST(SpaceArc, ItsImage) {

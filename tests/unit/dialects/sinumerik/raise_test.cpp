@@ -269,14 +269,14 @@ TEST(Raise, WhatHasNoCounterpartIsRefused) {
 
 // A local variable is empty until it is set; on one of two paths it is not.
 TEST(Raise, AVariableThatMayBeEmptyIsRefused) {
-  const auto program = [](bool both_ways) {
+  const auto program = [](bool both_branches) {
     Builder b;
     ir::Structure open;
     open.condition = b.op(Operator::greater, b.hash(101), b.number(0));
     b.program.structures.push_back(open);
     b.statement(StatementKind::if_begin, 0);
     b.assign(1, b.number(5));
-    if (both_ways) {
+    if (both_branches) {
       b.program.structures.push_back({});
       b.statement(StatementKind::else_begin, 1);
       b.assign(1, b.number(6));

@@ -59,7 +59,7 @@ TEST(LineCode, AProfileHasItsOwnFlowCharacters) {
   EXPECT_EQ(of(0x0E, EighthBit::data, {}, own), Signal::dc1);
   EXPECT_EQ(of(0x8E, EighthBit::data, {}, own), Signal::dc1) << "a control may send it with parity on 8 data bits";
   EXPECT_EQ(of(0x0F, EighthBit::even, {}, own), Signal::dc3);
-  EXPECT_EQ(of(0x8F, EighthBit::even, {}, own), Signal::dc3) << "a stop is believed either way";
+  EXPECT_EQ(of(0x8F, EighthBit::even, {}, own), Signal::dc3) << "a stop is believed with both parities";
   EXPECT_EQ(of(0x11, EighthBit::even, {}, own), Signal::unexpected);
   EXPECT_EQ(of(0x93, EighthBit::even, {}, own), Signal::unexpected);
 }

@@ -41,7 +41,7 @@ TEST(Request, AnythingElseIsAProgram) {
   EXPECT_FALSE(find_request("%\nO1234(LOAD 42)\n%\n", {})) << "another number";
   EXPECT_FALSE(find_request("%\nO9999\nG0X1\nM30\n%\n", {})) << "no comment";
   EXPECT_FALSE(find_request("%\nO9999(MY PROGRAM)\nG0X1\nM30\n%\n", {})) << "no verb";
-  EXPECT_FALSE(find_request("%\nO9999\nG0\nG0\nG0\nG0\n(LOAD 42)\n%\n", {})) << "behind the lines that are looked at";
+  EXPECT_FALSE(find_request("%\nO9999\nG0\nG0\nG0\nG0\n(LOAD 42)\n%\n", {})) << "after the lines that are looked at";
   EXPECT_FALSE(find_request("%\n(LOAD 42)\n%\n", {})) << "no number at all";
   EXPECT_TRUE(find_request("%\n(LOAD 42)\n%\n", {.program_number = 0}));
   EXPECT_TRUE(find_request("%_N_DRIPFEED_MPF\n;DIR\n", {.marker = "DRIPFEED"}));

@@ -201,7 +201,7 @@ TEST_F(FeedLineTest, ALinkThatCannotBeOpenedIsTriedLessAndLessOften) {
   EXPECT_EQ(report().link_error, "");
   links_.lose(kUrl);
   links_.advance(500ms);
-  EXPECT_EQ(report().state, LineState::idle) << "the wait begins anew after a link that was up";
+  EXPECT_EQ(report().state, LineState::idle) << "the wait starts again after a link that was up";
 }
 
 TEST_F(FeedLineTest, ADriverThatTakesLittleGetsEveryByteOnce) {

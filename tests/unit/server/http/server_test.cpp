@@ -127,7 +127,7 @@ TEST(HttpServer, AFaultOfAHandlerEndsItsConnectionAlone) {
         link.send_text(get("/" + std::string(lane) + path));
       }
       other.send_text(get("/fine"));
-      EXPECT_NE(other.hear("fine.").find("200 OK"), std::string::npos) << "behind " << lane << path;
+      EXPECT_NE(other.hear("fine.").find("200 OK"), std::string::npos) << "after " << lane << path;
     }
   }
 }

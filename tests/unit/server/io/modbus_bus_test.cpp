@@ -166,7 +166,7 @@ TEST_F(ModbusBusTest, WritesAndReadsInOneRequest) {
   const auto exchanged = bus_->exchange(20, registers, 20, back);
   ASSERT_TRUE(exchanged) << exchanged.error().text;
   EXPECT_TRUE(*exchanged);
-  EXPECT_EQ(back, (std::array<std::uint16_t, 3>{11, 22, 33})) << "the read comes behind the write";
+  EXPECT_EQ(back, (std::array<std::uint16_t, 3>{11, 22, 33})) << "the read comes after the write";
   EXPECT_EQ(server_.requests(), 1);
 }
 

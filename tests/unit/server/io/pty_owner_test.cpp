@@ -72,7 +72,7 @@ TEST_F(PtyOwnerTest, TheLinkGoesWithItsMaker) {
     EXPECT_EQ(fs::read_symlink(path_), device_);
     EXPECT_FALSE(is_abandoned(path_));
     EXPECT_EQ(refusal(), "");
-    EXPECT_EQ(refusal(), "") << "nothing stays locked behind the one that closed";
+    EXPECT_EQ(refusal(), "") << "nothing stays locked after the one that closed";
     const auto second = PtyOwner::link(path_, "/dev/pts/9999");
     ASSERT_FALSE(second);
     EXPECT_THAT(second.error(), HasSubstr("another program that lives made this link"));

@@ -187,7 +187,7 @@ TEST_F(SocketTest, AFloodIsReadInPiecesAndNamed) {
 
 TEST_F(SocketTest, NothingLeavesBeforeWhatCameIsHeard) {
   connect();
-  // More than may be read at once, and no more than the kernel holds: what is still under way has not come.
+  // More than may be read at once, and no more than the kernel holds: what is still in transit has not come.
   peer_->send_text(std::string(3 * kReadsAtOnce_bytes, '\x11') + '\x13');
   ASSERT_TRUE(peer_->arrived());
   std::size_t taken = 0;

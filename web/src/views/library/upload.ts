@@ -1,4 +1,4 @@
-// Files of a person's disk on their way into the library: what each would become, and the sending, one after the other.
+// Files of a person's disk that are uploaded into the library: what each would become, and the sending, one after the other.
 import { deskCalls } from '../../api/desk_calls';
 import { newOrderKey } from '../../api/client';
 import type { Program, SplitProgram } from '../../api/types';
