@@ -52,7 +52,7 @@ void Milling::follow_tool(const ir::Motion& motion) {
   const auto tool = std::ranges::find(settings_.tools, motion.number, &checks::Tool::number);
   if (tool == settings_.tools.end() || !(tool->diameter_mm > 0.0)) {
     report_.not_checked.add(
-        fmt::format("the diameter of tool {} is not known: its moves were not checked", motion.number),
+        fmt::format("the diameter of {} is not known: its moves were not checked", checks::called(motion)),
         motion.place.line);
     return;
   }

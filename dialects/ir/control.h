@@ -212,6 +212,17 @@ struct ToolRadius {
 
 struct Control {
   std::string dialect;  // "fanuc", "sinumerik-840d"
+// … and how far its tip stands before the spindle.
+struct ToolLength {
+  std::int32_t tool = 0;
+  std::int32_t offset = 0;
+  double length_mm = 0.0;
+};
+// Of T="MILL_D10".
+struct ToolName {
+  std::string name;
+  std::int32_t tool = 0;
+};
   std::string title;    // as people say it: "Fanuc 0i-TF"
   MachineKind kind = MachineKind::mill;
   GSystem g_system = GSystem::a;
@@ -234,7 +245,10 @@ struct Control {
   std::vector<CodeRow> caller_modes;
   std::vector<std::string> definition_files;        // programs that declare global data, by name; read before a run
   std::shared_ptr<const SharedDefinitions> shared;  // what those declare, as far as they were found
-  std::vector<ToolRadius> tool_radii;               // of the machine's tools, as far as its profile states them
+  // Of the machine's tools, as far as its profile states them. Names are sorted.
+  std::vector<ToolRadius> tool_radii;
+  std::vector<ToolLength> tool_lengths;
+  std::vector<ToolName> tool_names;
   bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Two lines of the text that name different G-code systems, when no machine was named: then neither is certain.
   std::vector<SystemEvidence> contradiction;
@@ -257,6 +271,9 @@ std::string_view name_of_system(const Control& control, SystemValue value);
 // What the system variable with that row is written for.
 SystemUse use_of_system(const Control& control, std::uint32_t row);
 // The range that holds the variable; nullptr when the control has no such variable.
+// The number of the tool that programs call by this name; 0: the profile has none such. The control distinguishes
+// capital letters in names of tools alone (SINUMERIK NC programming, "Structure and contents of an NC program").
+std::int32_t tool_of_name(const Control& control, std::string_view name);
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number);
 // Whether a machine may have that variable although the control's usual ranges have not: by an option, or made by the
 // machine's builder. Numbers from 34 to 99 are left free by every control.

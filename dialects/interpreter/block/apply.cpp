@@ -116,7 +116,7 @@ void set_tool(const PlainBlock& block, const BlockRules& rules, ModalState& stat
     state.tool_stated = true;
     const double value = block.at(Address::t);
     if (block.tool_name != kNoText)
-      state.selected = {.name = block.tool_name};
+      state.selected = {.number = block.named_tool, .name = block.tool_name};
     else if (rules.semantics.tool_word == ir::ToolWord::number_and_offset)
       state.selected = tool_of_number(value);
     else

@@ -202,8 +202,7 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
   for (std::uint32_t n = extra.first_word; n < extra.first_word + extra.word_count; ++n) {
     const ComputedWord& word = program.computed_words[n];
     if (word.is_string) {
-      block_.tool_name = report_.text_index(storage_.text(raw_of(word.operand)));
-      if (block_.tool_name == kNoText) return report_.fail_limit(i, "strings");
+      if (!name_tool(i, storage_.text(raw_of(word.operand)))) return false;
       continue;
     }
     const double value = storage_.reg(raw_of(word.operand));
@@ -234,6 +233,22 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
 // AX[…]: the letter of the axis when the control has it; otherwise the report names the axis.
 ir::Address BlockRunner::find_axis(const ComputedWord& word) {
   const double axis = storage_.reg(raw_of(word.axis));
+bool BlockRunner::name_tool(const Instruction& i, const std::string& name) {
+  block_.tool_name = report_.text_index(name);
+  if (block_.tool_name == kNoText) return report_.fail_limit(i, "strings");
+  block_.named_tool = is_unknown(name) ? 0 : ir::tool_of_name(control_, name);
+  if (block_.named_tool != 0 || !control_.from_profile) return true;
+  constexpr std::string_view kDecides = "\"name\" of the tools in the machine's profile decides this";
+  const std::string quoted = '"' + name + '"';
+  if (is_unknown(name))
+    report_.count({.name = "T by a name that is not known", .effects_known = true});
+  else if (control_.tool_names.empty())
+    report_.count({.name = "T=" + quoted, .function = ir::Function::tool_change, .effects_known = true});
+  else
+    report_.warn(i, DiagnosticId::tool_missing, {quoted}, kDecides);
+  return true;
+}
+
   for (std::uint64_t rest = rules_.axis_addresses; rest != 0; rest &= rest - 1) {
     const auto address = static_cast<ir::Address>(std::countr_zero(rest));
     const AxisWord& known = rules_.axis_words[index_of(address)];

@@ -54,6 +54,8 @@ class BlockRunner {
   void drop_foreign_axes(std::span<const ir::PlainWord> words);
   void set_data();
   void fill(const BlockTemplate& made, const CompiledProgram& program);
+  // T="NAME": its number where the machine's profile has the name; otherwise a report.
+  bool name_tool(const Instruction& i, const std::string& name);
   bool fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program);
   bool add_computed_code(const Instruction& i, const ComputedCode& code);
   void set_word(ir::Address address, double value, std::uint8_t flags);
