@@ -86,6 +86,12 @@ void Milling::consume(std::span<const ir::Motion> motions) {
 // The radius in the control's register; what the spindle holds may be another.
 double Milling::comp_radius_of(const ir::Motion& motion) {
   if (motion.comp == ir::CompSide::off) return 0.0;
+  if ((motion.gaps & ir::kRadiiChanged) != 0) {
+    report_.not_checked.add(
+        "the program changes the radius of a tool: compensation was checked with that of the profile",
+        motion.place.line);
+    report_.has_unjudged_cuts = true;
+  }
   if (settings_.comp_radius == CompRadius::of_tool) return cutter_->radius;
   const std::int32_t number = motion.tool_offset;
   if (number == 0 && settings_.comp_radius == CompRadius::of_number) {

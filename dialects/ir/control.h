@@ -72,6 +72,9 @@ enum class SystemValue : std::uint8_t {
   call_argument_given,  // … 1 when it was given
   parameter_given,      // whether the program's parameter of that number was given
   changing,             // the control, the PLC or time changes it: what a program wrote is not what it reads
+  tool_type,            // of a cutting edge, by the numbers of tool and edge; 0 deletes it
+  tool_length,          // … of a mill along the spindle
+  tool_radius,
 };
 // What programs write one for.
 enum class SystemUse : std::uint8_t {
@@ -209,9 +212,6 @@ struct ToolRadius {
   std::int32_t offset = 0;  // D; 0: of any
   double radius_mm = 0.0;
 };
-
-struct Control {
-  std::string dialect;  // "fanuc", "sinumerik-840d"
 // … and how far its tip stands before the spindle.
 struct ToolLength {
   std::int32_t tool = 0;
@@ -223,6 +223,9 @@ struct ToolName {
   std::string name;
   std::int32_t tool = 0;
 };
+
+struct Control {
+  std::string dialect;  // "fanuc", "sinumerik-840d"
   std::string title;    // as people say it: "Fanuc 0i-TF"
   MachineKind kind = MachineKind::mill;
   GSystem g_system = GSystem::a;
@@ -268,12 +271,12 @@ std::string name_of_machine_function(int number);
 bool is_known_machine_function(const Control& control, int number);
 // How the control spells the system variable with that value; empty when it has none, or only a number.
 std::string_view name_of_system(const Control& control, SystemValue value);
-// What the system variable with that row is written for.
-SystemUse use_of_system(const Control& control, std::uint32_t row);
-// The range that holds the variable; nullptr when the control has no such variable.
 // The number of the tool that programs call by this name; 0: the profile has none such. The control distinguishes
 // capital letters in names of tools alone (SINUMERIK NC programming, "Structure and contents of an NC program").
 std::int32_t tool_of_name(const Control& control, std::string_view name);
+// What the system variable with that row is written for.
+SystemUse use_of_system(const Control& control, std::uint32_t row);
+// The range that holds the variable; nullptr when the control has no such variable.
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number);
 // Whether a machine may have that variable although the control's usual ranges have not: by an option, or made by the
 // machine's builder. Numbers from 34 to 99 are left free by every control.

@@ -1,4 +1,4 @@
-// Tools that SINUMERIK programs call by name. The name means a tool of the machine's
+// Tools that SINUMERIK programs call by name, and tool data that they write. The name means a tool of the machine's
 // profile; case counts in it and nowhere else (SINUMERIK NC programming, "Structure and contents of an NC program").
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@ ir::Control machine() {
   control.from_profile = true;
   control.tool_names = {{"DRILL 8.5", 9}, {"MILL_D10", 4}};
   control.tool_radii = {{.tool = 4, .offset = 1, .radius_mm = 5.0}, {.tool = 4, .offset = 2, .radius_mm = 4.0}};
+  control.tool_lengths = {{.tool = 4, .offset = 1, .length_mm = 100.0}};
   return control;
 }
 
@@ -93,6 +94,42 @@ TEST(NamedTools, MillingCyclesTakeTheirRadius) {
   EXPECT_NEAR(reach(run_on(machine(), pocket("T=\"MILL_D10\" D1 M6\n"))), 15.0, 1e-6);
   EXPECT_NEAR(reach(run_on(machine(), pocket("T=\"MILL_D10\" D2 M6\n"))), 16.0, 1e-6);
   EXPECT_TRUE(run_on(machine(), pocket("T=\"MILL_D12\" D1 M6\n")).names("POCKET4 by a tool whose radius is not known"));
+}
+
+std::uint8_t gaps_of(const Result& ran) {
+  std::uint8_t all = 0;
+  for (const ir::Motion& m : ran.motions)
+    if (ir::is_move(m.kind)) all |= m.gaps;
+  return all;
+}
+
+// $TC_DP6 is the radius of tool and edge from then on (LIS1).
+TEST(WrittenToolData, ARadiusIsThatOfTheToolFromThenOn) {
+  EXPECT_NEAR(reach(run_on(machine(), pocket("$TC_DP6[4,1]=3\nT4 D1 M6\n"))), 17.0, 1e-6);
+  EXPECT_NEAR(reach(run_on(machine(), pocket("T4 D1 M6\n$TC_DP6[4,1]=3\n"))), 17.0, 1e-6);
+  EXPECT_NEAR(reach(run_on(machine(), pocket("T7 D1 M6\n$TC_DP6[7,1]=3.5\n"))), 16.5, 1e-6) << "not in the profile";
+  const auto is_open = [](const std::string& before) {
+    return run_on(machine(), pocket(before)).names("POCKET4 by a tool whose radius is not known");
+  };
+  EXPECT_TRUE(is_open("T4 D1 M6\n$TC_DP6[4,1]=R5\n")) << "by a value that is not known";
+  EXPECT_TRUE(is_open("T4 D1 M6\n$TC_DP6[R5,1]=3\n")) << "it may be any tool";
+  EXPECT_TRUE(is_open("T4 D1 M6\n$TC_DP1[4,0]=0\n")) << "its edges are deleted";
+  EXPECT_TRUE(is_open("T=\"MILL_D10\" D1 M6\n$TC_DP6[4,1]=3\n")) << "the control numbers named tools itself";
+}
+
+TEST(WrittenToolData, WhatTheProfileHasIsNoChange) {
+  const auto gaps = [](const std::string& written) {
+    return gaps_of(run_on(machine(), kModes + "T4 D1 M6\n" + written + "\nG0 X0 Y0 Z50\nM30\n"));
+  };
+  EXPECT_EQ(gaps("$TC_DP1[4,1]=120 $TC_DP3[4,1]=100 $TC_DP6[4,1]=5"), 0);
+  EXPECT_EQ(gaps("$TC_DP6[4,1]=5.1"), ir::kRadiiChanged);
+  EXPECT_EQ(gaps("$TC_DP3[4,1]=100.1"), ir::kLengthsChanged);
+  EXPECT_EQ(gaps("$TC_DP3[4,2]=100"), ir::kLengthsChanged) << "of an edge that the profile does not have";
+  EXPECT_EQ(gaps("$TC_DP1[4,1]=0"), ir::kLengthsChanged | ir::kRadiiChanged);
+  const Result ran = run_on(machine(), kModes + "$TC_DP6[4,1]=5\n$TC_DP15[4,1]=0.1\nR1=$TC_DP6[4,1]\nM30\n");
+  EXPECT_FALSE(ran.names("$TC_DP6"));
+  EXPECT_TRUE(ran.names("$TC_DP15")) << "wear stays what it was: not interpreted";
+  EXPECT_EQ(ran.value("R1"), 5.0);
 }
 
 }  // namespace

@@ -98,5 +98,18 @@ TEST(NamedTools, GougesAreThoseOfTheTool) {
       has_note(open, "the diameter of a tool that is called by a name is not known: its moves were not checked"));
 }
 
+// Compensation takes what the program wrote; what cuts is the tool of the profile.
+TEST(NamedTools, AWrittenRadiusLeavesCompensationOpen) {
+  const std::string head = "G17 G90 G94 G71 G54 G40\nT1 D1 M6\nS1000 M3\n";
+  const std::string cut = "G0 X-70 Y-70 Z50\nZ-3\nG41 G1 X-40 Y-60 F200\nY60\nG40 X-70 Y70\nG0 Z50\nM30\n";
+  EXPECT_FALSE(check_on(head + cut, named_profile(), true).checks.gouge->has_unjudged_cuts);
+  EXPECT_FALSE(check_on(head + "$TC_DP6[1,1]=5\n" + cut, named_profile(), true).checks.gouge->has_unjudged_cuts);
+  const CheckReport open = check_on(head + "$TC_DP6[1,1]=4\n" + cut, named_profile(), true);
+  EXPECT_TRUE(open.checks.gouge->has_unjudged_cuts);
+  EXPECT_TRUE(has_note(open, "$TC_DP6: the program changes the control's tool data, and they stay so after its end"));
+  EXPECT_FALSE(has_note(check_on(head + "$TC_DP6[1,1]=5\n" + cut, named_profile(), true), "$TC_DP6"));
+  EXPECT_TRUE(has_note(open, "the program changes the radius of a tool"));
+}
+
 }  // namespace
 }  // namespace dripfeed::app
