@@ -24,12 +24,12 @@ constexpr std::uint32_t kNoExtra = 0xFFFFFFFFU;
 constexpr double kHighestMachineFunction = 9999.0;
 
 struct NoteRow {
-  std::uint32_t note;
+  std::uint64_t note;
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 30>& counted_notes() {
-  static const std::array<NoteRow, 30> rows = {{
+const std::array<NoteRow, 31>& counted_notes() {
+  static const std::array<NoteRow, 31> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the move to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a position that is not known"}},
@@ -50,6 +50,9 @@ const std::array<NoteRow, 30>& counted_notes() {
       {kNotePolynomialDiameter, {"POLY: what the coefficients of a diameter count"}},
       {kNotePolynomialAlone, {"PO: coefficients where POLY is not in effect"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
+      {kNoteShiftedIncrement,
+       {"an increment along an axis whose frame has changed (SD42440 FRAME_OFFSET_INCR_PROG decides)",
+        ir::Function::incremental}},
       {kNoteMachineIncrement,
        {"an increment to a machine position (G53, SUPA together with G91), which does not lead there",
         ir::Function::machine_coordinates}},
@@ -230,9 +233,6 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
   return true;
 }
 
-// AX[…]: the letter of the axis when the control has it; otherwise the report names the axis.
-ir::Address BlockRunner::find_axis(const ComputedWord& word) {
-  const double axis = storage_.reg(raw_of(word.axis));
 bool BlockRunner::name_tool(const Instruction& i, const std::string& name) {
   block_.tool_name = report_.text_index(name);
   if (block_.tool_name == kNoText) return report_.fail_limit(i, "strings");
@@ -249,6 +249,9 @@ bool BlockRunner::name_tool(const Instruction& i, const std::string& name) {
   return true;
 }
 
+// AX[…]: the letter of the axis when the control has it; otherwise the report names the axis.
+ir::Address BlockRunner::find_axis(const ComputedWord& word) {
+  const double axis = storage_.reg(raw_of(word.axis));
   for (std::uint64_t rest = rules_.axis_addresses; rest != 0; rest &= rest - 1) {
     const auto address = static_cast<ir::Address>(std::countr_zero(rest));
     const AxisWord& known = rules_.axis_words[index_of(address)];
@@ -297,7 +300,7 @@ void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& progr
   report_.say(i, DiagnosticId::vacant_value, {"of the word " + letter_of(program.computed_words[word].address)});
 }
 
-void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
+void BlockRunner::take_notes(const Instruction& i, std::uint64_t notes) {
   for (const NoteRow& row : counted_notes())
     if ((notes & row.note) != 0) report_.count(row.report);
   if ((notes & kNoteArcIsLine) != 0 && control_.semantics.unset_is_unknown)

@@ -61,7 +61,7 @@ class BlockRunner {
   void set_word(ir::Address address, double value, std::uint8_t flags);
   ir::Address find_axis(const ComputedWord& word);
   void skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word);
-  void take_notes(const Instruction& i, std::uint32_t notes);
+  void take_notes(const Instruction& i, std::uint64_t notes);
   void report_radii(const Instruction& i, const BlockResult& result);
   [[nodiscard]] bool x_may_be_radius() const;
   bool fail(const Instruction& i, const BlockResult& result);
