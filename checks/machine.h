@@ -55,6 +55,7 @@ struct Insert {
 //       +-- +Z  3   8   4      0, 9: the centre itself
 struct Tool {
   std::int32_t number = 0;
+  std::string name = {};    // by which programs call it: T="MILL_D10"; empty: by number alone
   std::int32_t offset = 0;  // the offset or D number that holds its figures
   double nose_radius_mm = 0.0;
   std::int32_t tip = 0;                  // 0..9
@@ -116,6 +117,10 @@ inline const Tool* find_tool(const Machine& machine, std::int32_t number) {
     if (one.number == number) return &one;
   }
   return nullptr;
+}
+// "tool 5", of the event that takes it.
+inline std::string called(const ir::Motion& tool) {
+  return tool.number == 0 ? std::string("a tool that is called by a name") : "tool " + std::to_string(tool.number);
 }
 inline const WorkOffset* find_work_offset(const Machine& machine, std::int32_t number) {
   for (const WorkOffset& one : machine.work_offsets) {

@@ -66,14 +66,11 @@ void Envelope::take_tool(const ir::Motion& motion) {
   constexpr std::uint32_t kNoName = 0xFFFFFFFFU;
   has_tool_ = motion.number > 0 || motion.text != kNoName;
   travel_.select_tool(motion);
-  if (settings_.machine.tools.empty()) return;
-  if (motion.text != kNoName) {
-    report_.not_checked.add("a tool is called by its name: whether the machine has it was not checked",
-                            motion.place.line);
-  } else if (motion.number > 0 && checks::find_tool(settings_.machine, motion.number) == nullptr) {
+  // One by a name that the profile does not have has the number 0: the run reports it.
+  if (settings_.machine.tools.empty() || motion.number <= 0) return;
+  if (checks::find_tool(settings_.machine, motion.number) == nullptr)
     report_.findings.add(text::DiagnosticId::tool_missing, motion.place, motion.number, 0.0,
                          [&] { return std::vector<std::string>{fmt::format("{}", motion.number)}; });
-  }
 }
 
 void Envelope::check_move(const ir::Motion& motion) {

@@ -17,6 +17,13 @@ constexpr double kTravelSlack = 1e-6;  // mm or degrees: rounding, not a limit
 // Index of the axis that a plane leaves out, by ir::Plane: xy, zx, yz.
 constexpr std::array<std::size_t, 3> kNormals = {2, 1, 0};
 
+// "tool 4", or as programs call it.
+std::string title_of(const checks::Machine& machine, std::int32_t number) {
+  const checks::Tool* tool = checks::find_tool(machine, number);
+  return tool == nullptr || tool->name.empty() ? fmt::format("tool {}", number)
+                                               : fmt::format("tool \"{}\"", tool->name);
+}
+
 }  // namespace
 
 std::string figure(double value) {
@@ -47,7 +54,7 @@ void Travel::select_offset(std::int32_t number) {
   }
 }
 
-// A tool that is called by name has the number 0 here: the profile has none such.
+// A tool by a name that the profile does not have has the number 0.
 void Travel::select_tool(const ir::Motion& tool) { tool_ = tool.number; }
 
 void Travel::begin(const ir::Motion& move) {
@@ -73,7 +80,8 @@ const checks::Tool* Travel::tool_of_length() const {
 std::string Travel::name_of_length() const {
   if (settings_.d_selects_edge && tool_ == 0) return "the length of a tool that is called by its name";
   if (settings_.d_selects_edge)
-    return fmt::format("the length of tool {} edge {}", tool_, key_.number == 0 ? 1 : key_.number);
+    return fmt::format("the length of {} edge {}", title_of(settings_.machine, tool_),
+                       key_.number == 0 ? 1 : key_.number);
   return fmt::format("the tool length of offset {}", key_.number);
 }
 
@@ -84,8 +92,9 @@ void Travel::find_length(std::uint32_t line) {
   if (key_.offset == ir::LengthOffset::off || none) return;
   const checks::Tool* tool = key_.changed ? nullptr : tool_of_length();
   if (tool != nullptr && settings_.d_selects_edge && key_.number == 0)
-    report_.not_checked.add(fmt::format("tool {} is called without D: its edge 1 is taken to be in effect", tool_),
-                            line);
+    report_.not_checked.add(
+        fmt::format("{} is called without D: its edge 1 is taken to be in effect", title_of(settings_.machine, tool_)),
+        line);
   const double sign = key_.offset == ir::LengthOffset::plus ? 1.0 : -1.0;
   const auto add = [&](std::size_t axis, const std::optional<double>& mm) {
     length_.mm[axis] = sign * mm.value_or(0.0);

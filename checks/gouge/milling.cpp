@@ -52,7 +52,7 @@ void Milling::follow_tool(const ir::Motion& motion) {
   const auto tool = std::ranges::find(settings_.tools, motion.number, &checks::Tool::number);
   if (tool == settings_.tools.end() || !(tool->diameter_mm > 0.0)) {
     report_.not_checked.add(
-        fmt::format("the diameter of tool {} is not known: its moves were not checked", motion.number),
+        fmt::format("the diameter of {} is not known: its moves were not checked", checks::called(motion)),
         motion.place.line);
     return;
   }
@@ -86,6 +86,12 @@ void Milling::consume(std::span<const ir::Motion> motions) {
 // The radius in the control's register; what the spindle holds may be another.
 double Milling::comp_radius_of(const ir::Motion& motion) {
   if (motion.comp == ir::CompSide::off) return 0.0;
+  if ((motion.gaps & ir::kRadiiChanged) != 0) {
+    report_.not_checked.add(
+        "the program changes the radius of a tool: compensation was checked with that of the profile",
+        motion.place.line);
+    report_.has_unjudged_cuts = true;
+  }
   if (settings_.comp_radius == CompRadius::of_tool) return cutter_->radius;
   const std::int32_t number = motion.tool_offset;
   if (number == 0 && settings_.comp_radius == CompRadius::of_number) {

@@ -43,6 +43,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.semantics.pecks_need_depth = mill;  // a lathe's G83 without Q drills in one
   c.semantics.length_needs_code = mill;
   c.semantics.g54_takes_p = true;
+  c.semantics.rigid_tap = ir::RigidTap::m29;
   return c;
 }
 

@@ -45,6 +45,11 @@ bool is_known_machine_function(const Control& control, int number) {
   return std::ranges::any_of(control.machine_functions, same);
 }
 
+std::int32_t tool_of_name(const Control& control, std::string_view name) {
+  const auto found = std::ranges::lower_bound(control.tool_names, name, {}, &ToolName::name);
+  return found == control.tool_names.end() || found->name != name ? 0 : found->tool;
+}
+
 bool may_have_variable(const Control& control, Bank bank, std::uint32_t number) {
   constexpr std::uint32_t kFirstFree = 34;
   constexpr std::uint32_t kLastFree = 99;

@@ -72,6 +72,9 @@ enum class SystemValue : std::uint8_t {
   call_argument_given,  // … 1 when it was given
   parameter_given,      // whether the program's parameter of that number was given
   changing,             // the control, the PLC or time changes it: what a program wrote is not what it reads
+  tool_type,            // of a cutting edge, by the numbers of tool and edge; 0 deletes it
+  tool_length,          // … of a mill along the spindle
+  tool_radius,
 };
 // What programs write one for.
 enum class SystemUse : std::uint8_t {
@@ -209,6 +212,17 @@ struct ToolRadius {
   std::int32_t offset = 0;  // D; 0: of any
   double radius_mm = 0.0;
 };
+// … and how far its tip stands before the spindle.
+struct ToolLength {
+  std::int32_t tool = 0;
+  std::int32_t offset = 0;
+  double length_mm = 0.0;
+};
+// Of T="MILL_D10".
+struct ToolName {
+  std::string name;
+  std::int32_t tool = 0;
+};
 
 struct Control {
   std::string dialect;  // "fanuc", "sinumerik-840d"
@@ -234,7 +248,10 @@ struct Control {
   std::vector<CodeRow> caller_modes;
   std::vector<std::string> definition_files;        // programs that declare global data, by name; read before a run
   std::shared_ptr<const SharedDefinitions> shared;  // what those declare, as far as they were found
-  std::vector<ToolRadius> tool_radii;               // of the machine's tools, as far as its profile states them
+  // Of the machine's tools, as far as its profile states them. Names are sorted.
+  std::vector<ToolRadius> tool_radii;
+  std::vector<ToolLength> tool_lengths;
+  std::vector<ToolName> tool_names;
   bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Two lines of the text that name different G-code systems, when no machine was named: then neither is certain.
   std::vector<SystemEvidence> contradiction;
@@ -254,6 +271,9 @@ std::string name_of_machine_function(int number);
 bool is_known_machine_function(const Control& control, int number);
 // How the control spells the system variable with that value; empty when it has none, or only a number.
 std::string_view name_of_system(const Control& control, SystemValue value);
+// The number of the tool that programs call by this name; 0: the profile has none such. The control distinguishes
+// capital letters in names of tools alone (SINUMERIK NC programming, "Structure and contents of an NC program").
+std::int32_t tool_of_name(const Control& control, std::string_view name);
 // What the system variable with that row is written for.
 SystemUse use_of_system(const Control& control, std::uint32_t row);
 // The range that holds the variable; nullptr when the control has no such variable.

@@ -46,10 +46,11 @@ enum class SpindleState : std::uint8_t { stopped, clockwise, counterclockwise };
 enum class CompSide : std::uint8_t { off, left, right };
 // Of the tool's length: added to the position of the programmed tip (G43, T0606, D1) or subtracted from it (G44).
 enum class LengthOffset : std::uint8_t { off, plus, minus };
-// Bits of Motion::gaps, what is not known of a motion. The first two stay once the program has changed the control's
+// Bits of Motion::gaps, what is not known of a motion. The first three stay once the program has changed the control's
 // memory: what a machine's profile says of it counts no longer.
 inline constexpr std::uint8_t kZerosChanged = 1;    // work offsets (G10 L2), or coordinates at an unknown place (G92)
 inline constexpr std::uint8_t kLengthsChanged = 2;  // tool offsets
+inline constexpr std::uint8_t kRadiiChanged = 8;    // radii that compensation takes: stays, too
 inline constexpr std::uint8_t kEndUnknown = 4;      // of the axes in axes_unknown `end` is a guess, too: an increment
 enum class CoolantState : std::uint8_t { off, mist, flood };
 

@@ -24,6 +24,10 @@ enum class FeedMode : std::uint8_t { per_min, per_rev, inverse_time };
 // programming manual, 14.4). without_frames: by the motion in effect; whether increments take the shifts along, setting
 // data decides (SINUMERIK).
 enum class MachineMove : std::uint8_t { rapid, programmed, without_frames };
+// How a tap that turns the spindle by its position is written. usual: as every tap, or apart by the words of the cycle
+// (SINUMERIK); m29: M29 in the block before it (Fanuc); comma_r: ,R1 in its block (Mitsubishi); own_code: a code next
+// to the usual one (Mazak, G84.2).
+enum class RigidTap : std::uint8_t { usual, m29, comma_r, own_code };
 enum class Plane : std::uint8_t { xy, zx, yz };
 
 struct Semantics {
@@ -92,10 +96,11 @@ struct Semantics {
   std::uint32_t highest_user_alarm = 0;       // above it all are shown as the base alone; 0: no limit
   bool feed_code_ends_surface_speed = false;  // G94, G95, G96 replace each other (SINUMERIK)
   bool taps_are_rigid = false;                // G84 and G74 always turn the spindle by position (Haas)
-  bool tool_number_has_suffix = false;        // T01.01: the fraction distinguishes tools of one number
-  bool g54_takes_p = false;                   // G54 P3 is G54.1 P3
-  bool length_needs_code = false;             // a tool's length acts by G43 alone, not by its change (mills)
-  bool d_selects_edge = false;                // D is the tool's edge and takes effect at once; otherwise a comp number
+  RigidTap rigid_tap = RigidTap::usual;
+  bool tool_number_has_suffix = false;  // T01.01: the fraction distinguishes tools of one number
+  bool g54_takes_p = false;             // G54 P3 is G54.1 P3
+  bool length_needs_code = false;       // a tool's length acts by G43 alone, not by its change (mills)
+  bool d_selects_edge = false;          // D is the tool's edge and takes effect at once; otherwise a comp number
 };
 
 }  // namespace dripfeed::ir

@@ -71,6 +71,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
     c.axes = "XYZBC";
   }
   c.semantics.tool_number_has_suffix = true;
+  c.semantics.rigid_tap = ir::RigidTap::own_code;
   return c;
 }
 

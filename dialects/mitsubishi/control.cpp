@@ -53,6 +53,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.semantics.scale_unit = 1e-6;
   c.semantics.scale_unit_known = true;
   c.semantics.length_needs_code = kind == ir::MachineKind::mill;
+  c.semantics.rigid_tap = ir::RigidTap::comma_r;
   return c;
 }
 

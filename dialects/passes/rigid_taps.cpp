@@ -2,7 +2,6 @@
 #include "dialects/passes/rigid_taps.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -25,18 +24,7 @@ using ir::StatementKind;
 
 constexpr std::int16_t kRigidFunction = 29;
 
-enum class Form : std::uint8_t { usual, m29, comma_r, own_code };
-struct FormRow {
-  std::string_view dialect;
-  Form form;
-};
-constexpr std::array kForms = {FormRow{"fanuc", Form::m29}, FormRow{"mitsubishi-m80", Form::comma_r},
-                               FormRow{"mazak", Form::own_code}};
-
-Form form_of(const ir::Control& control) {
-  const auto* const row = std::ranges::find(kForms, control.dialect, &FormRow::dialect);
-  return row == kForms.end() ? Form::usual : row->form;
-}
+using Form = ir::RigidTap;
 
 bool is_m29(const ir::Code& c) { return c.function == Function::machine_function && c.argument == kRigidFunction; }
 
@@ -48,7 +36,7 @@ class Taps {
       : program_(program),
         to_(to),
         always_rigid_(from.semantics.taps_are_rigid),
-        form_from_(form_of(from)),
+        form_from_(from.semantics.rigid_tap),
         flow_(program, from),
         targets_(facts::jump_targets(program)),
         out_(program) {}
@@ -106,7 +94,7 @@ class Taps {
   }
   // SINUMERIK names rigid taps and those in a compensating chuck apart; a rigid one is right in either chuck.
   void warn_taken_as_rigid(const ir::Statement& s) {
-    if (form_of(to_) != Form::usual || std::exchange(warned_of_rigid_, true)) return;
+    if (to_.semantics.rigid_tap != Form::usual || std::exchange(warned_of_rigid_, true)) return;
     warn(s, passes::by_parameter("a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,"));
     diagnostics_.back().severity = text::Severity::warning;
   }
@@ -252,14 +240,14 @@ bool is_floating_tap(const ir::Code& code) {
 }
 
 bool announces_rigid_tap(const ir::Code& code, const ir::Control& control) {
-  return form_of(control) == Form::m29 && is_m29(code);
+  return control.semantics.rigid_tap == Form::m29 && is_m29(code);
 }
 
 bool is_written_rigid(std::string_view written) {
   return written.ends_with("84.2") || written.ends_with("84.3") || written.ends_with("88.2");
 }
 
-bool feeds_taps_by_lead(const ir::Control& control) { return form_of(control) == Form::comma_r; }
+bool feeds_taps_by_lead(const ir::Control& control) { return control.semantics.rigid_tap == Form::comma_r; }
 
 namespace {
 
@@ -274,7 +262,7 @@ std::string_view rigid_name(const ir::Control& to, const ir::Code& tap) {
 }  // namespace
 
 void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::vector<ir::Word>& words, Rewrite& out) {
-  const Form form = form_of(to);
+  const Form form = to.semantics.rigid_tap;
   const std::string_view own = form == Form::own_code ? rigid_name(to, tap) : std::string_view();
   if (!own.empty()) tap.name = program.strings.add(own);
   if (form == Form::comma_r) {

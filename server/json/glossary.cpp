@@ -175,7 +175,10 @@ constexpr GlossaryRow kRows[] = {
     {"min_rpm", "least speed"},
     {"max_rpm", "greatest speed"},
     {"tools", "in the magazine or turret"},
-    {"tools/number", "by which programs call it"},
+    {"tools/number", "by which programs call it; of one that they call by name: any that no other tool has"},
+    {"tools/name",
+     "by which SINUMERIK programs call it, as T=\"MILL_D10\"; capital letters count; not given: they call it by "
+     "number"},
     {"tools/offset", "the offset or D number that holds its figures"},
     {"nose_radius_mm", "of a turning tool"},
     {"tip", "where the imaginary tip lies, 0 to 9, as Fanuc and SINUMERIK number it"},

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kLongest_mm = 1e6;
 constexpr double kHuge = 1e9;
+constexpr std::size_t kLongestToolName = 32;  // as a SINUMERIK has them ($TC_TP2, LIS1); from memory
 // Of feeds, speeds and accelerations: below, a machine stands.
 constexpr double kLeast = 0.001;
 static_assert(kAxisWords.size() == ir::kAxisCount);
@@ -72,9 +73,25 @@ checks::Insert read_insert(ObjectReader& object) {
   return insert;
 }
 
+// One name is one tool: each of its edges has it, or leaves it out.
+void read_tool_name(ObjectReader& object, const machine::Profile& profile, checks::Tool& tool) {
+  constexpr std::string_view kMember = "name";
+  object.text(kMember, tool.name);
+  if (tool.name.empty()) return;
+  if (tool.name.size() > kLongestToolName || tool.name.contains('"'))
+    object.fault(kMember, fmt::format("must be up to {} characters without a quotation mark", kLongestToolName));
+  for (const checks::Tool& one : profile.machine.tools) {
+    if (one.number != tool.number && one.name == tool.name)
+      return object.fault(kMember, fmt::format("is the name of tool {}, too", one.number));
+    if (one.number == tool.number && !one.name.empty() && one.name != tool.name)
+      return object.fault(kMember, fmt::format("must be that of its other edge, \"{}\"", one.name));
+  }
+}
+
 void read_tool(ObjectReader& object, machine::Profile& profile) {
   checks::Tool tool;
   object.integer("number", tool.number, 1, 99'999'999, true);
+  read_tool_name(object, profile, tool);
   object.integer("offset", tool.offset, 0, 9999);
   object.number("nose_radius_mm", tool.nose_radius_mm, 0.0, 1000.0);
   object.integer("tip", tool.tip, 0, 9);

@@ -244,13 +244,26 @@ std::string letters_of(const std::vector<checks::MachineAxis>& axes) {
 
 }  // namespace
 
+namespace {
+
+// What the control itself knows of the tools. Edges of one tool have one name.
+void take_tools(const std::vector<checks::Tool>& tools, ir::Control& control) {
+  for (const checks::Tool& tool : tools) {
+    if (tool.diameter_mm > 0.0) control.tool_radii.push_back({tool.number, tool.offset, 0.5 * tool.diameter_mm});
+    if (tool.length_mm) control.tool_lengths.push_back({tool.number, tool.offset, *tool.length_mm});
+    if (!tool.name.empty()) control.tool_names.push_back({tool.name, tool.number});
+  }
+  std::ranges::sort(control.tool_names, {}, &ir::ToolName::name);
+}
+
+}  // namespace
+
 ir::Control control_of(const Profile& profile, ir::Control control) {
   const ControlSettings& settings = profile.control;
   ir::Semantics& semantics = control.semantics;
   control.from_profile = true;
   if (!profile.machine.axes.empty()) control.axes = letters_of(profile.machine.axes);
-  for (const checks::Tool& tool : profile.machine.tools)
-    if (tool.diameter_mm > 0.0) control.tool_radii.push_back({tool.number, tool.offset, 0.5 * tool.diameter_mm});
+  take_tools(profile.machine.tools, control);
   if (!settings.title.empty()) control.title = settings.title;
   if (settings.decimal_mode) semantics.decimal_mode = *settings.decimal_mode;
   semantics.decimal_mode_confirmed = settings.decimal_mode_confirmed;

@@ -21,6 +21,14 @@ class Spellings(bad_tree.BadTree):
         self.write('dialects/interpreter/more.cpp', 'bool is_frame = name == "$P_UIFR";\n')
         self.assert_refused(spellings.faults, '"$P_UIFR"')
 
+    def test_a_name_of_a_dialect(self):
+        self.write('dialects/mazak/more.cpp', 'auto name = "mazak";\n')
+        self.write('dialects/compile/dialect/more.cpp', 'auto name = "mazak";\n')
+        self.write('server/machine/more.cpp', 'auto name = "mazak";\n')
+        self.assert_clean(spellings.faults)
+        self.write('dialects/passes/more.cpp', 'bool is_it = control.dialect == "mazak";\n')
+        self.assert_refused(spellings.faults, 'names a dialect: "mazak"')
+
     def test_a_comment_and_a_sentence(self):
         self.write('dialects/passes/more.cpp', '// as "CYCLE81"\nauto text = "a cycle";\n')
         self.assert_clean(spellings.faults)

@@ -116,7 +116,7 @@ void set_tool(const PlainBlock& block, const BlockRules& rules, ModalState& stat
     state.tool_stated = true;
     const double value = block.at(Address::t);
     if (block.tool_name != kNoText)
-      state.selected = {.name = block.tool_name};
+      state.selected = {.number = block.named_tool, .name = block.tool_name};
     else if (rules.semantics.tool_word == ir::ToolWord::number_and_offset)
       state.selected = tool_of_number(value);
     else
@@ -197,18 +197,30 @@ void frame(const PlainBlock& block, const BlockRules& rules, const Effects& effe
   if (gap == PointFrameGap::factor || gap == PointFrameGap::angle) result.notes |= kNoteFrameValue;
 }
 
+bool changes_frame(Function function) {
+  return function == Function::local_shift || function == Function::local_shift_add ||
+         function == Function::axial_shift || (function >= Function::rotate && function <= Function::mirror);
+}
+
+void frame_block(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state,
+                 BlockResult& result) {
+  if (effects.one_shot == Function::axial_shift)
+    shift_axes(block, rules, effects.argument == 1, state);
+  else if (effects.one_shot == Function::local_shift || effects.one_shot == Function::local_shift_add)
+    shift_locally(block, rules, effects.argument == 1, effects.one_shot == Function::local_shift_add, state);
+  else
+    return frame(block, rules, effects, state, result);
+  note_language_of_frame(rules, state, result);
+}
+
 void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state,
               MotionBuffer& out, BlockResult& result) {
   if (effects.one_shot == Function::dwell) {
     dwell(block, rules, state, out);
-  } else if (effects.one_shot == Function::local_shift || effects.one_shot == Function::local_shift_add) {
-    shift_locally(block, rules, effects.argument == 1, effects.one_shot == Function::local_shift_add, state);
-    note_language_of_frame(rules, state, result);
-  } else if (effects.one_shot == Function::axial_shift) {
-    shift_axes(block, rules, effects.argument == 1, state);
-    note_language_of_frame(rules, state, result);
-  } else if (effects.one_shot >= Function::rotate && effects.one_shot <= Function::mirror) {
-    frame(block, rules, effects, state, result);
+  } else if (changes_frame(effects.one_shot)) {
+    const Modes before = state.modes;
+    frame_block(block, rules, effects, state, result);
+    mark_shifted(before, rules, state);
   } else if (effects.one_shot >= Function::pole_from_last && effects.one_shot <= Function::pole_from_pole) {
     set_pole(block, rules, effects.one_shot, state);
   } else if (effects.one_shot == Function::set_coordinates) {

@@ -84,6 +84,16 @@ void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole,
   state.modes.local_shift = state.modes.shift;
 }
 
+void mark_shifted(const Modes& before, const BlockRules& rules, ModalState& state) {
+  if (rules.semantics.machine_move != ir::MachineMove::without_frames) return;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+      if (before.matrix[row * 3 + column] != state.modes.matrix[row * 3 + column])
+        state.shifted |= static_cast<std::uint16_t>(1U << row | 1U << column);
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+    if (before.shift[axis] != state.modes.shift[axis]) state.shifted |= static_cast<std::uint16_t>(1U << axis);
+}
+
 // PGA, "Axial zero offset (G58, G59)": G58 writes the coarse part, G59 the fine one that ATRANS adds to.
 void shift_axes(const PlainBlock& block, const BlockRules& rules, bool fine, ModalState& state) {
   for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double value, bool) {

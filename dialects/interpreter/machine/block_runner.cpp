@@ -24,12 +24,12 @@ constexpr std::uint32_t kNoExtra = 0xFFFFFFFFU;
 constexpr double kHighestMachineFunction = 9999.0;
 
 struct NoteRow {
-  std::uint32_t note;
+  std::uint64_t note;
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 30>& counted_notes() {
-  static const std::array<NoteRow, 30> rows = {{
+const std::array<NoteRow, 31>& counted_notes() {
+  static const std::array<NoteRow, 31> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the move to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a position that is not known"}},
@@ -50,6 +50,9 @@ const std::array<NoteRow, 30>& counted_notes() {
       {kNotePolynomialDiameter, {"POLY: what the coefficients of a diameter count"}},
       {kNotePolynomialAlone, {"PO: coefficients where POLY is not in effect"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
+      {kNoteShiftedIncrement,
+       {"an increment along an axis whose frame has changed (SD42440 FRAME_OFFSET_INCR_PROG decides)",
+        ir::Function::incremental}},
       {kNoteMachineIncrement,
        {"an increment to a machine position (G53, SUPA together with G91), which does not lead there",
         ir::Function::machine_coordinates}},
@@ -202,8 +205,7 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
   for (std::uint32_t n = extra.first_word; n < extra.first_word + extra.word_count; ++n) {
     const ComputedWord& word = program.computed_words[n];
     if (word.is_string) {
-      block_.tool_name = report_.text_index(storage_.text(raw_of(word.operand)));
-      if (block_.tool_name == kNoText) return report_.fail_limit(i, "strings");
+      if (!name_tool(i, storage_.text(raw_of(word.operand)))) return false;
       continue;
     }
     const double value = storage_.reg(raw_of(word.operand));
@@ -228,6 +230,22 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
   for (std::uint32_t n = extra.first_code; n < extra.first_code + extra.code_count; ++n)
     if (!add_computed_code(i, program.computed_codes[n])) return false;
   block_.codes = codes_;
+  return true;
+}
+
+bool BlockRunner::name_tool(const Instruction& i, const std::string& name) {
+  block_.tool_name = report_.text_index(name);
+  if (block_.tool_name == kNoText) return report_.fail_limit(i, "strings");
+  block_.named_tool = is_unknown(name) ? 0 : ir::tool_of_name(control_, name);
+  if (block_.named_tool != 0 || !control_.from_profile) return true;
+  constexpr std::string_view kDecides = "\"name\" of the tools in the machine's profile decides this";
+  const std::string quoted = '"' + name + '"';
+  if (is_unknown(name))
+    report_.count({.name = "T by a name that is not known", .effects_known = true});
+  else if (control_.tool_names.empty())
+    report_.count({.name = "T=" + quoted, .function = ir::Function::tool_change, .effects_known = true});
+  else
+    report_.warn(i, DiagnosticId::tool_missing, {quoted}, kDecides);
   return true;
 }
 
@@ -282,7 +300,7 @@ void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& progr
   report_.say(i, DiagnosticId::vacant_value, {"of the word " + letter_of(program.computed_words[word].address)});
 }
 
-void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
+void BlockRunner::take_notes(const Instruction& i, std::uint64_t notes) {
   for (const NoteRow& row : counted_notes())
     if ((notes & row.note) != 0) report_.count(row.report);
   if ((notes & kNoteArcIsLine) != 0 && control_.semantics.unset_is_unknown)

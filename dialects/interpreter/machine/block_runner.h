@@ -54,12 +54,14 @@ class BlockRunner {
   void drop_foreign_axes(std::span<const ir::PlainWord> words);
   void set_data();
   void fill(const BlockTemplate& made, const CompiledProgram& program);
+  // T="NAME": its number where the machine's profile has the name; otherwise a report.
+  bool name_tool(const Instruction& i, const std::string& name);
   bool fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program);
   bool add_computed_code(const Instruction& i, const ComputedCode& code);
   void set_word(ir::Address address, double value, std::uint8_t flags);
   ir::Address find_axis(const ComputedWord& word);
   void skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word);
-  void take_notes(const Instruction& i, std::uint32_t notes);
+  void take_notes(const Instruction& i, std::uint64_t notes);
   void report_radii(const Instruction& i, const BlockResult& result);
   [[nodiscard]] bool x_may_be_radius() const;
   bool fail(const Instruction& i, const BlockResult& result);

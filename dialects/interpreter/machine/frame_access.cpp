@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dialects/interpreter/arithmetic/unknown.h"
+#include "dialects/interpreter/block/frame_change.h"
 
 namespace dripfeed::interpreter {
 
@@ -213,6 +214,7 @@ FrameValue FrameAccess::programmable() const {
 }
 
 void FrameAccess::set_programmable(const FrameValue& value) {
+  const Modes before = state_.modes;
   state_.modes.frame_languages |= 1;
   if (state_.modes.frame_languages == 3)
     report_.count({.name = "a frame of one of the control's languages together with one of the other"});
@@ -224,6 +226,7 @@ void FrameAccess::set_programmable(const FrameValue& value) {
   }
   state_.modes.matrix = value.matrix;
   state_.modes.has_matrix = value.matrix != kIdentity;
+  mark_shifted(before, rules_, state_);
 }
 
 }  // namespace dripfeed::interpreter

@@ -19,20 +19,14 @@ namespace {
 
 constexpr std::uint32_t kAlarmNoTool = 61'000;  // no tool offset active
 
-// Of the tool in the spindle and its edge; below 0: not known, 0: its offsets are off.
-double radius_of(const ModalState& state, const ir::Control& control) {
-  const bool is_numbered = state.tool.number != 0;
-  const bool has_tool = is_numbered || state.tool.name != kNoText;
-  const bool is_off = state.length_offset == ir::LengthOffset::off && control.semantics.d_selects_edge;
-  if (has_tool && is_off) return 0.0;  // D0
-  if (!is_numbered) return -1.0;
+// Of a tool and its edge, as the machine's profile has it; below 0: not known.
+double radius_in_profile(const Tool& tool, const ir::Control& control) {
   const auto fits = [&](std::int32_t offset) {
-    const auto found = std::ranges::find_if(control.tool_radii, [&](const ir::ToolRadius& one) {
-      return one.tool == state.tool.number && one.offset == offset;
-    });
+    const auto found = std::ranges::find_if(
+        control.tool_radii, [&](const ir::ToolRadius& one) { return one.tool == tool.number && one.offset == offset; });
     return found == control.tool_radii.end() ? -1.0 : found->radius_mm;
   };
-  const double of_edge = fits(std::max(1, state.tool.offset));
+  const double of_edge = fits(std::max(1, tool.offset));
   return of_edge > 0.0 ? of_edge : fits(0);
 }
 
@@ -49,6 +43,23 @@ bool Machine::leave_milling(std::string name) {
   report_.count({.name = std::move(name)});
   state_.unknown = kAllAxes;
   return true;
+}
+
+// Of the tool in the spindle and its edge; below 0: not known, 0: its offsets are off. What the program wrote outranks
+// the profile. Which number the control has for a tool that is called by name, the program does not show.
+double Machine::cutter_radius() {
+  const bool is_numbered = state_.tool.number != 0;
+  const bool is_named = state_.tool.name != kNoText;
+  const bool is_off = state_.length_offset == ir::LengthOffset::off && control_.semantics.d_selects_edge;
+  if ((is_numbered || is_named) && is_off) return 0.0;  // D0
+  if (!is_numbered) return -1.0;
+  if ((state_.gaps & ir::kRadiiChanged) == 0) return radius_in_profile(state_.tool, control_);
+  const std::string_view name = ir::name_of_system(control_, ir::SystemValue::tool_radius);
+  if (is_named || name.empty()) return -1.0;
+  const auto edge = static_cast<std::uint32_t>(std::max(1, state_.tool.offset));
+  const SharedValue* written =
+      shared_.find(shared_.id_of(name), {static_cast<std::uint32_t>(state_.tool.number), edge});
+  return written != nullptr && written->number > 0.0 ? written->number : -1.0;
 }
 
 bool Machine::mill_cycle(const Instruction& i) {
@@ -70,7 +81,7 @@ bool Machine::mill_cycle(const Instruction& i) {
   const ir::MillReading reading = site.milling->read_milling(values, units);
   if (reading.alarm != 0) return report_.fail_user(i, reading.alarm, site.name);
   if (!reading.not_interpreted.empty()) return leave_milling(site.name + " " + std::string(reading.not_interpreted));
-  const double radius = radius_of(state_, control_);
+  const double radius = cutter_radius();
   if (radius == 0.0) return report_.fail_user(i, kAlarmNoTool, site.name);
   if (radius < 0.0) return leave_milling(site.name + " by a tool whose radius is not known");
   return mill_by(i, reading.cycle, radius);

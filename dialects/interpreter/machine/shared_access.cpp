@@ -2,6 +2,9 @@
 // state answers what it can.
 #include "dialects/interpreter/machine/shared_access.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "dialects/interpreter/arithmetic/unknown.h"
 #include "dialects/interpreter/machine/system_values.h"
 #include "dialects/ir/alarm_details.h"
@@ -100,6 +103,31 @@ bool SharedAccess::may_write(const Instruction& i) {
   return true;
 }
 
+// What equals the machine's profile changes nothing.
+void SharedAccess::take_tool_data(const Instruction& i, const Indices* indices) {
+  if (i.detail == 0) return;
+  const ir::SystemVariableRow& row = control_.system_variables[i.detail - 1U];
+  if (row.name != shared_.name_of(i.a)) return;
+  constexpr double kSame_mm = 1e-6;
+  const double value = storage_.reg(i.c);
+  const auto is_as_known = [&](const auto& known, auto figure) {
+    return indices != nullptr && std::ranges::any_of(known, [&](const auto& one) {
+             return one.tool == static_cast<std::int32_t>((*indices)[0]) &&
+                    one.offset == static_cast<std::int32_t>((*indices)[1]) && std::abs(one.*figure - value) < kSame_mm;
+           });
+  };
+  std::uint8_t changed = 0;
+  if (row.kind == ir::SystemValue::tool_type && (indices == nullptr || value == 0.0))
+    changed = ir::kRadiiChanged | ir::kLengthsChanged;
+  if (row.kind == ir::SystemValue::tool_radius && !is_as_known(control_.tool_radii, &ir::ToolRadius::radius_mm))
+    changed = ir::kRadiiChanged;
+  if (row.kind == ir::SystemValue::tool_length && !is_as_known(control_.tool_lengths, &ir::ToolLength::length_mm))
+    changed = ir::kLengthsChanged;
+  if (changed == 0) return;
+  state_.gaps |= changed;
+  report_.count({.name = std::string(row.name), .function = ir::Function::data_input, .effects_known = true});
+}
+
 // Timers and what the PLC writes: what the program wrote is not what it reads.
 bool SharedAccess::is_changed_by_control(const Instruction& i) const {
   if (i.detail == 0) return false;
@@ -111,6 +139,7 @@ bool SharedAccess::store(const Instruction& i) {
   Indices indices{};
   const IndexState state = find_indices(i, i.a, i.b, indices);
   if (state == IndexState::failed || !may_write(i)) return false;
+  take_tool_data(i, state == IndexState::known && !is_vacant(storage_.reg(i.c)) ? &indices : nullptr);
   if (state == IndexState::unknown) {
     shared_.forget(i.a);
     return true;

@@ -13,7 +13,7 @@ namespace dripfeed::interpreter {
 class SharedAccess {
  public:
   SharedAccess(const ir::Control& control, Storage& storage, VariableAccess& access, SharedData& shared,
-               FrameAccess& frames, const ModalState& state, RunReport& report)
+               FrameAccess& frames, ModalState& state, RunReport& report)
       : control_(control),
         storage_(storage),
         access_(access),
@@ -38,6 +38,8 @@ class SharedAccess {
   // Of a system variable that the modal state answers.
   [[nodiscard]] std::optional<double> answer(const Instruction& i, const Indices& indices) const;
   bool may_write(const Instruction& i);
+  // Of a tool, at these indices; nullptr: it is not known which or what.
+  void take_tool_data(const Instruction& i, const Indices* indices);
   [[nodiscard]] bool is_changed_by_control(const Instruction& i) const;
   void report_input(std::string name);
 
@@ -46,7 +48,7 @@ class SharedAccess {
   VariableAccess& access_;
   SharedData& shared_;
   FrameAccess& frames_;
-  const ModalState& state_;
+  ModalState& state_;
   RunReport& report_;
 };
 

@@ -182,7 +182,10 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::program_number:
     case ir::SystemValue::clock_hours:
     case ir::SystemValue::clock_ms:
-    case ir::SystemValue::changing: break;
+    case ir::SystemValue::changing:
+    case ir::SystemValue::tool_type:
+    case ir::SystemValue::tool_length:
+    case ir::SystemValue::tool_radius: break;
   }
   return std::nullopt;
 }
@@ -235,7 +238,10 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::work_offset_value:
     case SystemValue::block_number:
     case SystemValue::program_number:
-    case SystemValue::changing: break;
+    case SystemValue::changing:
+    case SystemValue::tool_type:
+    case SystemValue::tool_length:
+    case SystemValue::tool_radius: break;
   }
   return std::nullopt;
 }

@@ -20,7 +20,11 @@ void take_position(const Target& target, const MoveOptions& options, ModalState&
     return;
   }
   if ((state.unknown & target.incremental) != 0) result.notes |= kNoteIncrementalFromUnknown;
-  state.unknown &= static_cast<std::uint16_t>(~(target.commanded & ~target.incremental));
+  const auto absolute = static_cast<std::uint16_t>(target.commanded & ~target.incremental);
+  if (target.shifted != 0) [[unlikely]]
+    result.notes |= kNoteShiftedIncrement;
+  state.shifted &= static_cast<std::uint16_t>(~(absolute | target.stated));
+  state.unknown &= static_cast<std::uint16_t>(~absolute);
   state.unknown |= target.unknown;
   state.position = target.end;
 }
@@ -147,7 +151,7 @@ bool Mover::starts_unknown(PlaneAxes axes) const {
 }
 
 // No arc can be written, but where it ends may be known.
-void Mover::lose(const Target& target, std::uint32_t note) {
+void Mover::lose(const Target& target, std::uint64_t note) {
   result_ = {};
   result_.notes |= note;
   state_.tangent_known = false;

@@ -42,7 +42,7 @@ class Mover {
   // mover.cpp
   [[nodiscard]] bool starts_unknown(PlaneAxes axes) const;
   // No arc can be written, but where it ends may be known.
-  void lose(const Target& target, std::uint32_t note = kNoteArcNotComputed);
+  void lose(const Target& target, std::uint64_t note = kNoteArcNotComputed);
   [[nodiscard]] PlanePoint point_of(const AxisValues& at, PlaneAxes axes) const;
   // End minus start in the plane, radius values.
   [[nodiscard]] PlanePoint chord(PlaneAxes axes, const Target& target) const;

@@ -21,6 +21,7 @@ Target find_target(const PlainBlock& block, const BlockRules& rules, const Modal
                        } else if (incremental) {
                          target.end[axis] = state.position[axis] + value;
                          target.incremental |= bit;
+                         target.shifted |= state.shifted & bit;
                        } else {
                          target.end[axis] = value + state.modes.shift[axis] + state.coordinate_shift[axis];
                        }
@@ -28,6 +29,7 @@ Target find_target(const PlainBlock& block, const BlockRules& rules, const Modal
   for (std::uint64_t rest = block.unknown & rules.axis_addresses; rest != 0; rest &= rest - 1)
     target.unknown |= static_cast<std::uint16_t>(
         1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis));
+  target.unknown |= target.shifted;
   return target;
 }
 
@@ -53,16 +55,20 @@ Target find_target_in_frame(const PlainBlock& block, const BlockRules& rules, co
           const double radius = axis == 0 && rules.x_is_diameter ? value / 2.0 : value;
           programmed[axis] = incremental ? programmed[axis] + radius : radius;
           if (!incremental) unknown &= ~std::uint32_t{bit};
+          if (!incremental) target.stated |= bit;
+          if (incremental) target.shifted |= state.shifted & bit;
           turned = true;
           return;
         }
         target.commanded |= bit;
         if (incremental) target.incremental |= bit;
+        if (incremental) target.shifted |= state.shifted & bit;
         target.end[axis] =
             incremental ? state.position[axis] + value : value + state.modes.shift[axis] + state.coordinate_shift[axis];
       });
   for (std::uint64_t rest = block.unknown & rules.axis_addresses; rest != 0; rest &= rest - 1)
     unknown |= 1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis);
+  unknown |= target.shifted;
   if (!turned && (unknown & 7U) == 0) return target;
   const Vector at = multiply(state.modes.matrix, programmed);
   target.unknown = static_cast<std::uint16_t>(mixed(state.modes.matrix, unknown & 7U) | (unknown & ~7U));

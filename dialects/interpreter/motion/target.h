@@ -12,6 +12,8 @@ struct Target {
   std::uint16_t commanded = 0;
   std::uint16_t incremental = 0;  // … by an increment
   std::uint16_t unknown = 0;      // named with a value that is not known
+  std::uint16_t stated = 0;       // … by a coordinate of a frame that turns
+  std::uint16_t shifted = 0;      // … by an increment after a change of the frame, see ModalState
 };
 
 // `machine`: the words name machine coordinates.

@@ -13,8 +13,9 @@ namespace dripfeed::interpreter {
 enum class Flow : std::uint8_t { next, program_end, subprogram_end };
 
 // Bits of BlockResult::notes: what was done and deserves a word.
-inline constexpr std::uint32_t kNoteNoFeed = 1;                   // a cut with feed 0
-inline constexpr std::uint32_t kNoteMotionWithoutCode = 2;        // moved as the control usually does
+inline constexpr std::uint64_t kNoteShiftedIncrement = 1ULL << 32;  // setting data decides where it ends
+inline constexpr std::uint32_t kNoteNoFeed = 1;                     // a cut with feed 0
+inline constexpr std::uint32_t kNoteMotionWithoutCode = 2;          // moved as the control usually does
 inline constexpr std::uint32_t kNoteMoveNotModelled = 4;          // axis words under a cycle or curve: no move came out
 inline constexpr std::uint32_t kNoteReferenceUnknown = 8;         // to a reference point whose place is not known
 inline constexpr std::uint32_t kNoteIncrementalFromUnknown = 16;  // where the move ends is not known
@@ -51,7 +52,7 @@ struct BlockResult {
   bool moved = false;        // by its axis words, in a motion or a cycle
   bool needs_shape = false;  // G70 to G73: the caller runs the shape's blocks
   bool sets_data = false;    // G10: the caller has what it sets
-  std::uint32_t notes = 0;
+  std::uint64_t notes = 0;
   // Alarm: count_ when there is none. `first` and `second` are its arguments (radii of an arc in mm). Without an alarm
   // they are radii that differ by what some machines are set to take.
   text::DiagnosticId fault = text::DiagnosticId::count_;

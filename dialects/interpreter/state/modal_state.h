@@ -233,10 +233,13 @@ struct ModalState {
   bool tool_stated = false;          // … a tool
   AxisValues position{};             // in the active work offset
   std::uint16_t unknown = kAllAxes;  // bit per axis: `position` is the last that was known, not where it is
-  AxisValues coordinate_shift{};     // G92
-  AxisValues touch{};                // where a probe touches, as `position`
-  std::uint16_t touch_known = 0;     // bit per axis
-  AxisValues skipped{};              // where the last skip move ended
+  // Bit per axis: a frame has changed since it was programmed absolutely, and setting data decides whether an increment
+  // takes the change along.
+  std::uint16_t shifted = 0;
+  AxisValues coordinate_shift{};  // G92
+  AxisValues touch{};             // where a probe touches, as `position`
+  std::uint16_t touch_known = 0;  // bit per axis
+  AxisValues skipped{};           // where the last skip move ended
   std::uint16_t skipped_known = 0;
   double clock_ms = 0.0;      // of what was executed: blocks by the control's cost, and dwells
   std::uint64_t untimed = 0;  // blocks whose time is not among it: they move, or the machine carries them out
@@ -244,7 +247,7 @@ struct ModalState {
   double length_number = 0.0;  // D, H
   ir::LengthOffset length_offset = ir::LengthOffset::off;
   std::uint16_t length_offset_number = 0;  // as Motion::length_offset_number
-  std::uint8_t gaps = 0;                   // kZerosChanged, kLengthsChanged
+  std::uint8_t gaps = 0;                   // those of ir::Motion::gaps that stay
   double feed = 0.0;                       // as Motion::feed
   bool feed_unknown = false;               // given by a value that is not known, or by a caller that is not run
   double rpm = 0.0;                        // S as written, by what it means; 0: none given, or not known

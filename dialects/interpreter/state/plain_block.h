@@ -32,9 +32,11 @@ struct PlainBlock {
   std::array<double, kAddressCount> values{};
   std::span<const PlainCode> codes;
   std::uint32_t tool_name = kNoText;  // T="NAME": index of a text of the run
+  std::int32_t named_tool = 0;        // its number in the machine's profile; 0: not known
 
   void clear() {
     present = in_increments = absolute = incremental = numbered = unknown = 0, codes = {}, tool_name = kNoText;
+    named_tool = 0;
   }
   [[nodiscard]] bool has(ir::Address address) const { return (present & bit_of(address)) != 0; }
   [[nodiscard]] double at(ir::Address address) const { return values[index_of(address)]; }

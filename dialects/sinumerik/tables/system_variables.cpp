@@ -116,6 +116,10 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$C_Y_PROG", 25, 25, call_argument_given, false, "Function Manual ISO Dialects, macro programs"},
   {"$C_Z", 26, 26, call_argument, false, "Function Manual ISO Dialects, macro programs"},
   {"$C_Z_PROG", 26, 26, call_argument_given, false, "Function Manual ISO Dialects, macro programs"},
+  // tools; wear ($TC_DP15) and what else is added to radius and length stays with the last row of the list
+  {"$TC_DP1", 0, 0, tool_type, true, "LIS1, type of a cutting edge"},
+  {"$TC_DP3", 0, 0, tool_length, true, "LIS1, length 1 of a cutting edge"},
+  {"$TC_DP6", 0, 0, tool_radius, true, "LIS1, radius of a cutting edge"},
   // inputs, outputs, PLC, clock
   {"$A_IN", 0, 0, not_modelled, false, "LIS1, digital input"},
   {"$A_OUT", 0, 0, not_modelled, true, "LIS1, digital output", false, 0, output},
@@ -159,6 +163,9 @@ constexpr std::string_view kHarmless[] = {
     "$P_PFRAME",
     "$P_BFRAME",
     "$P_UBFR",
+    "$TC_DP1",
+    "$TC_DP3",
+    "$TC_DP6",
 };
 
 }  // namespace

@@ -143,6 +143,16 @@ bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, b
   if (one.is_model)
     report.checks.not_checked.add(
         fmt::format("{}: the control has its own; times and loads in between are estimates", one.name), one.first_line);
+  if (one.effects_known && one.function == ir::Function::data_input)
+    report.checks.not_checked.add(
+        fmt::format("{}: the program changes the control's tool data, and they stay so after its end", one.name),
+        one.first_line);
+  const bool is_named_tool = one.effects_known && one.function == ir::Function::tool_change;
+  if (is_named_tool && e.profile != nullptr && !e.profile->machine.tools.empty())
+    report.checks.not_checked.add(
+        fmt::format("{}: which tool this is is not known; \"name\" of the tools in the machine's profile decides this",
+                    one.name),
+        one.first_line);
   if (one.effects_known) return false;
   if (one.function == ir::Function::reference_return) {
     if (e.profile == nullptr) {

@@ -4608,8 +4608,10 @@ export interface components {
             } | null;
             /** @description in the magazine or turret */
             tools?: {
-                /** @description by which programs call it */
+                /** @description by which programs call it; of one that they call by name: any that no other tool has */
                 number: number;
+                /** @description by which SINUMERIK programs call it, as T="MILL_D10"; capital letters count; not given: they call it by number */
+                name?: string | null;
                 /** @description the offset or D number that holds its figures */
                 offset?: number | null;
                 /** @description of a turning tool */

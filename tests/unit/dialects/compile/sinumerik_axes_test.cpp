@@ -53,6 +53,34 @@ TEST(SinumerikAxes, AnOrientedSpindleStands) {
   EXPECT_TRUE(ran.names("SPOS[2]"));
 }
 
+// Whether an increment takes a changed frame along, SD42440 FRAME_OFFSET_INCR_PROG decides (PG, "Incremental
+// dimensions"): the position is not known until the axis is programmed absolutely.
+TEST(SinumerikAxes, AnIncrementAfterAShiftIsNotKnown) {
+  constexpr std::string_view kNote =
+      "an increment along an axis whose frame has changed (SD42440 FRAME_OFFSET_INCR_PROG decides)";
+  const std::string place = "G0 X0 Y0 Z5\n";
+  struct Row {
+    std::string text;
+    unsigned unknown;  // bits of the axes, at the end
+  };
+  for (const Row& row :
+       {Row{"TRANS X10\nG91 G1 X5 F100\n", 1U}, Row{"TRANS X10\nG1 X=IC(5) F100\n", 1U},
+        Row{"ATRANS Y1\nG91 G1 X5 Y5 F100\n", 2U}, Row{"TRANS X10\nG91 G1 Y5 F100\nX5\n", 1U},
+        Row{"G58 X10\nG91 G1 X5 F100\n", 1U}, Row{"ROT RPL=30\nG91 G1 X5 F100\n", 3U},
+        Row{"$P_PFRAME=CTRANS(X,10)\nG91 G1 X5 F100\n", 1U}, Row{"TRANS X10\nG0 X0\nTRANS\nG91 G1 X5 F100\n", 1U}}) {
+    const Result ran = after_head(place + row.text + "G90 G0 Z9\n");
+    EXPECT_EQ(ran.motions.back().axes_unknown & 7U, row.unknown) << row.text;
+    EXPECT_TRUE(ran.names(kNote)) << row.text;
+  }
+  for (const std::string known : {"TRANS X10\nG0 X0\nG91 G1 X5 F100\n", "TRANS X0\nG91 G1 X5 F100\n",
+                                  "TRANS X10\nG91 G1 Y5 F100\n", "ROT RPL=30\nG0 X0 Y0\nG91 G1 X5 F100\n",
+                                  "ROT RPL=30\nG91 G1 Z5 F100\n", "TRANS X10\nG91 G1 X5 F100\nG90 X5\nG91 X1\n"}) {
+    const Result ran = after_head(place + known + "G90 G0 Z9\n");
+    EXPECT_EQ(ran.motions.back().axes_unknown & 7U, 0U) << known;
+  }
+  EXPECT_TRUE(after_head(place + "TRANS X10\nG91 G1 X5 F100\nG90 X5\nM30\n").trace.contains("linear X15.0000"));
+}
+
 // The list of G functions (PG): the first of group 6 is G17, the second of group 14 G91.
 TEST(SinumerikAxes, CodesByGroupAndNumber) {
   const Result ran = after_head("G[14]=2 G[1]=1 X1\nX1\nG[6]=R1\n");

@@ -287,6 +287,11 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
       {R"("tip": 3)", R"("tip": 3, "length_x_mm": 1e9)", "/tools/0/length_x_mm"},
       {R"("tip": 3)", R"("tip": 3, "diameter_mm": 4, "corner_radius_mm": 3)", "/tools/0/corner_radius_mm"},
       {R"("edge_mm": 12}})", R"("edge_mm": 12}}, {"number": 1, "offset": 1})", "/tools/1/number"},
+      {R"("tip": 3)", R"("tip": 3, "name": "A\"B")", "/tools/0/name"},
+      {R"("tip": 3)", R"("tip": 3, "name": "123456789012345678901234567890123")", "/tools/0/name"},
+      {R"("edge_mm": 12}})", R"("edge_mm": 12}, "name": "A"}, {"number": 8, "name": "A"})", "/tools/1/name"},
+      {R"("edge_mm": 12}})", R"("edge_mm": 12}, "name": "A"}, {"number": 1, "offset": 2, "name": "B"})",
+       "/tools/1/name"},
       {R"("title": "Mill")", R"("origin": {"X_mm": 1e9})", "/origin/X_mm"},
       {R"("title": "Mill")", R"("origin": {"Q_mm": 1})", "/origin/Q_mm"},
       {R"("title": "Mill")", R"("origin": [1, 2, 3])", "/origin"},
@@ -308,6 +313,16 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
                                            [&](const app::ErrorPlace& place) { return place.pointer == row.pointer; });
     EXPECT_TRUE(found) << row.to << ": " << read.error().text;
   }
+}
+
+TEST(ProfileDocument, EdgesOfOneToolShareItsName) {
+  const auto read = read_profile(with(
+      R"("edge_mm": 12}})",
+      R"("edge_mm": 12}, "name": "Rough 80"}, {"number": 1, "offset": 2, "name": "Rough 80"}, {"number": 1, "offset": 3})"));
+  ASSERT_TRUE(read) << read.error().text;
+  EXPECT_EQ(read->machine.tools[0].name, "Rough 80");
+  EXPECT_EQ(read->machine.tools[1].name, "Rough 80");
+  EXPECT_EQ(read->machine.tools[2].name, "");
 }
 
 TEST(ProfileDocument, AFaultNamesTheValue) {

@@ -263,5 +263,21 @@ TEST(Profile, CuttersAreThoseOfTheMachine) {
   EXPECT_EQ(control.tool_radii[0].radius_mm, 5.0);
 }
 
+TEST(Profile, ToolsAreFoundByTheirNames) {
+  Profile profile;
+  profile.machine.tools = {{.number = 4, .name = "MILL_D10", .offset = 1, .length_mm = 80.0},
+                           {.number = 4, .offset = 2},
+                           {.number = 9, .name = "DRILL 8.5"},
+                           {.number = 3}};
+  const ir::Control control = control_of(profile, {});
+  EXPECT_EQ(ir::tool_of_name(control, "MILL_D10"), 4);
+  EXPECT_EQ(ir::tool_of_name(control, "DRILL 8.5"), 9);
+  EXPECT_EQ(ir::tool_of_name(control, "Mill_D10"), 0) << "capital letters count";
+  EXPECT_EQ(ir::tool_of_name(control, ""), 0);
+  EXPECT_EQ(ir::tool_of_name({}, "MILL_D10"), 0);
+  ASSERT_EQ(control.tool_lengths.size(), 1U);
+  EXPECT_EQ(control.tool_lengths[0].length_mm, 80.0);
+}
+
 }  // namespace
 }  // namespace dripfeed::machine
