@@ -270,6 +270,12 @@ bool entry_is_tool_offset(const ir::Control& control, std::uint32_t row, std::ui
   return (number >= 2001 && number <= 2999) || (number >= 10001 && number <= 19999);
 }
 
+// Of radii, too: memory A has one row for both, C those from #12001 on.
+bool may_be_radius(std::uint32_t number) {
+  constexpr std::uint32_t kLastOfLengths = 12'000;
+  return number < 10'001 || number > kLastOfLengths;
+}
+
 // Common variables that are an option, and have no row.
 bool may_be_common(std::uint32_t number) {
   constexpr std::uint32_t kFirstSystem = 1000;
@@ -301,11 +307,14 @@ bool SystemValues::write(std::uint32_t row, std::uint32_t number, double value, 
       move_offset(key.number, value, state);
       state.gaps |= ir::kZerosChanged;
     }
-    if (entry_is_tool_offset(control_, row, number)) state.gaps |= ir::kLengthsChanged;
+    if (entry_is_tool_offset(control_, row, number)) {
+      state.gaps |= ir::kLengthsChanged;
+      if (may_be_radius(number)) state.gaps |= ir::kRadiiChanged;
+    }
     written_[key_of(key.row, key.number)] = value;
   }
   const bool understood = is_understood(control_, row, number);
-  if (!understood) state.gaps |= ir::kZerosChanged | ir::kLengthsChanged;
+  if (!understood) state.gaps |= ir::kZerosChanged | ir::kLengthsChanged | ir::kRadiiChanged;
   return understood;
 }
 

@@ -132,7 +132,7 @@ bool VariableAccess::forget_bank(const Instruction& i) {
   if (bank != ir::Bank::hash) return true;
   report_.count({.name = "an assignment to a variable whose number is not known"});
   state_.unknown = kAllAxes;
-  state_.gaps |= ir::kZerosChanged | ir::kLengthsChanged;
+  state_.gaps |= ir::kZerosChanged | ir::kLengthsChanged | ir::kRadiiChanged;
   return true;
 }
 

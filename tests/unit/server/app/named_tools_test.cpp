@@ -26,7 +26,7 @@ machine::Profile named_profile() {
 }
 
 CheckReport check_on(const std::string& text, const machine::Profile& machine, bool with_part = false) {
-  const compile::Dialect* dialect = compile::find_dialect("sinumerik-840d");
+  const compile::Dialect* dialect = compile::find_dialect(machine.control.dialect);
   std::optional<family::Geometry> part;
   if (with_part) {
     part.emplace();
@@ -109,6 +109,22 @@ TEST(NamedTools, AWrittenRadiusLeavesCompensationOpen) {
   EXPECT_TRUE(has_note(open, "$TC_DP6: the program changes the control's tool data, and they stay so after its end"));
   EXPECT_FALSE(has_note(check_on(head + "$TC_DP6[1,1]=5\n" + cut, named_profile(), true), "$TC_DP6"));
   EXPECT_TRUE(has_note(open, "the program changes the radius of a tool"));
+}
+
+// G10 L12 writes the register of D on a control with numbers.
+TEST(NamedTools, AWrittenRegisterLeavesCompensationOpen) {
+  machine::Profile fanuc = named_profile();
+  fanuc.control.dialect = "fanuc";
+  const std::string head = "%\nO1\nG21 G17 G90 G94 G40 G49 G80 G54\nT1 M6\nG43 H1\nS1000 M3\n";
+  const std::string cut =
+      "G0 X-70. Y-70. Z50.\nZ-3.\nG41 D1 G1 X-40. Y-60. F200.\nY60.\nG40 X-70. Y70.\nG0 Z50.\nM30\n%\n";
+  const auto is_open = [&](const std::string& written) {
+    return check_on(head + written + cut, fanuc, true).checks.gouge->has_unjudged_cuts;
+  };
+  EXPECT_FALSE(is_open(""));
+  EXPECT_TRUE(is_open("G10 L12 P1 R4.\n"));
+  EXPECT_TRUE(is_open("#13001=4.\n"));
+  EXPECT_FALSE(is_open("G10 L10 P1 R120.\n")) << "a length";
 }
 
 }  // namespace
