@@ -73,8 +73,8 @@ ir::Motion at_start_of(const ir::Motion& move, ir::MotionKind kind) {
 // Where `at`, a point of the line or circle, lies on the piece; near the one end or the other of an arc.
 double parameter_of(const PathPiece& piece, Point at, bool near_end) {
   if (const auto* segment = std::get_if<Segment>(&piece)) {
-    const Point way = segment->b - segment->a;
-    return curves::dot(at - segment->a, way) / curves::dot(way, way);
+    const Point run = segment->b - segment->a;
+    return curves::dot(at - segment->a, run) / curves::dot(run, run);
   }
   const auto& arc = std::get<Arc>(piece);
   const double angle = std::atan2(at.x - arc.center.x, at.z - arc.center.z);
@@ -320,10 +320,10 @@ void Compensation::emit_straight(const ir::Motion& like, Point from, Point to) {
   out_.push_back(move);
 }
 
-void Compensation::emit_piece(const ir::Motion& move, const PathPiece& way) {
-  const auto* arc = std::get_if<Arc>(&way);
-  const Point from = curves::point_at(way, 0.0);
-  const Point to = curves::point_at(way, 1.0);
+void Compensation::emit_piece(const ir::Motion& move, const PathPiece& piece) {
+  const auto* arc = std::get_if<Arc>(&piece);
+  const Point from = curves::point_at(piece, 0.0);
+  const Point to = curves::point_at(piece, 1.0);
   // An arc of no length would be taken for a full circle.
   if (arc == nullptr || arc->length() <= kSame_mm) return emit_straight(move, from, to);
   ir::Motion led = move;

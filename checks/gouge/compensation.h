@@ -56,7 +56,7 @@ class Compensation {
   void end_waiting(curves::Point programmed, curves::Point led);
   void lead_away(const ir::Motion& move);
   void emit_straight(const ir::Motion& like, curves::Point from, curves::Point to);
-  void emit_piece(const ir::Motion& move, const curves::PathPiece& way);
+  void emit_piece(const ir::Motion& move, const curves::PathPiece& piece);
 
   OuterCorner corner_;
   checks::NotCheckedList& notes_;

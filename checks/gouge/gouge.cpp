@@ -30,10 +30,10 @@ std::vector<std::string> depth_and_place(double depth_mm, double z_mm) {
 }
 
 // Where both axes run at their own speed until the nearer end is reached, the path bends here.
-curves::Point bend_of(const curves::Segment& way, double rapid_x, double rapid_z) {
-  const curves::Point by = way.b - way.a;
+curves::Point bend_of(const curves::Segment& path, double rapid_x, double rapid_z) {
+  const curves::Point by = path.b - path.a;
   const double time = std::min(std::fabs(by.z) / rapid_z, std::fabs(by.x) / rapid_x);
-  return way.a + curves::Point{std::copysign(time * rapid_z, by.z), std::copysign(time * rapid_x, by.x)};
+  return path.a + curves::Point{std::copysign(time * rapid_z, by.z), std::copysign(time * rapid_x, by.x)};
 }
 
 }  // namespace
@@ -140,29 +140,29 @@ void Gouge::note(const ir::Motion& motion, double z_mm) {
   notes_.push_back({{z_mm, x}, fmt::format("line {}", motion.place.line)});
 }
 
-void Gouge::check_rapid(const ir::Motion& motion, const curves::Segment& way) {
+void Gouge::check_rapid(const ir::Motion& motion, const curves::Segment& path) {
   ++report_.rapids;
   const auto add = [&](text::DiagnosticId id, double depth_mm, double z_mm) {
     report_.findings.add(id, motion.place, depth_mm, 0.0, [&] { return depth_and_place(depth_mm, z_mm); });
     note(motion, z_mm);
   };
-  const std::optional<curves::Extreme> nominal = lowest(nose_, way);
+  const std::optional<curves::Extreme> nominal = lowest(nose_, path);
   if (nominal && -nominal->value > std::max(settings_.depth_mm, nominal->tolerance)) {
     report_.deepest_rapid_mm = std::max(report_.deepest_rapid_mm, -nominal->value);
     add(text::DiagnosticId::rapid_into_nominal, -nominal->value, nominal->at.z);
     return;
   }
   if (!stock_) return;
-  const Touch touch = stock_->touch(nose_, way, settings_.depth_mm);
+  const Touch touch = stock_->touch(nose_, path, settings_.depth_mm);
   if (touch.depth_mm > 0.0) {
     report_.deepest_rapid_mm = std::max(report_.deepest_rapid_mm, touch.depth_mm);
     add(text::DiagnosticId::rapid_into_stock, touch.depth_mm, touch.z_mm);
     return;
   }
   if (!(settings_.rapid_x_mm_min > 0.0 && settings_.rapid_z_mm_min > 0.0)) return;
-  const curves::Point bend = bend_of(way, settings_.rapid_x_mm_min, settings_.rapid_z_mm_min);
-  Touch bent = stock_->touch(nose_, curves::Segment{way.a, bend}, settings_.depth_mm);
-  const Touch rest = stock_->touch(nose_, curves::Segment{bend, way.b}, settings_.depth_mm);
+  const curves::Point bend = bend_of(path, settings_.rapid_x_mm_min, settings_.rapid_z_mm_min);
+  Touch bent = stock_->touch(nose_, curves::Segment{path.a, bend}, settings_.depth_mm);
+  const Touch rest = stock_->touch(nose_, curves::Segment{bend, path.b}, settings_.depth_mm);
   if (rest.depth_mm > bent.depth_mm) bent = rest;
   if (bent.depth_mm > 0.0) add(text::DiagnosticId::rapid_may_enter_stock, bent.depth_mm, bent.z_mm);
 }

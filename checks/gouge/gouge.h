@@ -68,7 +68,7 @@ class Gouge final : public ir::MotionSink {
   void follow_tool(const ir::Motion& motion);
   void note(const ir::Motion& motion, double z_mm);
   [[nodiscard]] std::string_view why_not_judged(const ir::Motion& motion) const;
-  void check_rapid(const ir::Motion& motion, const curves::Segment& way);
+  void check_rapid(const ir::Motion& motion, const curves::Segment& path);
   void check_cut(const ir::Motion& motion, const curves::PathPiece& tip_path);
   // Signed distance of the nose from the nominal where it is lowest; nothing outside it.
   [[nodiscard]] std::optional<curves::Extreme> lowest(const curves::Nose& nose,

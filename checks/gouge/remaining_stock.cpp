@@ -137,11 +137,11 @@ Touch RemainingStock::touch(const curves::Nose& nose, const curves::PathPiece& t
 }
 
 void RemainingStock::cut(const curves::Nose& nose, const curves::PathPiece& tip_path) {
-  const curves::PathPiece way = curves::moved(tip_path, -nose.radius * nose.tip);
+  const curves::PathPiece centers_path = curves::moved(tip_path, -nose.radius * nose.tip);
   double segments = 0.0;
-  if (log_ != nullptr) for_segments(way, [&](const curves::Segment&) { ++segments; });
+  if (log_ != nullptr) for_segments(centers_path, [&](const curves::Segment&) { ++segments; });
   double done = 0.0;
-  for_segments(way, [&](const curves::Segment& centers) {
+  for_segments(centers_path, [&](const curves::Segment& centers) {
     pass(nose.radius, centers, [&](std::size_t place, double x) {
       if (!(x < heights_[place])) return;
       heights_[place] = x;

@@ -12,8 +12,6 @@ WORDS = {'anew', 'ballast', 'behind', 'beside', 'keeper', 'nobody', 'somebody', 
 PYTHON = WORDS - {'said', 'tell'}
 # Of 3964, where one side yields: the key of the profile and the action that it leads to.
 IDIOMS = {'give_way', 'gives_way'}
-# Names that are not renamed yet, by folder.
-LATER = re.compile(r'(?:tests/unit/)?checks/gouge/')
 FOLDERS = tree.TOPS + ('tests',)
 NAME = re.compile(r'[A-Za-z_]\w*')
 PART = re.compile(r'[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+')
@@ -24,7 +22,7 @@ def faults(root):
     for path in tree.files(root, FOLDERS, tree.CODE):
         code = tree.code_only(tree.read(root, path))
         names = ((match[0], match.start()) for match in NAME.finditer(code))
-        faults_here = _of_names(names, WORDS - {'way'} if LATER.match(path) else WORDS)
+        faults_here = _of_names(names, WORDS)
         found += [f'{path}:{tree.line_of(code, at)}: {fault}' for at, fault in faults_here]
     for path in tree.files(root, ('tests', 'deploy'), ('.py',)):
         tokens = tokenize.generate_tokens(io.StringIO(tree.read(root, path)).readline)

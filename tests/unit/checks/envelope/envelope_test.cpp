@@ -72,7 +72,7 @@ TEST(Envelope, AHelixReachesItsSidesAndItsEnds) {
   helix.end[0] = -310;
   helix.center = {-310, 0, 0};
   const Report wide = run({helix}, settings);
-  EXPECT_EQ(wide.findings.count(DiagnosticId::travel_exceeded), 2U) << "x ends at -110, y reaches 510 on the way";
+  EXPECT_EQ(wide.findings.count(DiagnosticId::travel_exceeded), 2U) << "x ends at -110, y reaches 510 in between";
   EXPECT_DOUBLE_EQ(wide.machine[1].high, 510);
   helix.kind = arc_cw;
   EXPECT_DOUBLE_EQ(run({helix}, settings).machine[1].low, -110);

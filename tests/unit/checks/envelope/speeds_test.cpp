@@ -120,7 +120,7 @@ TEST(Speeds, EachAxisHasItsShareOfTheFeed) {
   EXPECT_TRUE(run({cut}, settings).findings.empty()) << "where X starts is not known";
   cut = move(linear, 0, 0, 0, 0);
   cut.feed = 5000;
-  EXPECT_TRUE(run({cut}, settings).findings.empty()) << "no way, no share";
+  EXPECT_TRUE(run({cut}, settings).findings.empty()) << "no travel, no share";
 }
 
 }  // namespace

@@ -102,17 +102,17 @@ TEST(Gouge, TheNoseReachesAsFarAsItsCircle) {
 TEST(Gouge, ARapidThatBendsIsAWarning) {
   // From radius 80 over the bar to radius 20 before its face: the line is at 56 over the face's edge. With both axes at
   // one speed it goes down at 45 degrees and meets the bar.
-  const ir::Motion way = rapid(160, -30, 40, 45);
+  const ir::Motion path = rapid(160, -30, 40, 45);
   Settings settings = bar();
-  EXPECT_TRUE(run(settings, {way}).findings.empty());
+  EXPECT_TRUE(run(settings, {path}).findings.empty());
   settings.rapid_x_mm_min = settings.rapid_z_mm_min = 10000;
   EXPECT_TRUE(run(settings, {rapid(160, -30, 100, 0)}).findings.empty());  // 45 degrees is a line
   const Report report = run(settings, {rapid(160, -30, 60, 45)});
   EXPECT_EQ(report.findings.count(DiagnosticId::rapid_into_stock), 0U);
   EXPECT_TRUE(report.findings.empty());  // 50 down, 45 along: at z 0 still at radius 50
   settings.rapid_x_mm_min = 20000;
-  EXPECT_EQ(run(settings, {way}).findings.count(DiagnosticId::rapid_may_enter_stock), 1U);
-  EXPECT_EQ(run(settings, {way}).findings.count(DiagnosticId::rapid_into_stock), 0U);
+  EXPECT_EQ(run(settings, {path}).findings.count(DiagnosticId::rapid_may_enter_stock), 1U);
+  EXPECT_EQ(run(settings, {path}).findings.count(DiagnosticId::rapid_into_stock), 0U);
 }
 
 TEST(Gouge, SaysWhatItLeavesOut) {
