@@ -22,8 +22,8 @@ export const paceFor = (end_s: number): number => kPaces.find((pace) => end_s / 
 
 export function TimeBar({ clock, place, text, goTo, running, run }: Props) {
   const [pace, setPace] = useState(() => paceFor(clock.end_s));
-  const latest = useRef({ clock, pace, goTo });
-  latest.current = { clock, pace, goTo };
+  const latest = useRef({ clock, pace, goTo, running });
+  latest.current = { clock, pace, goTo, running };
   const time_s = clock.timeAt(place);
   const now = useRef(time_s);
   if (!running) now.current = time_s;
@@ -33,6 +33,7 @@ export function TimeBar({ clock, place, text, goTo, running, run }: Props) {
     let before = performance.now();
     let frame = 0;
     const step = () => {
+      if (!latest.current.running) return; // paused, and this effect is not taken down yet
       const at = performance.now();
       const { clock: of, pace: by, goTo: go } = latest.current;
       now.current = Math.min(now.current + ((at - before) / 1000) * by, of.end_s);
