@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kLongest_mm = 1e6;
 constexpr double kHuge = 1e9;
-constexpr std::size_t kLongestToolName = 32;  // as a SINUMERIK has them ($TC_TP2, LIS1); from memory
+constexpr std::size_t kLongestToolName = 32;  // as a SINUMERIK has them ($TC_TP2, LIS1); not looked up there
 // Of feeds, speeds and accelerations: below, a machine stands.
 constexpr double kLeast = 0.001;
 static_assert(kAxisWords.size() == ir::kAxisCount);

@@ -158,7 +158,7 @@ def asking_is_a_state(folder):
     expect(alarms(client, "") == [], f"who asks is an alarm: {alarms(client, '')}")
     job = client.queue(client.release(client.add_program(20)["id"])["id"])
     client.post(f"/jobs/{job}/arm")
-    status = shop.wait_for("no one to ask", lambda: next((now for now in [client.get("/machines/lathe")["status"]] if now["asks"] == 0), None))
+    status = shop.wait_for("a control that no longer asks", lambda: next((now for now in [client.get("/machines/lathe")["status"]] if now["asks"] == 0), None))
     expect(status["asks_since_ms"] is None, f"{status}")
     client.wait_job(job, "done")
     expect(alarms(client, "") == [], f"{alarms(client, '')}")

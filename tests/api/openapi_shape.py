@@ -134,6 +134,6 @@ def differences(rights, document):
             described[method.upper(), path] = None if operation.get("security") == [] else operation.get("x-role")
     found = [f"{method} {path} is described and has no row" for method, path in described.keys() - rights.keys()]
     found += [f"{method} {path} has a row and is not described" for method, path in rights.keys() - described.keys()]
-    found += [f"{method} {path} is said to need {described[method, path]}, not {role}"
+    found += [f"{method} {path} is documented to need {described[method, path]}, not {role}"
               for (method, path), role in rights.items() if (method, path) in described and described[method, path] != role]
     return sorted(found)

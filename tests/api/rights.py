@@ -383,8 +383,8 @@ def the_comparison_can_fail(rights, document):
     for changed, sentence in [
         ({k: v for k, v in rights.items() if k != job}, "GET /api/v1/jobs/{id} is described and has no row"),
         (rights | {("GET", "/api/v1/nothing"): "viewer"}, "GET /api/v1/nothing has a row and is not described"),
-        (rights | {job: "operator"}, "GET /api/v1/jobs/{id} is said to need viewer, not operator"),
-        (rights | {job: None}, "GET /api/v1/jobs/{id} is said to need viewer, not None"),
+        (rights | {job: "operator"}, "GET /api/v1/jobs/{id} is documented to need viewer, not operator"),
+        (rights | {job: None}, "GET /api/v1/jobs/{id} is documented to need viewer, not None"),
     ]:
         found = differences(changed, document)
         expect(found == [sentence], f"expected \"{sentence}\", found {found}")

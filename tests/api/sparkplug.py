@@ -8,7 +8,7 @@ import sys
 import threading
 import time
 
-from client import Client, HandControl, contract, expect, hand_profile, in_folder, shop  # noqa: F401
+from client import Client, HandControl, expect, hand_profile, in_folder, shop
 from mqtt import Broker, feed, options
 
 CODEC = ["node", str(pathlib.Path(__file__).with_name("sparkplug_codec.mjs"))]
@@ -90,14 +90,30 @@ def check_order(messages):
         wanted = (wanted + 1) % 256
 
 
-def births_and_changes(folder):
-    broker = Broker(folder).start()
-    host = Host(broker)
-    control = HandControl()
-    client = serve(folder, broker)
-    client.post("/machines", hand_profile(control, "lathe"))
-    client.wait_line("lathe", "idle")
-    shop.wait_for("the births", lambda: host.of("NBIRTH") and host.of("DBIRTH"))
+def with_a_lathe(test):
+    """A server with one machine, both born at the host; all of it ends after the test."""
+
+    def scene(folder):
+        broker = Broker(folder).start()
+        host = Host(broker)
+        control = HandControl()
+        client = serve(folder, broker)
+        client.post("/machines", hand_profile(control, "lathe"))
+        client.wait_line("lathe", "idle")
+        shop.wait_for("the births", lambda: host.of("NBIRTH") and host.of("DBIRTH"))
+        test(host, client, control)
+        check_order(host.in_order())
+        client.server.stop()
+        host.end()
+        broker.end()
+        control.close()
+
+    scene.__name__ = test.__name__
+    return scene
+
+
+@with_a_lathe
+def births_and_changes(host, client, control):
     birth, device = host.of("NBIRTH")[0], host.of("DBIRTH")[0]
     expect(types(birth) == {"bdSeq": "Int64", "Node Control/Rebirth": "Boolean", "Properties/Software": "String"}, f"{birth}")
     expect(metrics(birth)["Node Control/Rebirth"] is False and metrics(birth)["Properties/Software"].startswith("dripfeed "), f"{birth}")
@@ -119,20 +135,11 @@ def births_and_changes(folder):
     client.server.stop()
     shop.wait_for("the death", lambda: host.of("NDEATH"))
     expect(number(host.of("NDEATH")[0]) == number(birth), "a death of another session")
-    check_order(host.in_order())
-    host.end()
-    broker.end()
-    control.close()
 
 
-def what_a_host_may_ask(folder):
-    broker = Broker(folder).start()
-    host = Host(broker)
-    control = HandControl()
-    client = serve(folder, broker)
-    client.post("/machines", hand_profile(control, "lathe"))
+@with_a_lathe
+def what_a_host_may_ask(host, client, control):
     client.queue(client.release(client.add_program(10)["id"])["id"])
-    shop.wait_for("the births", lambda: host.of("NBIRTH") and host.of("DBIRTH"))
     time.sleep(6)  # a host gets births every five seconds at most
     births, before = len(host.of("NBIRTH")), client.everything()
     again = written({"timestamp": 1, "metrics": [{"name": "Node Control/Rebirth", "type": "Boolean", "value": True}]})
@@ -149,11 +156,6 @@ def what_a_host_may_ask(folder):
     time.sleep(1)
     expect(client.everything() == before, "a message changed something")
     expect(client.get("/machines/lathe")["status"]["line"] == "idle", "a message armed a line")
-    check_order(host.in_order())
-    client.server.stop()
-    host.end()
-    broker.end()
-    control.close()
 
 
 def sessions(folder):
