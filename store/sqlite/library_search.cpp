@@ -31,22 +31,22 @@ enum class List : std::uint8_t { name, head, text, near };
 constexpr std::uint32_t kLists = 4;
 
 // ?1 what is looked for, ?2 what the lists before have (as they look for it), ?3 the row before, ?4 the archive, too,
-// ?5 how many.
+// ?5 how many. Each row is looked up in `entry`: IN would make a list of all programs first.
 constexpr std::array<std::string_view, kLists> kSql = {
     "SELECT head.rowid, snippet(head, -1, char(2), char(3), '…', 12) FROM head WHERE head MATCH ?1 AND ?2 = '' "
-    "AND rowid < ?3 AND (?4 = 1 OR rowid IN (SELECT program FROM entry WHERE is_archived = 0)) "
+    "AND head.rowid < ?3 AND (?4 = 1 OR EXISTS (SELECT 1 FROM entry WHERE program = head.rowid AND is_archived = 0)) "
     "ORDER BY rowid DESC LIMIT ?5",
     "SELECT head.rowid, snippet(head, -1, char(2), char(3), '…', 12) FROM head WHERE head MATCH ?1 "
     "AND rowid NOT IN (SELECT rowid FROM head WHERE head MATCH ?2) "
-    "AND rowid < ?3 AND (?4 = 1 OR rowid IN (SELECT program FROM entry WHERE is_archived = 0)) "
+    "AND head.rowid < ?3 AND (?4 = 1 OR EXISTS (SELECT 1 FROM entry WHERE program = head.rowid AND is_archived = 0)) "
     "ORDER BY rowid DESC LIMIT ?5",
     "SELECT word.rowid, snippet(word, -1, char(2), char(3), '…', 12) FROM word WHERE word MATCH ?1 "
     "AND rowid NOT IN (SELECT rowid FROM head WHERE head MATCH ?2) "
-    "AND rowid < ?3 AND (?4 = 1 OR rowid IN (SELECT program FROM entry WHERE is_archived = 0)) "
+    "AND word.rowid < ?3 AND (?4 = 1 OR EXISTS (SELECT 1 FROM entry WHERE program = word.rowid AND is_archived = 0)) "
     "ORDER BY rowid DESC LIMIT ?5",
     "SELECT head.rowid, name FROM head WHERE head MATCH ?1 "
     "AND rowid NOT IN (SELECT rowid FROM word WHERE word MATCH ?2) "
-    "AND rowid < ?3 AND (?4 = 1 OR rowid IN (SELECT program FROM entry WHERE is_archived = 0)) "
+    "AND head.rowid < ?3 AND (?4 = 1 OR EXISTS (SELECT 1 FROM entry WHERE program = head.rowid AND is_archived = 0)) "
     "ORDER BY rowid DESC LIMIT ?5"};
 
 // Words of names that have most pieces in common are looked at letter by letter.

@@ -60,14 +60,22 @@ store::ProgramCall read_call(Query& query) {
 
 }  // namespace
 
-// `body` and not `text`: the word is SQL's.
+// `body` and not `text`: the word is SQL's. Each search asks how many programs there are, so triggers count them.
 const char* const kLibrarySchema = R"sql(
-CREATE TABLE reached (id INTEGER PRIMARY KEY CHECK (id = 1), change_number INTEGER NOT NULL) STRICT;
-INSERT INTO reached VALUES (1, 0);
+CREATE TABLE reached (
+  id INTEGER PRIMARY KEY CHECK (id = 1), change_number INTEGER NOT NULL, programs INTEGER NOT NULL,
+  cut INTEGER NOT NULL, not_read INTEGER NOT NULL) STRICT;
+INSERT INTO reached VALUES (1, 0, 0, 0, 0);
 CREATE TABLE entry (
   program INTEGER PRIMARY KEY, revision INTEGER NOT NULL, change_number INTEGER NOT NULL, sha256 TEXT NOT NULL,
   name TEXT NOT NULL, is_archived INTEGER NOT NULL, is_cut INTEGER NOT NULL, not_read TEXT NOT NULL,
   computed_calls INTEGER NOT NULL) STRICT;
+CREATE TRIGGER entry_comes AFTER INSERT ON entry BEGIN
+  UPDATE reached SET programs = programs + 1, cut = cut + NEW.is_cut, not_read = not_read + (NEW.not_read <> '');
+END;
+CREATE TRIGGER entry_goes AFTER DELETE ON entry BEGIN
+  UPDATE reached SET programs = programs - 1, cut = cut - OLD.is_cut, not_read = not_read - (OLD.not_read <> '');
+END;
 CREATE VIRTUAL TABLE word USING fts5 (
   name, numbers, labels, part, machines, comments, body, tokenize = "unicode61 remove_diacritics 2");
 CREATE VIRTUAL TABLE head USING fts5 (
@@ -84,9 +92,7 @@ CREATE INDEX call_name ON call (name);
 
 Result<store::LibraryState> LibraryTable::state() {
   return database_->read("library", [](Session& session) -> Result<store::LibraryState> {
-    Query query(session,
-                "SELECT (SELECT change_number FROM reached), count(*), coalesce(sum(is_cut), 0), "
-                "coalesce(sum(not_read <> ''), 0) FROM entry");
+    Query query(session, "SELECT change_number, programs, cut, not_read FROM reached");
     store::LibraryState state;
     if (!query.next()) return state;
     state.change = query.number();

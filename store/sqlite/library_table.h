@@ -10,7 +10,7 @@ namespace dripfeed::sqlite {
 
 // The tables; its number stands in the file as PRAGMA user_version.
 extern const char* const kLibrarySchema;
-inline constexpr std::uint32_t kLibraryVersion = 1;
+inline constexpr std::uint32_t kLibraryVersion = 2;
 
 class LibraryTable final : public store::Library {
  public:

@@ -2,8 +2,11 @@
 #include "store/sqlite/library.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <set>
+
+#include <sqlite3.h>
 
 #include "store/sqlite/library_words.h"
 #include "tests/store/fixture.h"
@@ -159,6 +162,25 @@ TEST_F(LibraryTest, AnEntryIsReplaced) {
   EXPECT_EQ(found("pump", true), Ids{});
 }
 
+TEST_F(LibraryTest, CountsWhatIsInIt) {
+  const auto counts = [&] {
+    const LibraryState state = must(library_->state());
+    return std::array{state.programs, state.cut, state.not_read};
+  };
+  put({.program = 1, .name = "PUMP", .is_cut = true});
+  put({.program = 2, .name = "GEAR", .is_cut = true, .not_read = "it is so long"});
+  put({.program = 3, .name = "VALVE"});
+  EXPECT_EQ(counts(), (std::array<std::uint64_t, 3>{3, 2, 1}));
+  put({.program = 1, .name = "PUMP"});
+  EXPECT_EQ(counts(), (std::array<std::uint64_t, 3>{3, 1, 1})) << "its new revision is in it whole";
+  must(library_->put({{.program = 2, .revision = 0}}, ++change_));
+  EXPECT_EQ(counts(), (std::array<std::uint64_t, 3>{2, 0, 0})) << "a program that went";
+  must(library_->put({{.program = 2, .revision = 0}}, ++change_));
+  EXPECT_EQ(counts(), (std::array<std::uint64_t, 3>{2, 0, 0})) << "it was not in it";
+  must(library_->clear());
+  EXPECT_EQ(counts(), (std::array<std::uint64_t, 3>{0, 0, 0}));
+}
+
 TEST_F(LibraryTest, CallsLeadInBothDirections) {
   put({.program = 1,
        .name = "MAIN.NC",
@@ -193,6 +215,22 @@ TEST_F(LibraryTest, IsKeptAndMadeAgainWhereItCannotBeUsed) {
   EXPECT_EQ(must(library_->state()).change, 0U) << "all is to be put in again";
   put({.program = 1, .name = "PUMP"});
   EXPECT_EQ(found("pump"), Ids{1});
+}
+
+TEST_F(LibraryTest, OfAnotherVersionIsMadeAgain) {
+  put({.program = 1, .name = "PUMP"});
+  library_.reset();
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open(path().c_str(), &connection), SQLITE_OK);
+  const char* const older =
+      "DROP TRIGGER entry_comes; DROP TRIGGER entry_goes; ALTER TABLE reached DROP COLUMN programs; "
+      "PRAGMA user_version = 1";
+  EXPECT_EQ(sqlite3_exec(connection, older, nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(connection);
+  open();
+  EXPECT_EQ(must(library_->state()).change, 0U) << "all is to be put in again";
+  put({.program = 1, .name = "PUMP"});
+  EXPECT_EQ(must(library_->state()).programs, 1U);
 }
 
 std::string match(std::string_view words, sqlite::Reach reach = sqlite::Reach::text) {
