@@ -20,11 +20,15 @@ using store::Result;
 constexpr std::string_view kLock = "SELECT pg_try_advisory_lock(1146243408, 2)";
 constexpr std::string_view kLockShared = "SELECT pg_try_advisory_lock_shared(1146243408, 2)";
 constexpr std::string_view kLockName = "SELECT pg_try_advisory_lock(1146243409, hashtext(?))";
+// One start after the other: who looks which nodes run, and changes tables that they use, is not overtaken by another.
+constexpr std::string_view kLockStart = "SELECT count(*) FROM (SELECT pg_advisory_lock(1146243408, 4)) l";
+constexpr std::string_view kUnlockStart = "SELECT count(*) FROM (SELECT pg_advisory_unlock(1146243408, 4)) l";
 constexpr std::string_view kBegin = "UPDATE owner SET epoch = epoch + 1 WHERE id = 1 RETURNING epoch";
 constexpr std::string_view kEpoch = "SELECT epoch FROM owner WHERE id = 1";
 constexpr std::string_view kBeginNode =
-    "INSERT INTO node (name, epoch, started_at_ms, seen_at_ms) VALUES (?, 1, now_ms(), now_ms()) ON CONFLICT (name) DO "
-    "UPDATE SET epoch = node.epoch + 1, started_at_ms = now_ms(), seen_at_ms = now_ms() RETURNING epoch";
+    "INSERT INTO node (name, knows, epoch, started_at_ms, seen_at_ms) VALUES (?, ?, 1, now_ms(), now_ms()) ON CONFLICT "
+    "(name) DO UPDATE SET knows = excluded.knows, epoch = node.epoch + 1, started_at_ms = now_ms(), seen_at_ms = "
+    "now_ms() RETURNING epoch";
 constexpr std::string_view kNodeEpoch = "SELECT epoch FROM node WHERE name = ?";
 // What the trigger of the schema asks for.
 constexpr std::string_view kNameConnection = "SELECT length(set_config('dripfeed.node', ?, false))";
@@ -56,12 +60,14 @@ Result<std::unique_ptr<Server>> Server::open(const std::string& url, const OpenS
   std::unique_ptr<Server> server(new Server(url, settings));
   auto first = server->connect_as_owner();
   if (!first) return std::unexpected(first.error());
-  if (auto ready = bring_up_to_date(**first, settings.create); !ready) return std::unexpected(ready.error());
+  if (auto alone = one_number(**first, kLockStart); !alone) return std::unexpected(alone.error());
+  if (auto ready = bring_up_to_date(**first, settings); !ready) return std::unexpected(ready.error());
   if (auto learned = (*first)->learn_numbered_tables(); !learned) return std::unexpected(learned.error());
   if (settings.own) {
     if (auto careful = refuse_careless(**first); !careful) return std::unexpected(careful.error());
     if (auto begun = server->begin_epoch(**first); !begun) return std::unexpected(begun.error());
   }
+  if (auto others = one_number(**first, kUnlockStart); !others) return std::unexpected(others.error());
   server->first_ = std::move(*first);
   return server;
 }
@@ -108,7 +114,8 @@ Result<void> Server::begin_epoch(Connection& connection) {
     if (*nodes > 0)
       return std::unexpected(Error{ErrorCode::cannot_open, "the store has nodes: name this one with --node"});
   }
-  const auto epoch = is_alone ? one_number(connection, kBegin) : one_number(connection, kBeginNode, settings_.node);
+  const auto epoch = is_alone ? one_number(connection, kBegin)
+                              : one_number(connection, kBeginNode, settings_.node, migrations().back().version);
   if (!epoch) return std::unexpected(epoch.error());
   epoch_ = *epoch;
   return {};

@@ -16,12 +16,14 @@ using store::Error;
 using store::ErrorCode;
 using store::Result;
 
-// Version and hash of every migration in the store, by version. None in an empty store.
+// A migration in the store.
 struct Applied {
   std::uint32_t version = 0;
   std::string sha256;
+  std::uint32_t needs = 0;  // the oldest schema whose programs work with it
 };
 
+// By version. None in an empty store.
 Result<std::vector<Applied>> applied_to(Connection& connection, const Mark& mark) {
   const auto stands = mark.stands(connection);
   if (!stands) return std::unexpected(stands.error());
@@ -29,8 +31,13 @@ Result<std::vector<Applied>> applied_to(Connection& connection, const Mark& mark
   if (!*stands) return found;
   Session session(connection, "schema");
   {
-    Query query(session, "SELECT version, sha256 FROM migration ORDER BY version");
-    while (query.next()) found.push_back({static_cast<std::uint32_t>(query.number()), query.text()});
+    Query query(session, mark.applied);
+    while (query.next()) {
+      Applied& one = found.emplace_back();
+      one.version = static_cast<std::uint32_t>(query.number());
+      one.sha256 = query.text();
+      one.needs = static_cast<std::uint32_t>(query.number());
+    }
   }
   if (!session.ok()) return std::unexpected(session.error());
   return found;
@@ -38,10 +45,11 @@ Result<std::vector<Applied>> applied_to(Connection& connection, const Mark& mark
 
 // What the store says against this program's history.
 Result<void> compare(std::span<const Applied> applied, std::span<const Migration> known) {
+  const std::uint32_t newest = known.empty() ? 0 : known.back().version;
   for (const Applied& old : applied) {
     const auto same = std::ranges::find(known, old.version, &Migration::version);
     if (same == known.end()) {
-      const std::uint32_t newest = known.empty() ? 0 : known.back().version;
+      if (old.needs <= newest) continue;
       return std::unexpected(
           Error{ErrorCode::newer_schema, fmt::format("its schema is {}, this program knows {}", old.version, newest)});
     }
@@ -53,16 +61,16 @@ Result<void> compare(std::span<const Applied> applied, std::span<const Migration
   return {};
 }
 
-Result<void> apply(Connection& connection, const Migration& migration, const Mark* first) {
-  if (first != nullptr) {
-    if (auto marked = connection.execute(first->sql); !marked) return marked;
+Result<void> apply(Connection& connection, const Migration& migration, const Mark& mark, bool is_first) {
+  if (is_first) {
+    if (auto marked = connection.execute(mark.sql); !marked) return marked;
   }
   if (auto done = connection.execute(migration.sql); !done) return done;
   Session session(connection, "schema");
-  if (session.run("INSERT INTO migration (version, name, sha256) VALUES (?, ?, ?)", migration.version, migration.name,
-                  hash::sha256_hex(migration.sql))) {
-    return {};
-  }
+  session.run("INSERT INTO migration (version, name, sha256) VALUES (?, ?, ?)", migration.version, migration.name,
+              hash::sha256_hex(migration.sql));
+  if (migration.keeps != 0 && !mark.keep.empty()) session.run(mark.keep, migration.keeps, migration.version);
+  if (session.ok()) return {};
   return std::unexpected(session.error());
 }
 
@@ -81,7 +89,7 @@ Result<void> apply_in_transaction(Connection& connection, std::span<const Migrat
   auto applied = applied_to(connection, mark);
   Result<void> done = applied ? compare(*applied, known) : std::unexpected(applied.error());
   if (done && std::ranges::find(*applied, migration.version, &Applied::version) == applied->end()) {
-    done = apply(connection, migration, applied->empty() ? &mark : nullptr);
+    done = apply(connection, migration, mark, applied->empty());
     if (!done) done = std::unexpected(as_migration(done.error(), migration));
   }
   if (done) done = connection.transact("COMMIT");
@@ -92,14 +100,23 @@ Result<void> apply_in_transaction(Connection& connection, std::span<const Migrat
 }  // namespace
 
 Result<void> migrate(Connection& connection, std::span<const Migration> known, const Mark& mark) {
-  auto applied = applied_to(connection, mark);
-  if (!applied) return std::unexpected(applied.error());
-  if (auto fits = compare(*applied, known); !fits) return fits;
-  for (const Migration& migration : known) {
-    if (std::ranges::find(*applied, migration.version, &Applied::version) != applied->end()) continue;
+  const auto wanted = lacking(connection, known, mark);
+  if (!wanted) return std::unexpected(wanted.error());
+  for (const Migration& migration : *wanted) {
     if (auto done = apply_in_transaction(connection, known, migration, mark); !done) return done;
   }
   return {};
+}
+
+Result<std::vector<Migration>> lacking(Connection& connection, std::span<const Migration> known, const Mark& mark) {
+  const auto applied = applied_to(connection, mark);
+  if (!applied) return std::unexpected(applied.error());
+  if (auto fits = compare(*applied, known); !fits) return std::unexpected(fits.error());
+  std::vector<Migration> wanted(known.begin(), known.end());
+  std::erase_if(wanted, [&](const Migration& one) {
+    return std::ranges::find(*applied, one.version, &Applied::version) != applied->end();
+  });
+  return wanted;
 }
 
 Result<std::uint32_t> schema_version(Connection& connection, const Mark& mark) {
