@@ -90,6 +90,14 @@ function(dripfeed_library name)
   target_link_libraries(dripfeed_${name} ${scope} ${ARG_SYSTEM})
 endfunction()
 
+# dripfeed_patience(SECONDS): with sanitizers a test is slow, and runs at the lowest priority while others run (deploy/test).
+function(dripfeed_patience seconds)
+  if(DRIPFEED_SANITIZE)
+    math(EXPR longer "5 * ${${seconds}}")
+    set(${seconds} ${longer} PARENT_SCOPE)
+  endif()
+endfunction()
+
 # dripfeed_test(NAME SOURCES... LINKS a b [SYSTEM lib...] [LABELS l...] [SERIAL] [UNIT]): one GoogleTest binary, one ctest entry.
 # LINKS are short folder names; a unit test links only what its folder may name, so the layering is tested by the linker.
 function(dripfeed_test name)
@@ -120,6 +128,7 @@ function(dripfeed_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
+  dripfeed_patience(ARG_TIMEOUT)
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
   if(ARG_SERIAL)
     set_tests_properties(${name} PROPERTIES RUN_SERIAL TRUE)
@@ -163,7 +172,9 @@ function(dripfeed_fuzz name)
   else()
     target_sources(${target} PRIVATE replay.cpp)
     add_test(NAME ${target} COMMAND ${target} ${ARG_CORPUS})
-    set_tests_properties(${target} PROPERTIES TIMEOUT 300 LABELS fuzz)
+    set(patience 300)
+    dripfeed_patience(patience)
+    set_tests_properties(${target} PROPERTIES TIMEOUT ${patience} LABELS fuzz)
   endif()
 endfunction()
 
