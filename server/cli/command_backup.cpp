@@ -1,6 +1,7 @@
 // dripfeed backup and dripfeed restore: the whole of a server's store as one file, also while it runs, and a store from
 // such a file. Each says what it holds, after it has read all of it.
 #include <memory>
+#include <tuple>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -8,7 +9,10 @@
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/documents.h"
+#include "server/cli/open_store.h"
 #include "server/cli/output.h"
+#include "store/postgresql/filling.h"
+#include "store/postgresql/verify.h"
 #include "store/sqlite/archive.h"
 
 namespace dripfeed::cli {
@@ -18,6 +22,7 @@ namespace {
 struct BackupOptions {
   std::string data;
   std::string file;
+  std::string url = {};  // of a database for the store
   bool replace = false;
   bool json = false;
 };
@@ -29,8 +34,11 @@ constexpr const char* kBackupFooter =
     "machines, families, releases, jobs, ledger, audit, and the hashes of tokens. Not in it: the records of the lines\n"
     "(DRIPFEED_LINES), which belong to their computer, and certificates.\n"
     "Exit: 0 made, 1 the store has a fault and nothing was made, 2 wrong use or I/O error";
+constexpr const char* kRestoreStoreOption =
+    "postgresql://USER@HOST/DATABASE: an empty database for the store; DATA is then the server's folder";
 constexpr const char* kRestoreFooter =
     "It refuses a folder whose server runs, and one that has a store, unless --replace keeps that under another name.\n"
+    "With --store all rows go into a PostgreSQL database in one transaction, and the database is read through, too.\n"
     "An older schema is brought up to date; a newer one is refused. The store is as old as its backup: tokens revoked\n"
     "since are valid again, and jobs that had a line then are interrupted when the server starts. It does not\n"
     "know what was sent since: look at each control before you arm.\n"
@@ -75,11 +83,45 @@ int back_up(const BackupOptions& options) {
   return report(made, options, fmt::format("{} is a whole backup of {}", options.file, options.data));
 }
 
+// The same shop: what was read through on both sides is equal.
+store::Result<void> compare(const sql::Verification& backup, const sql::Verification& database) {
+  const auto figures = [](const sql::Verification& one) {
+    return std::tie(one.audit_rows, one.audit_head, one.jobs, one.ledger_rows, one.contents, one.content_bytes,
+                    one.torn_machines);
+  };
+  if (figures(backup) == figures(database) && database.faults.empty()) return {};
+  const std::string why = database.faults.empty()
+                              ? std::string("its figures are not those of the backup")
+                              : fmt::format("{}: {}", database.faults[0].subject, database.faults[0].what);
+  return std::unexpected(store::Error{store::ErrorCode::corrupt, fmt::format("{}; drop the database", why)});
+}
+
+int restore_into_database(const BackupOptions& options) {
+  const StorePlace place{.data = options.data, .url = options.url};
+  if (options.replace) {
+    print_error("--replace is for a store in a folder: a database must be empty");
+    return kWrongUse;
+  }
+  auto restored = [&]() -> store::Result<sqlite::Holding> {
+    if (auto known = know_place(place); !known) return std::unexpected(known.error());
+    auto holding =
+        sqlite::read_out(options.file, [&](sql::Connection& from) { return postgresql::fill(options.url, from); });
+    if (!holding || !holding->found.faults.empty()) return holding;
+    const auto found = postgresql::verify(options.url);
+    if (!found) return std::unexpected(found.error());
+    if (auto same = compare(holding->found, *found); !same) return std::unexpected(same.error());
+    if (auto marked = mark_elsewhere(place); !marked) return std::unexpected(marked.error());
+    return holding;
+  }();
+  return report(restored, options, fmt::format("the database has the store of {}", options.file));
+}
+
 int restore(const BackupOptions& options) {
   if (const auto made = make_data_folder(options.data); !made) {
     print_error(made.error());
     return kWrongUse;
   }
+  if (!options.url.empty()) return restore_into_database(options);
   const auto restored = sqlite::restore(options.file, store_path(options.data), options.replace);
   if (!restored && restored.error().code == store::ErrorCode::exists) {
     print_error(
@@ -108,6 +150,7 @@ void add_restore(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<BackupOptions>();
   command->add_option("FILE", options->file, "the backup")->required();
   command->add_option("DATA", options->data, "folder of the store; made where there is none")->required();
+  command->add_option("--store", options->url, kRestoreStoreOption);
   command->add_flag("--replace", options->replace, "put it in the place of the store there, which keeps its bytes");
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->footer(kRestoreFooter);

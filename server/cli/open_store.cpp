@@ -26,6 +26,8 @@ std::unexpected<Error> refuse(std::string why) {
   return std::unexpected(Error{ErrorCode::cannot_open, std::move(why)});
 }
 
+}  // namespace
+
 Result<void> know_place(const StorePlace& place) {
   std::error_code unknown;
   if (place.url.empty() && fs::exists(mark_of(place.data), unknown))
@@ -35,22 +37,21 @@ Result<void> know_place(const StorePlace& place) {
   return {};
 }
 
-Result<void> mark(const std::string& data) {
-  std::ofstream file(mark_of(data));
+Result<void> mark_elsewhere(const StorePlace& place) {
+  std::ofstream file(mark_of(place.data));
   file << "The store of this folder's server is on PostgreSQL. Its address is the option --store of dripfeed serve.\n";
   file.close();
   if (file) return {};
-  return std::unexpected(Error{ErrorCode::io_failed, fmt::format("{} cannot be written", mark_of(data).string())});
+  return std::unexpected(
+      Error{ErrorCode::io_failed, fmt::format("{} cannot be written", mark_of(place.data).string())});
 }
-
-}  // namespace
 
 Result<std::unique_ptr<store::Store>> open_to_serve(const StorePlace& place) {
   if (auto known = know_place(place); !known) return std::unexpected(known.error());
   if (place.url.empty()) return sqlite::open(store_path(place.data), {.own = true, .checkpoints_aside = true});
   auto opened = postgresql::open(place.url, {.own = true, .node = place.node, .local_folder = place.data});
   if (!opened) return opened;
-  if (auto marked = mark(place.data); !marked) return std::unexpected(marked.error());
+  if (auto marked = mark_elsewhere(place); !marked) return std::unexpected(marked.error());
   return opened;
 }
 

@@ -21,6 +21,10 @@ struct StorePlace {
 // As the one server of the store. It is made where there is none. Errors: as sqlite::open() and postgresql::open();
 // cannot_open where the store of this folder is at the other place.
 store::Result<std::unique_ptr<store::Store>> open_to_serve(const StorePlace& place);
+// The store of a folder is in one place. Errors: cannot_open where it is not the one that `place` names.
+store::Result<void> know_place(const StorePlace& place);
+// From here on a server of this folder does not start without its database. Errors: io_failed.
+store::Result<void> mark_elsewhere(const StorePlace& place);
 // A wrong folder or database must not become a new store.
 store::Result<std::unique_ptr<store::Store>> open_existing(const StorePlace& place);
 

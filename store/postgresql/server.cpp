@@ -54,7 +54,21 @@ Result<void> refuse_careless(Connection& connection) {
   return std::unexpected(Error{ErrorCode::cannot_open, "the server runs with fsync = off: a power cut can lose all"});
 }
 
+Result<void> lock_alone(Connection& connection) {
+  const auto locked = one_number(connection, kLock);
+  if (!locked) return std::unexpected(locked.error());
+  if (*locked == 0) return std::unexpected(Error{ErrorCode::in_use, "another server has the database"});
+  return {};
+}
+
 }  // namespace
+
+Result<std::unique_ptr<Connection>> connect_alone(const std::string& url) {
+  auto connection = Connection::open(url, {});
+  if (!connection) return connection;
+  if (auto locked = lock_alone(**connection); !locked) return std::unexpected(locked.error());
+  return connection;
+}
 
 Result<std::unique_ptr<Server>> Server::open(const std::string& url, const OpenSettings& settings) {
   std::unique_ptr<Server> server(new Server(url, settings));
@@ -82,13 +96,6 @@ Result<std::unique_ptr<Connection>> Server::connect_as_owner() {
   const auto locked = settings_.node.empty() ? lock_alone(**connection) : lock_as_node(**connection);
   if (!locked) return std::unexpected(locked.error());
   return connection;
-}
-
-Result<void> Server::lock_alone(Connection& connection) const {
-  const auto locked = one_number(connection, kLock);
-  if (!locked) return std::unexpected(locked.error());
-  if (*locked == 0) return std::unexpected(Error{ErrorCode::in_use, "another server has the database"});
-  return {};
 }
 
 Result<void> Server::lock_as_node(Connection& connection) const {

@@ -9,6 +9,10 @@
 
 namespace dripfeed::postgresql {
 
+// As the one program that has the database: no server may run on it. It brings no schema up to date. Errors: as open(),
+// in_use.
+store::Result<std::unique_ptr<Connection>> connect_alone(const std::string& url);
+
 class Server final : public sql::Engine {
  public:
   // Takes the lock, where it is asked for, and brings the schema up to date.
@@ -21,7 +25,6 @@ class Server final : public sql::Engine {
  private:
   Server(std::string url, OpenSettings settings) : url_(std::move(url)), settings_(std::move(settings)) {}
   store::Result<std::unique_ptr<Connection>> connect_as_owner();
-  store::Result<void> lock_alone(Connection& connection) const;
   store::Result<void> lock_as_node(Connection& connection) const;
   store::Result<void> begin_epoch(Connection& connection);
   store::Result<void> know_epoch(Connection& connection) const;

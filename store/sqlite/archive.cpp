@@ -161,4 +161,15 @@ Result<Holding> restore(const std::string& backup, const std::string& path, bool
   return holding;
 }
 
+Result<Holding> read_out(const std::string& backup, const std::function<Result<void>(sql::Connection& from)>& take) {
+  const Unfinished fresh(backup, "looked-at");
+  if (auto copied = copy_up_to_date(backup, fresh.path()); !copied) return std::unexpected(copied.error());
+  auto holding = read_through(fresh.path());
+  if (!holding || !holding->found.faults.empty()) return holding;
+  auto source = Connection::open(fresh.path(), {}, Access::read);
+  if (!source) return std::unexpected(source.error());
+  if (auto taken = take(**source); !taken) return std::unexpected(taken.error());
+  return holding;
+}
+
 }  // namespace dripfeed::sqlite

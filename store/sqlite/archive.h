@@ -3,8 +3,10 @@
 // second file to keep with it.
 #pragma once
 
+#include <functional>
 #include <string>
 
+#include "store/sql/connection.h"
 #include "store/sqlite/verify.h"
 
 namespace dripfeed::sqlite {
@@ -33,5 +35,10 @@ store::Result<Holding> back_up(const std::string& path, const std::string& backu
 // keeps its bytes under another name, see Holding::kept; without it there must be none. Errors: as back_up(), in_use
 // while a server runs there, exists.
 store::Result<Holding> restore(const std::string& backup, const std::string& path, bool replace);
+
+// Reads the backup through, as restore() does, and gives its rows to `take`, in the newest schema and as one state.
+// What it is given is the copy of a moment, next to the backup. Errors: as back_up(), and those of `take`.
+store::Result<Holding> read_out(const std::string& backup,
+                                const std::function<store::Result<void>(sql::Connection& from)>& take);
 
 }  // namespace dripfeed::sqlite

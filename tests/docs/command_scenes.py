@@ -160,6 +160,24 @@ def stop_all(computer):
     expect(not (faults := computer.stop()), f'{faults}')
 
 
+def empty_database(computer):
+    """For the shop of the first computer, whose server is stopped."""
+    stop_all(computer)
+    for command in ('dropdb dripfeed', 'createdb --owner dripfeed --encoding UTF8 dripfeed'):
+        code, output = computer.run(command)
+        expect(code == 0, output)
+    computer.second, computer.root = computer.root, computer.first
+    computer.folder('backup')
+
+
+def second_computer(computer):
+    """The shop has the tokens of the first one."""
+    stop_all(computer)
+    token = 'var/lib/dripfeed/data/first-token'
+    shutil.copy(computer.first / token, computer.second / token)
+    computer.root = computer.second
+
+
 def node_is_listed(computer):
     nodes = request(computer, 'GET', '/api/v1/nodes')
     expect([one['name'] for one in nodes['items']] == ['hall-1'], f'{nodes}')

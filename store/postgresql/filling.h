@@ -1,0 +1,17 @@
+// A store that was elsewhere, put into an empty database: what a shop does that outgrows the file of its store.
+#pragma once
+
+#include <string>
+
+#include "store/postgresql/open.h"
+#include "store/sql/connection.h"
+
+namespace dripfeed::postgresql {
+
+// Makes the tables in the database that `url` names, and puts every row of `from` into them: a store of another engine
+// with the newest schema, which no one changes meanwhile. All of it is one transaction. Errors: as open(), in_use where
+// a server runs on the database; exists where a shop is in it already; internal where the tables of the two engines
+// differ.
+store::Result<void> fill(const std::string& url, sql::Connection& from);
+
+}  // namespace dripfeed::postgresql
