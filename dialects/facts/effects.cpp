@@ -330,6 +330,7 @@ void Effects::apply(std::uint32_t statement, Facts& facts) const {
   // What a block states counts as stated for the blocks of the same switch: an operator who skips it skips them.
   if (left_out && s.skip_level != 0) take_as_stated(*left_out);
   if (left_out) facts.join(*left_out);
+  if (s.moves_follow) facts.forget_positions(statement);
 }
 
 void Effects::carry_out(std::uint32_t statement, Facts& facts) const {

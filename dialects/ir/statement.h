@@ -160,6 +160,7 @@ struct Statement {
   StatementKind kind = StatementKind::empty;
   std::uint8_t skip_level = 0;  // 0: no block skip; 1 is '/'
   bool is_label = false;        // it starts at a label: see Program::labels
+  bool moves_follow = false;    // plain moves after it were not read: where the axes are then, no statement states
   std::uint32_t payload = kNoIndex;
   std::uint32_t line = 0;  // 1-based
   TokenRange tokens;       // the whole block's for its first statement, empty for those that follow it

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 """A long program of plain moves, checked and translated: time and memory of the whole process, with those of interpreting it.
 
-  tests/bench/long_program.py --binary build/dev/dripfeed [--blocks 1000000] [--runs 3]
+  tests/bench/long_program.py --binary build/dev/dripfeed [--blocks 1000000] [--runs 3] [--mixed]
 
-The program is a spiral in G1 with a head and an end; it is made for each run, so that no figure is of a text that was chosen. Each command is run so many
-times; the median time and the largest memory (the resident set) are shown. Exits 1 where a command fails, a translation is not verified, or a
+The program is a spiral in G1 with a head and an end, or, mixed, what a CAM system writes: lines, half circles, rapids, feeds where they change. It is made
+for each run, so that no figure is of a text that was chosen. Each command is run so many times; the median time and the largest memory (the resident set) are shown. Exits 1 where a command fails, a translation is not verified, or a
 translation has another number of blocks."""
 
 import argparse
 import math
 import os
 import pathlib
+import random
 import statistics
 import sys
 import tempfile
@@ -29,6 +30,25 @@ def write(path, blocks):
         file.write(END)
 
 
+def write_mixed(path, blocks):
+    pick = random.Random(blocks)
+    x = y = 0  # hundredths of a millimetre, so that each arc is exact
+    with open(path, "w") as file:
+        file.write(HEAD)
+        for _ in range(blocks):
+            kind, feed = pick.randrange(12), f" F{pick.randrange(100, 900)}." if pick.random() < 0.1 else ""
+            if kind < 2:
+                i, j = pick.randrange(-200, 200), pick.randrange(-200, 200)
+                x, y = x + 2 * i, y + 2 * j
+                file.write(f"G0{2 + kind} X{x / 100:.2f} Y{y / 100:.2f} I{i / 100:.2f} J{j / 100:.2f}{feed}\n")
+            elif kind == 2:
+                file.write(f"G01 Z{-pick.random() - 1:.3f}{feed}\n")
+            else:
+                x, y = pick.randrange(-2000, 2000), pick.randrange(-2000, 2000)
+                file.write(f"G00 X{x / 100:.2f} Y{y / 100:.2f}\n" if kind == 3 else f"G01 X{x / 100:.2f} Y{y / 100:.2f}{feed}\n")
+        file.write(END)
+
+
 def measure(arguments, messages):
     """Seconds, MiB and the exit code of one process, whose messages go into a file."""
     begun = time.monotonic()
@@ -44,12 +64,13 @@ def main():
     parser.add_argument("--binary", required=True)
     parser.add_argument("--blocks", type=int, default=1_000_000)
     parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--mixed", action="store_true")
     given = parser.parse_args()
     failed = False
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         program, made, messages = folder / "long.nc", folder / "made", folder / "messages"
-        write(program, given.blocks)
+        (write_mixed if given.mixed else write)(program, given.blocks)
         lines = program.read_text().count("\n")
         commands = {"run": ["run", str(program), "--dialect", "fanuc"], "check": ["check", str(program), "--dialect", "fanuc"]}
         for target in ("sinumerik-840d", "mazak", "mitsubishi-m80", "haas"):

@@ -1,12 +1,14 @@
 // The lines that are kept of a stretch show how the other control writes a line of their look: the same number, code,
 // axes and values, to the last digit. Only such lines are written here, and both programs are run to the end: what the
-// lines of each stretch add up to must be the same.
+// lines of each stretch add up to must be the same, and so must be where every other line leads. Lines with arcs and
+// feeds have more forms on other controls, so where they cannot be written, straight lines alone are.
 #include "dialects/compile/translate/convert_thin.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,22 +21,27 @@ namespace dripfeed::compile {
 namespace {
 
 // "-.50" is "-0.5", "3.000" is "3.", as every control here writes it.
-void append_value(std::string_view value, std::string& out) {
+void append_value(std::string_view value, std::string& out, bool has_point_if_whole = true) {
   const bool is_negative = value.starts_with('-');
   if (is_negative) value.remove_prefix(1);
   const std::size_t point = value.find('.');
   std::string_view whole = value.substr(0, point);
-  std::string_view part = value.substr(point + 1);
+  std::string_view part = point == std::string_view::npos ? std::string_view() : value.substr(point + 1);
   whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
   part = part.substr(0, part.find_last_not_of('0') + 1);
   if (is_negative && !(whole.empty() && part.empty())) out += '-';
   out += whole.empty() ? "0" : whole;
-  out += '.';
+  if (!part.empty() || has_point_if_whole) out += '.';
   out += part;
 }
 
-// "X1.Y-.5" is "X1. Y-0.5".
-void append_words(std::string_view words, std::string& out) {
+bool is_whole(std::string_view value) {
+  const std::size_t point = std::min(value.find('.'), value.size());
+  return value.find_first_not_of(".0", point) == std::string_view::npos;
+}
+
+// "X1.Y-.5" is "X1. Y-0.5". A whole feed is F300 on some controls and F300. on others.
+void append_words(std::string_view words, bool feed_has_point, std::string& out) {
   for (std::size_t at = 0; at < words.size();) {
     if (words[at] == ' ') {
       ++at;
@@ -43,7 +50,7 @@ void append_words(std::string_view words, std::string& out) {
     const std::size_t end = std::min(words.find_first_not_of("-.0123456789", at + 1), words.size());
     if (!out.empty() && out.back() != '\n') out += ' ';
     out += words[at];
-    append_value(words.substr(at + 1, end - at - 1), out);
+    append_value(words.substr(at + 1, end - at - 1), out, feed_has_point || words[at] != 'F');
     at = end;
   }
 }
@@ -55,23 +62,32 @@ class Writer {
   void learn(std::string_view line, std::string_view written) {
     const MoveForm form = move_form_of(line);
     const MoveForm made = move_form_of(written);
-    if (form.is_move() && form.code.empty() == made.code.empty()) codes_.try_emplace(look_of(form), made.code);
+    if (!form.is_move() || form.code.empty() != made.code.empty()) return;
+    Form& known = forms_.try_emplace(look_of(form), Form{.code = std::string(made.code)}).first->second;
+    if (!known.feed_has_point && !made.feed.empty() && is_whole(made.feed))
+      known.feed_has_point = made.feed.ends_with('.');
   }
 
   // False: no line of this look was learnt.
   bool append(std::string_view line, std::string& out) const {
     const MoveForm form = move_form_of(line);
-    const auto known = codes_.find(look_of(form));
-    if (known == codes_.end()) return false;
+    const auto known = forms_.find(look_of(form));
+    if (known == forms_.end()) return false;
+    const auto& [code, feed_has_point] = known->second;
+    if (!form.feed.empty() && is_whole(form.feed) && !feed_has_point) return false;
     if (!form.number.empty()) out.append("N").append(form.number);
-    if (!known->second.empty()) out.append(form.number.empty() ? "" : " ").append(known->second);
-    append_words(form.words, out);
+    if (!code.empty()) out.append(form.number.empty() ? "" : " ").append(code);
+    append_words(form.words, feed_has_point.value_or(true), out);
     out += '\n';
     return true;
   }
 
  private:
-  std::map<std::string, std::string, std::less<>> codes_;
+  struct Form {
+    std::string code;
+    std::optional<bool> feed_has_point = {};  // of a whole number; nothing: no line showed it
+  };
+  std::map<std::string, Form, std::less<>> forms_;
 };
 
 // The next line of a text, without its EOB.
@@ -89,20 +105,47 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-// What the moves in the stretches of a program add up to, piece by piece.
+bool near(double a, double b) { return std::abs(a - b) <= 1e-6 * (1.0 + std::abs(a) * 1e-3); }
+
+// Where the moves of one line of the source lie and end.
+struct Reach {
+  std::array<double, ir::kAxisCount> low{};
+  std::array<double, ir::kAxisCount> high{};
+  std::array<double, ir::kAxisCount> end{};
+
+  void take(const ir::Motion& m) {
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+      low[axis] = std::min(low[axis], m.end[axis]);
+      high[axis] = std::max(high[axis], m.end[axis]);
+    }
+    end = m.end;
+  }
+  [[nodiscard]] bool same(const Reach& other) const {
+    return std::ranges::equal(low, other.low, near) && std::ranges::equal(high, other.high, near) &&
+           std::ranges::equal(end, other.end, near);
+  }
+};
+
+// What the moves in the stretches of a program add up to, piece by piece; and where each line outside of them leads,
+// because the lines were translated without the stretches before them.
 class Sums final : public ir::MotionSink {
  public:
-  explicit Sums(const std::vector<ir::PlainStretch>& stretches) : stretches_(stretches) {}
+  // `origins`: the line of the source for each line of a translation; nullptr: it is the source.
+  Sums(const std::vector<ir::PlainStretch>& stretches, const std::vector<std::uint32_t>* origins)
+      : stretches_(stretches), origins_(origins) {}
 
   void consume(std::span<const ir::Motion> motions) override {
     for (const ir::Motion& m : motions)
-      if (m.place.program == 0) add(m);
+      if (m.place.program == 0 && ir::is_move(m.kind)) add(m);
   }
 
   [[nodiscard]] bool same(const Sums& other) const {
+    const auto leads_alike = [](const auto& a, const auto& b) { return a.first == b.first && a.second.same(b.second); };
+    if (!std::ranges::equal(outside_, other.outside_, leads_alike)) return false;
     return std::ranges::equal(pieces_, other.pieces_, [](const Piece& a, const Piece& b) {
       return a.stretch == b.stretch && a.number == b.number && a.moves == b.moves && a.kinds == b.kinds &&
-             std::ranges::equal(a.ends, b.ends, near) && near(a.feeds, b.feeds) && near(a.speeds, b.speeds);
+             std::ranges::equal(a.ends, b.ends, near) && std::ranges::equal(a.centers, b.centers, near) &&
+             near(a.feeds, b.feeds) && near(a.speeds, b.speeds);
     });
   }
 
@@ -114,18 +157,17 @@ class Sums final : public ir::MotionSink {
     std::uint64_t moves = 0;
     std::uint64_t kinds = 0;
     std::array<double, ir::kAxisCount> ends{};
+    std::array<double, 3> centers{};
     double feeds = 0.0;
     double speeds = 0.0;
   };
-
-  static bool near(double a, double b) { return std::abs(a - b) <= 1e-6 * (1.0 + std::abs(a) * 1e-3); }
 
   void add(const ir::Motion& m) {
     const std::uint32_t line = m.place.line;
     while (at_ > 0 && line < stretches_[at_].line) --at_;
     while (at_ + 1 < stretches_.size() && line >= stretches_[at_ + 1].line) ++at_;
     const ir::PlainStretch& stretch = stretches_[at_];
-    if (line < stretch.line || line - stretch.line >= stretch.line_count) return;
+    if (line < stretch.line || line - stretch.line >= stretch.line_count) return add_outside(line, m);
     const std::uint32_t number = (line - stretch.line) / kLinesOfAPiece;
     if (pieces_.empty() || pieces_.back().stretch != at_ || pieces_.back().number != number)
       pieces_.push_back({.stretch = at_, .number = number});
@@ -137,11 +179,21 @@ class Sums final : public ir::MotionSink {
     const auto weight = static_cast<double>(1 + piece.moves % 7);
     for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
       if ((m.axes_commanded >> axis & 1U) != 0) piece.ends[axis] += weight * m.end[axis];
+    if (m.kind == ir::MotionKind::arc_cw || m.kind == ir::MotionKind::arc_ccw)
+      for (std::size_t i = 0; i < piece.centers.size(); ++i) piece.centers[i] += weight * m.center[i];
     if (m.kind != ir::MotionKind::rapid) piece.feeds += m.feed;
     piece.speeds += m.spindle_rpm;
   }
 
+  void add_outside(std::uint32_t line, const ir::Motion& m) {
+    if (origins_ != nullptr) line = line <= origins_->size() ? (*origins_)[line - 1] : 0;
+    const auto [reach, is_new] = outside_.try_emplace(line, Reach{.low = m.end, .high = m.end});
+    reach->second.take(m);
+  }
+
   const std::vector<ir::PlainStretch>& stretches_;
+  const std::vector<std::uint32_t>* origins_;
+  std::map<std::uint32_t, Reach> outside_;  // by line of the source
   std::size_t at_ = 0;
   std::vector<Piece> pieces_;
 };
@@ -238,8 +290,8 @@ class ThinConverter {
   bool moves_alike() {
     const auto translated = ThinProgram::join(text::Source("translation", thin_text_), text_, made_, to_, request_.to);
     if (translated == nullptr) return false;
-    Sums first(thin_.stretches.all);
-    Sums second(made_);
+    Sums first(thin_.stretches.all, nullptr);
+    Sums second(made_, &origins_);
     return ends(thin_, request_.from, first) && ends(*translated, request_.to, second) && first.same(second);
   }
 
@@ -273,9 +325,14 @@ std::optional<ConvertResult> convert_thin(const ConvertRequest& request, const T
   const Dialect* from = find_dialect(request.from.dialect);
   const Dialect* to = find_dialect(request.to.dialect);
   if (from == nullptr || to == nullptr || from == to || request.mode != ConvertMode::macro) return std::nullopt;
-  const auto thin = ThinProgram::read(request.source, *from, request.from, options);
-  if (thin == nullptr || text::has_error(thin->read_result.diagnostics)) return std::nullopt;
-  return ThinConverter(request, *to, *thin).run();
+  for (const bool straight_alone : {false, true}) {
+    ThinOptions lines = options;
+    lines.straight_alone = straight_alone;
+    const auto thin = ThinProgram::read(request.source, *from, request.from, lines);
+    if (thin == nullptr || text::has_error(thin->read_result.diagnostics)) return std::nullopt;
+    if (auto made = ThinConverter(request, *to, *thin).run()) return made;
+  }
+  return std::nullopt;
 }
 
 }  // namespace dripfeed::compile

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <iterator>
 #include <set>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "dialects/compile/dialect/source_lines.h"
 
@@ -16,6 +19,8 @@ namespace {
 
 constexpr std::uint32_t kKeptBefore = ThinProgram::kKeptBefore;
 constexpr std::uint32_t kKeptAfter = ThinProgram::kKeptAfter;
+
+constexpr std::array<std::string_view, 8> kCodes = {"G00", "G01", "G02", "G03", "G0", "G1", "G2", "G3"};
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -39,6 +44,28 @@ bool take_value(std::string_view& text) {
   const std::size_t part = take_digits(text).size();
   constexpr std::size_t kMostDigits = 9;
   return whole + part > 0 && whole + part <= kMostDigits;
+}
+
+// "300", "0.25"; a feed of zero is none.
+bool take_feed(std::string_view& text, std::string_view& feed) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  feed = text.substr(0, end);
+  text.remove_prefix(end);
+  constexpr std::size_t kMostDigits = 9;
+  return feed.size() <= kMostDigits && std::ranges::count(feed, '.') <= 1 &&
+         feed.find_first_not_of("0.") != std::string_view::npos;
+}
+
+// Its letter; 0: it is none of a plain move.
+char take_word(std::string_view& text, MoveForm& form) {
+  const char letter = text.front();
+  text.remove_prefix(1);
+  if (letter == 'F') {
+    if (!take_feed(text, form.feed)) return 0;
+    return form.feed.find('.') == std::string_view::npos ? 'f' : 'F';
+  }
+  const std::string_view allowed = form.is_arc() ? "XYZIJK" : "XYZABC";
+  return allowed.find(letter) != std::string_view::npos && take_value(text) ? letter : '\0';
 }
 
 // Lines of the whole text, one after the other.
@@ -70,6 +97,17 @@ class Lines {
   std::size_t at_ = 0;
 };
 
+// What the lines of a stretch leave in effect.
+struct Modes {
+  std::string_view code;  // as written; empty: that of before the run of lines
+  std::string_view feed;
+
+  void take(const MoveForm& form) {
+    if (!form.code.empty()) code = form.code;
+    if (!form.feed.empty()) feed = form.feed;
+  }
+};
+
 class StretchFinder {
  public:
   StretchFinder(const text::Source& whole, const ThinOptions& options) : whole_(whole), options_(options) {}
@@ -81,9 +119,9 @@ class StretchFinder {
     Lines::Line line;
     std::size_t copied = 0;
     while (lines.next(line)) {
-      if (belongs(line)) {
-        ++count_;
-        remember(line.begin);
+      const MoveForm form = line.has_eob ? move_form_of(line.text) : MoveForm();
+      if (belongs(form)) {
+        remember(form, line.begin);
         continue;
       }
       finish(thin, copied, out);
@@ -95,16 +133,13 @@ class StretchFinder {
 
  private:
   // Whether the line continues the run of lines that look alike.
-  bool belongs(const Lines::Line& line) {
-    if (!line.has_eob) return false;
-    const MoveForm form = move_form_of(line.text);
-    if (!form.is_move()) return false;
-    const std::string look = look_of(form);
-    if (count_ > 0 && (form.number.empty() != is_unnumbered_ || form.code != code_)) return false;
-    if (count_ == 0) {
-      is_unnumbered_ = form.number.empty();
-      code_ = form.code;
-    }
+  bool belongs(const MoveForm& form) {
+    if (!form.is_move() || (options_.straight_alone && !is_straight(form))) return false;
+    if (count_ > 0 && form.number.empty() != is_unnumbered_) return false;
+    // A line without a code does what the code in effect makes of it; an arc needs its centre.
+    if (form.code.empty() && !now_.code.empty() && (now_.code.back() == '2' || now_.code.back() == '3')) return false;
+    const std::string look = form.code.empty() ? fmt::format("{}:{}", now_.code, look_of(form)) : look_of(form);
+    if (count_ == 0) is_unnumbered_ = form.number.empty();
     if (looks_.contains(look)) return true;
     // It is kept: the first of its look shows what becomes of it.
     const bool is_kept = count_ < kKeptBefore;
@@ -112,32 +147,64 @@ class StretchFinder {
     return is_kept;
   }
 
-  void remember(std::size_t begin) {
-    if (count_ == kKeptBefore + 1) inner_begin_ = begin;
-    recent_[count_ % kKeptAfter] = begin;
+  bool is_straight(const MoveForm& form) const {
+    return !form.is_arc() && form.feed.empty() && (count_ == 0 || form.code == now_.code);
+  }
+
+  // A stretch may end where the line after it states what the stretch has changed, or where that is unchanged. After
+  // arcs it is a straight line to a place in their plane: an arc that is kept must begin where it should.
+  void remember(const MoveForm& form, std::size_t begin) {
+    if (count_ == kKeptBefore) {
+      inner_begin_ = begin;
+      at_begin_ = now_;
+    }
+    const bool has_code = now_.code == at_begin_.code || !form.code.empty();
+    const bool has_feed = now_.feed == at_begin_.feed || !form.feed.empty();
+    const bool has_place = arc_axes_.empty() || (!form.is_arc() && names_all(form, arc_axes_));
+    if (count_ > kKeptBefore && has_code && has_feed && has_place) ends_.push_back({count_, begin});
+    for (const char center : std::string_view("IJK"))
+      if (form.letters.find(center) != std::string::npos) arc_axes_.insert(static_cast<char>(center - 'I' + 'X'));
+    now_.take(form);
+    ++count_;
+    while (ends_.size() > 1 && ends_[1].lines + kKeptAfter <= count_) ends_.pop_front();
   }
 
   void finish(std::string& thin, std::size_t& copied, std::vector<ir::PlainStretch>& out) {
     const std::uint32_t count = std::exchange(count_, 0);
-    if (count < options_.least_lines + kKeptBefore + kKeptAfter) return;
-    const std::size_t inner_end = recent_[(count + 1) % kKeptAfter];
+    const std::deque<End> ends = std::exchange(ends_, {});
+    now_ = {};
+    arc_axes_.clear();
+    if (ends.empty() || ends.front().lines + kKeptAfter > count) return;
+    const std::uint32_t lines = ends.front().lines - kKeptBefore;
+    if (lines < options_.least_lines) return;
     ir::PlainStretch stretch{.line = whole_.position(static_cast<std::uint32_t>(inner_begin_)).line,
-                             .line_count = count - kKeptBefore - kKeptAfter,
+                             .line_count = lines,
                              .begin = inner_begin_,
-                             .end = inner_end};
+                             .end = ends.front().begin};
     thin += whole_.text().substr(copied, inner_begin_ - copied);
-    copied = inner_end;
+    copied = ends.front().begin;
     out.push_back(stretch);
   }
+
+  static bool names_all(const MoveForm& form, const std::set<char>& axes) {
+    return std::ranges::all_of(axes, [&](char axis) { return form.letters.find(axis) != std::string::npos; });
+  }
+
+  struct End {
+    std::uint32_t lines = 0;  // of the run before it
+    std::size_t begin = 0;    // of the line after it
+  };
 
   const text::Source& whole_;
   const ThinOptions& options_;
   std::set<std::string> looks_;
   std::uint32_t count_ = 0;  // lines of the run at hand
   std::size_t inner_begin_ = 0;
-  std::array<std::size_t, kKeptAfter> recent_{};
+  Modes at_begin_;           // of the stretch
+  Modes now_;                // after the last line of the run
+  std::set<char> arc_axes_;  // in which the run has arcs
+  std::deque<End> ends_;     // the newest with enough lines after it, and those that have too few as yet
   bool is_unnumbered_ = false;
-  std::string_view code_;
 };
 
 // Whether scanning the stretch gives a row of moves for each of its lines.
@@ -150,7 +217,9 @@ bool is_plain(const ir::PlainStretches& stretches, const ir::PlainStretch& stret
     batch.clear();
     const ir::PlainScan scan = scanner->scan(text.substr(at, stretch.end - at), batch);
     const auto moves = [](const ir::PlainCode& code) {
-      return code.function == ir::Function::rapid || code.function == ir::Function::linear;
+      constexpr std::array kMoves = {ir::Function::rapid, ir::Function::linear, ir::Function::arc_cw,
+                                     ir::Function::arc_ccw};
+      return std::ranges::find(kMoves, code.function) != kMoves.end();
     };
     if (scan.taken == 0 || !batch.reports.empty() || !std::ranges::all_of(batch.codes, moves)) return false;
     at += scan.taken;
@@ -192,7 +261,7 @@ MoveForm move_form_of(std::string_view line) {
     if (form.number.empty()) return {};
     skip_blanks(line);
   }
-  for (const std::string_view code : {"G00", "G01", "G0", "G1"}) {
+  for (const std::string_view code : kCodes) {
     if (!line.starts_with(code) || (line.size() > code.size() && is_digit(line[code.size()]))) continue;
     form.code = code;
     line.remove_prefix(code.size());
@@ -201,15 +270,13 @@ MoveForm move_form_of(std::string_view line) {
   }
   form.words = line;
   while (!line.empty()) {
-    const char letter = line.front();
-    if (std::string_view("XYZABC").find(letter) == std::string_view::npos ||
-        form.letters.find(letter) != std::string::npos)
-      return {};
+    const char letter = take_word(line, form);
+    if (letter == 0 || form.letters.find(letter) != std::string::npos) return {};
     form.letters += letter;
-    line.remove_prefix(1);
-    if (!take_value(line)) return {};
     skip_blanks(line);
   }
+  if (form.letters.find_first_of("XYZABC") == std::string::npos) return {};
+  if (form.is_arc() && form.letters.find_first_of("IJK") == std::string::npos) return {};
   return form;
 }
 
@@ -224,6 +291,14 @@ ThinProgram::ThinProgram(std::string_view whole, const Dialect& dialect, const i
 std::unique_ptr<ThinProgram> ThinProgram::read(const text::Source& whole, const Dialect& dialect,
                                                const ir::Control& control, const ThinOptions& options) {
   if (whole.text().size() < options.least_bytes) return nullptr;
+  if (auto out = read_without(whole, dialect, control, options)) return out;
+  ThinOptions straight = options;
+  straight.straight_alone = true;
+  return options.straight_alone ? nullptr : read_without(whole, dialect, control, straight);
+}
+
+std::unique_ptr<ThinProgram> ThinProgram::read_without(const text::Source& whole, const Dialect& dialect,
+                                                       const ir::Control& control, const ThinOptions& options) {
   std::vector<ir::PlainStretch> found;
   std::string text = StretchFinder(whole, options).run(found);
   if (found.empty()) return nullptr;
@@ -256,6 +331,7 @@ bool ThinProgram::take(const text::Source& thin, const std::vector<ir::PlainStre
       statement->line += removed_lines;
     if (statement == program.statements.end() || statement->line != line) return false;
     stretch.statement = static_cast<std::uint32_t>(statement - program.statements.begin());
+    if (statement != program.statements.begin()) std::prev(statement)->moves_follow = true;
     stretches.all.push_back(stretch);
     removed_bytes += static_cast<std::uint32_t>(stretch.end - stretch.begin);
     removed_lines += stretch.line_count;

@@ -18,14 +18,16 @@
 
 namespace dripfeed::compile {
 
-// The parts of a line of plain moves, such as N12 G1 X1. Y-2.5; without letters for any other line.
+// The parts of a line of plain moves, such as N12 G1 X1. Y-2.5 F300; without letters for any other line.
 struct MoveForm {
   std::string_view number;  // digits of N; may be empty
   std::string_view code;    // "G01" as written; may be empty
-  std::string letters;      // of axes, in order
-  std::string_view words;   // the axes with their values, as written
+  std::string letters;      // of the words, in order; a feed without a decimal point is f
+  std::string_view words;   // with their values, as written
+  std::string_view feed;    // the value of F; may be empty
 
   [[nodiscard]] bool is_move() const { return !letters.empty(); }
+  [[nodiscard]] bool is_arc() const { return !code.empty() && (code.back() == '2' || code.back() == '3'); }
 };
 MoveForm move_form_of(std::string_view line);
 // The same for all lines with the same words, numbered or not, with the same code or none.
@@ -34,6 +36,7 @@ std::string look_of(const MoveForm& form);
 struct ThinOptions {
   std::uint64_t least_bytes = std::uint64_t{1} << 20U;  // of a text that is worth it
   std::uint32_t least_lines = 256;                      // of a stretch
+  bool straight_alone = false;                          // lines with an arc or a feed are in none
 };
 
 class ThinProgram {
@@ -72,6 +75,8 @@ class ThinProgram {
     std::uint32_t removed_lines = 0;
   };
   ThinProgram(std::string_view whole, const Dialect& dialect, const ir::Control& control);
+  static std::unique_ptr<ThinProgram> read_without(const text::Source& whole, const Dialect& dialect,
+                                                   const ir::Control& control, const ThinOptions& options);
   bool take(const text::Source& thin, const std::vector<ir::PlainStretch>& found, const Dialect& dialect,
             const ir::Control& control);
   [[nodiscard]] text::Span in_whole(text::Span span) const;

@@ -2,12 +2,15 @@
 // around them; where something might take a block of a stretch by its name, the program is read whole.
 #include "dialects/compile/translate/thin_program.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "dialects/compile/translate/convert_thin.h"
+#include "dialects/facts/resolved.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {
@@ -34,6 +37,50 @@ std::string moves(std::mt19937& random, int count, const std::string& code, bool
   }
   return out;
 }
+
+// What a CAM system writes: straight lines and half circles, feeds where they change, rapids in between.
+class Cuts {
+ public:
+  explicit Cuts(unsigned seed) : random_(seed) {}
+
+  // After its head.
+  std::string program(int lines, int lines_after_coolant) {
+    std::string out = " G17 G90 G94 G40\nT1 M6\nG54\nS500 M3\nG0 X0. Y0. Z5.\nG1 Z1. F100\n";
+    for (int i = 0; i < lines; ++i) out += line() + "\n";
+    out += "M8\n";
+    for (int i = 0; i < lines_after_coolant; ++i) out += line() + "\n";
+    return out;
+  }
+
+ private:
+  int number(int below) { return static_cast<int>(random_() % static_cast<unsigned>(below)); }
+  std::string point(char letter, int hundredths) {
+    const std::string sign = hundredths < 0 ? "-" : "";
+    const int size = std::abs(hundredths);
+    return std::string(1, letter) + sign + std::to_string(size / 100) + "." + std::to_string(size % 100 / 10) +
+           std::to_string(size % 10);
+  }
+  std::string line() {
+    const std::string feed = number(3) == 0 ? " F" + std::to_string(100 + number(5)) + (number(2) == 0 ? "." : "") : "";
+    const int kind = number(8);
+    if (kind < 2) {
+      const int i = number(400) - 200;
+      const int j = number(400) - 200;
+      x_ += 2 * i;
+      y_ += 2 * j;
+      return (kind == 0 ? "G2 " : "G3 ") + point('X', x_) + " " + point('Y', y_) + " " + point('I', i) + " " +
+             point('J', j) + feed;
+    }
+    if (kind == 2) return "G1 " + point('Z', number(900) - 450) + feed;
+    x_ = number(4000) - 2000;
+    y_ = number(4000) - 2000;
+    return (kind == 3 ? "G0 " : "G1 ") + point('X', x_) + " " + point('Y', y_) + (kind == 3 ? "" : feed);
+  }
+
+  std::mt19937 random_;
+  int x_ = 0;
+  int y_ = 0;
+};
 
 struct Seen {
   std::vector<std::string> diagnostics;
@@ -103,6 +150,41 @@ TEST(ThinProgram, IsTheWholeProgramWhateverIsInEffect) {
   }
 }
 
+TEST(ThinProgram, HasNeitherArcsNorFeedsOfAStretch) {
+  for (const std::string& dialect : dialect_names()) {
+    const ir::Control on = control(dialect, ir::MachineKind::mill);
+    const std::string head = dialect == "sinumerik-840d" ? "G710" : "%\nO1\nG21";
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      Cuts cuts(seed);
+      const std::string text = head + cuts.program(300, 200) + "G91 G1 X1. Y1. Z1.\nG90 G0 Z50.\nM30\n";
+      expect_like_whole(text, on);
+      if (HasFatalFailure()) return;
+      const text::Source source("p", text);
+      EXPECT_EQ(see(source, find_dialect(dialect)->read(source, on), nullptr, on).result.ended, interpreter::Ended::end)
+          << "the whole program ends with an alarm: " << text;
+    }
+  }
+}
+
+// The last lines of the stretch, which are kept, do not state Z.
+TEST(ThinProgram, LeavesAnAxisUnknownThatItMovedUnseen) {
+  std::string text = "%\nO1\nG21 G17 G90 G94\nG0 X0. Y0. Z5.\nG1 Z1. F100.\n";
+  for (int i = 0; i < 40; ++i) text += "X" + std::to_string(i) + ". Y1. Z" + std::to_string(i) + ".\n";
+  for (int i = 0; i < 40; ++i) text += "X" + std::to_string(i) + ". Y2.\n";
+  text += "M8\nM30\n%\n";
+  const ir::Control on = control("fanuc", ir::MachineKind::mill);
+  const auto part = thin(text, on);
+  ASSERT_NE(part, nullptr);
+  const ir::Program& program = part->read_result.program;
+  const facts::Resolved known(program, on);
+  const auto coolant = std::ranges::find(program.statements, 86U, &ir::Statement::line);
+  ASSERT_NE(coolant, program.statements.end());
+  const facts::Facts* at_end = known.before(static_cast<std::uint32_t>(coolant - program.statements.begin()));
+  ASSERT_NE(at_end, nullptr);
+  EXPECT_TRUE((*at_end)[facts::Number::x].is(39.0));
+  EXPECT_FALSE((*at_end)[facts::Number::z].is_certain());
+}
+
 TEST(ThinProgram, RunsAStretchEachTimeThatItComesBy) {
   std::mt19937 random(3);
   expect_like_whole("%\nO1\n#1=0\nS500 M3\nWHILE [#1LT3] DO1\nG91 G1 F100.\n" + moves(random, 40, "", false) +
@@ -121,8 +203,8 @@ TEST(ThinProgram, LeavesOutLinesThatLookLikeThoseThatItKeeps) {
   const auto part = thin(text, on);
   ASSERT_NE(part, nullptr);
   ASSERT_EQ(part->stretches.all.size(), 2U);
-  EXPECT_EQ(part->stretches.all[0].line, 12U);
-  EXPECT_EQ(part->stretches.all[0].line_count, 20U);
+  EXPECT_EQ(part->stretches.all[0].line, 11U);
+  EXPECT_EQ(part->stretches.all[0].line_count, 21U);
   EXPECT_NE(part->read_result.program.source.text().find("X1. Y2."), std::string::npos);
 }
 
@@ -185,6 +267,31 @@ TEST(ThinProgram, IsTranslatedAsTheWholeProgram) {
   EXPECT_EQ(thin_ones, programs) << "no program should have to be translated as a whole";
 }
 
+TEST(ThinProgram, WithArcsAndFeedsIsTranslatedAsTheWholeProgram) {
+  std::size_t thin_ones = 0;
+  for (const std::string& from : dialect_names()) {
+    for (const std::string& to : dialect_names()) {
+      if (from == to) continue;
+      for (unsigned seed = 1; seed <= 4; ++seed) {
+        Cuts cuts(seed);
+        const std::string head = from == "sinumerik-840d" ? "G710" : "%\nO1\nG21";
+        const std::string text = head + cuts.program(400, 200) + "G90 G0 Z50.\nM30\n";
+        const ConvertRequest request{.source = text::Source("p", text),
+                                     .from = control(from, ir::MachineKind::mill),
+                                     .to = control(to, ir::MachineKind::mill)};
+        const auto made = convert_thin(request, kShort);
+        if (!made) continue;
+        ++thin_ones;
+        const ConvertResult whole = convert_whole(request);
+        EXPECT_EQ(made->text, whole.text) << from << " to " << to;
+        EXPECT_EQ(made->origin_lines, whole.origin_lines);
+        EXPECT_EQ(messages_of(made->diagnostics, request.source), messages_of(whole.diagnostics, request.source));
+      }
+    }
+  }
+  EXPECT_GE(thin_ones, 40U) << "most of them should not have to be translated as a whole";
+}
+
 TEST(ThinProgram, IsTranslatedAsAWholeWhereALineIsWrittenInAnotherForm) {
   std::mt19937 random(13);
   // An increment of SINUMERIK's diameter axis becomes U on a Fanuc lathe.
@@ -202,8 +309,12 @@ TEST(ThinProgram, KnowsALineOfPlainMoves) {
   EXPECT_EQ(letters("N10 G01 X.5 Z3."), "XZ");
   EXPECT_EQ(move_form_of("N10 G01 X.5 Z3.").number, "10");
   EXPECT_EQ(move_form_of("N10 G01 X.5 Z3.").words, "X.5 Z3.");
-  for (const char* other : {"", "X1", "X", "X#1", "X1.F100.", "G2X1.", "G10X1.", "X1.X2.", "/X1.", "X1.(A)", "NX1.",
-                            "X1.2.3", "X-.", "X1. M8", "G1", "x1."})
+  EXPECT_EQ(letters("X1. F100"), "Xf");
+  EXPECT_EQ(letters("G1X1.F12.5"), "XF");
+  EXPECT_EQ(letters("G03 X1. Y2. I.5 J-1."), "XYIJ");
+  for (const char* other :
+       {"",       "X1",     "X",    "X#1",    "X1.F0.", "X1.F1.2.3", "F100.", "G2X1.",  "X1.I1.", "G2X1.I1.A1.",
+        "G10X1.", "X1.X2.", "/X1.", "X1.(A)", "NX1.",   "X1.2.3",    "X-.",   "X1. M8", "G1",     "x1."})
     EXPECT_EQ(letters(other), "") << other;
 }
 
