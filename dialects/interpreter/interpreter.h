@@ -97,12 +97,16 @@ class BlockObserver {
 struct ModalState;  // modal_state.h
 class StateObserver;
 
+// Of which assignments an observer learns: of none, but still of the blocks; of all but those to elements of arrays.
+enum class Changes : std::uint8_t { none, scalars, all };
+
 struct RunOptions {
   Limits limits;
   std::vector<InitialValue> initial_values;
   std::uint32_t skip_switches = 0;    // block skip: bit n is on for "/n", bit 1 for "/"
   bool want_variables = false;        // fill RunResult::variables
   BlockObserver* observer = nullptr;  // costs time when set
+  Changes changes = Changes::all;     // for the observer
   StateObserver* states = nullptr;    // costs time when set; not of plain blocks that are run while they are read
   RunNames* names = nullptr;          // filled while running; nullptr: only RunResult has them
   // Names a budget of the caller's that is used up ("60 s"), which ends the run as passing one of the limits does; ""

@@ -51,15 +51,15 @@ interpreter::RunResult try_out(const ir::Program& program, const ir::Control& co
   return execute(program, control, nullptr, motions, options);
 }
 
-std::set<std::uint32_t> lines_of_unset_numbers(std::span<const family::List> lists, const ir::Program& built,
-                                               const ir::Control& control) {
-  std::set<std::uint32_t> lines;
-  if (std::ranges::none_of(lists, is_set_by_steps)) return lines;
+std::optional<TriedLists> try_set_lists(std::span<const family::List> lists, const ir::Program& built,
+                                        const ir::Control& control) {
+  if (std::ranges::none_of(lists, is_set_by_steps)) return std::nullopt;
   ir::Control watching = control;
   watching.semantics.unset_is_unknown = true;
-  for (const interpreter::NotInterpreted& one : try_out(with_unknown_lists(lists, built), watching).not_interpreted)
-    if (one.name.ends_with("not known")) lines.insert(one.first_line);
-  return lines;
+  TriedLists out{.lines = {}, .run = try_out(with_unknown_lists(lists, built), watching)};
+  for (const interpreter::NotInterpreted& one : out.run.not_interpreted)
+    if (one.name.ends_with("not known")) out.lines.insert(one.first_line);
+  return out;
 }
 
 }  // namespace dripfeed::compile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
 
@@ -18,9 +19,14 @@ interpreter::RunResult try_out(const ir::Program& program, const ir::Control& co
 // The same, with its motions.
 interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control, ir::MotionSink& motions);
 
-// Lines of the family that take a number of a list before a step has set it: here it is a zero, at the control whatever
-// was left there.
-std::set<std::uint32_t> lines_of_unset_numbers(std::span<const family::List> lists, const ir::Program& built,
-                                               const ir::Control& control);
+// A run with lists whose numbers the program sets. Lines of the family that take one before a step has set it: here it
+// is a zero, at the control whatever was left there.
+struct TriedLists {
+  std::set<std::uint32_t> lines;
+  interpreter::RunResult run;
+};
+// Nothing where there are no such lists, and nothing was run.
+std::optional<TriedLists> try_set_lists(std::span<const family::List> lists, const ir::Program& built,
+                                        const ir::Control& control);
 
 }  // namespace dripfeed::compile

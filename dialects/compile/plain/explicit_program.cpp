@@ -370,6 +370,7 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   Recorder recorder(program, out, carried, names, options, control);
   interpreter::RunOptions run;
   run.limits = options.limits;
+  run.changes = options.want_changes ? interpreter::Changes::scalars : interpreter::Changes::none;
   run.initial_values = options.initial_values;
   run.observer = &recorder;
   run.names = &names;

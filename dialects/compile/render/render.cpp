@@ -138,11 +138,14 @@ class Renderer {
     const auto computed = [this](const ir::Variable& v) {
       return v.index != ir::ExpressionId::none && built_.at(v.index).op != ir::Operator::constant;
     };
-    if (std::ranges::any_of(built_.variables, computed)) report_lists(try_out(built_, control_));
+    if (std::ranges::none_of(built_.variables, computed)) return;
+    report_lists(tried_ ? tried_->run : try_out(built_, control_));
   }
 
   void refuse_unset_numbers() {
-    for (const std::uint32_t line : lines_of_unset_numbers(family_->lists, built_, control_))
+    tried_ = try_set_lists(family_->lists, built_, control_);
+    if (!tried_) return;
+    for (const std::uint32_t line : tried_->lines)
       report({text::make_diagnostic(text::DiagnosticId::family_syntax, span_of_line(line),
                                     {"this takes a number of a list that the program has not set"})});
   }
@@ -298,6 +301,7 @@ class Renderer {
   family::BoundFamily bound_;
   ir::Program built_;
   ir::Control control_;  // that built_ is written for
+  std::optional<TriedLists> tried_;
   ir::PrintResult printed_;
   RenderResult result_;
 };

@@ -64,6 +64,8 @@ enum class Opcode : std::uint8_t {
   store_number,    // variable number a of bank extra = b
   load_element,    // a = array b [c …]
   store_element,   // array a [b …] = c
+  load_of_row,     // a = array b [c], which has one dimension
+  store_in_row,    // array a [b] = c
   fill_array,      // every element of array a = b
   load_reference,  // a = what frame register b refers to
   store_reference,

@@ -25,8 +25,8 @@ struct CompileContext {
   const Limits& limits;
   RunNames& names;
   SharedData& shared;
-  bool observed = false;            // write `tell` instructions
-  std::uint32_t skip_switches = 0;  // as RunOptions
+  Changes reported = Changes::none;  // write `report` instructions for them
+  std::uint32_t skip_switches = 0;   // as RunOptions
   const ir::PlainStretches* stretches = nullptr;
   [[nodiscard]] bool skips(std::uint8_t level) const { return level != 0 && (skip_switches >> level & 1U) != 0; }
 };

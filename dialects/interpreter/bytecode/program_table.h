@@ -37,7 +37,7 @@ class ProgramTable {
     CompileContext context;
     Language(const ir::Control& control, const CompileContext& own)
         : rules(control), context{control,   rules,      own.arithmetic, own.variables,    own.limits,
-                                  own.names, own.shared, own.observed,   own.skip_switches} {
+                                  own.names, own.shared, own.reported,   own.skip_switches} {
       rules.other_language = true;
     }
   };

@@ -54,12 +54,31 @@ Operand VariableCompiler::direct(const ir::Variable& variable) const {
   if (variable.bank == Bank::named) {
     const ir::Symbol& symbol = builder_.source().at(variable.symbol);
     const SymbolSlot& slot = slot_of(variable.symbol);
-    if (symbol.is_global) return Operand::none;
-    const bool plain = slot.array == kNoArray && !symbol.by_reference && symbol.type != ValueType::string;
-    return plain ? make_operand(Space::frame, slot.slot) : Operand::none;
+    if (symbol.is_global || symbol.by_reference || symbol.type == ValueType::string) return Operand::none;
+    return slot.array == kNoArray ? make_operand(Space::frame, slot.slot) : fixed_element(variable);
   }
   if (variable.bank == Bank::system || variable.index != ir::ExpressionId::none) return Operand::none;
   return register_of(builder_.context().variables.find(variable.bank, variable.number));
+}
+
+// The register of an element whose one index is a number of the text.
+Operand VariableCompiler::fixed_element(const ir::Variable& variable) const {
+  const Array& array = builder_.out().arrays[slot_of(variable.symbol).array];
+  const ir::Expression* index = builder_.find(variable.index);
+  if (index_count(variable) != 1 || index == nullptr || index->op != ir::Operator::constant || array.dimension2 != 1 ||
+      array.dimension3 != 1)
+    return Operand::none;
+  if (!(index->value >= 0.0 && index->value < array.dimension1) || index->value != std::floor(index->value))
+    return Operand::none;
+  return make_operand(Space::frame, array.first_slot + static_cast<std::uint32_t>(index->value));
+}
+
+// The register of its one index, where it has no more.
+Operand VariableCompiler::one_index(const ir::Variable& variable) {
+  if (index_count(variable) != 1) return Operand::none;
+  const Array& array = builder_.out().arrays[slot_of(variable.symbol).array];
+  if (array.dimension2 != 1 || array.dimension3 != 1) return Operand::none;
+  return expressions_.compile_index(variable.index, Operand::none).operand;
 }
 
 Operand VariableCompiler::index_registers(const ir::Variable& variable) {
@@ -192,10 +211,13 @@ Value VariableCompiler::load_symbol(const ir::Variable& variable, Operand target
     return {to, ValueType::string, std::nullopt};
   }
   if (const Operand at = direct(variable); at != Operand::none) return {at, symbol.type, std::nullopt};
-  const Operand indices = slot.array == kNoArray ? Operand::none : index_registers(variable);
+  const Operand index = slot.array == kNoArray ? Operand::none : one_index(variable);
+  const Operand indices = slot.array == kNoArray || index != Operand::none ? Operand::none : index_registers(variable);
   const Operand to = target == Operand::none ? builder_.take() : target;
   if (slot.array == kNoArray)
     builder_.emit(Opcode::load_reference, variable.span, raw_of(to), raw_of(make_operand(Space::frame, slot.slot)));
+  else if (index != Operand::none)
+    builder_.emit(Opcode::load_of_row, variable.span, raw_of(to), slot.array, raw_of(index));
   else
     builder_.emit(Opcode::load_element, variable.span, raw_of(to), slot.array, raw_of(indices));
   return {to, symbol.type, std::nullopt};
@@ -257,7 +279,7 @@ Operand VariableCompiler::refer(const ir::Variable& variable) {
 }
 
 void VariableCompiler::report_variable(Operand operand, std::string_view name, text::Span span) {
-  if (builder_.context().observed)
+  if (builder_.context().reported != Changes::none)
     builder_.emit(Opcode::report_variable, span, raw_of(operand), builder_.variable_name_index(name));
 }
 

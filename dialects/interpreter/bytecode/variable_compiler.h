@@ -60,6 +60,8 @@ class VariableCompiler {
   [[nodiscard]] Operand direct(const ir::Variable& variable) const;
   // Three registers in a row with the indices of an array element.
   Operand index_registers(const ir::Variable& variable);
+  [[nodiscard]] Operand fixed_element(const ir::Variable& variable) const;
+  Operand one_index(const ir::Variable& variable);
   static std::uint8_t index_count(const ir::Variable& variable);
   [[nodiscard]] std::uint32_t shared_id(const ir::Variable& variable) const;
   [[nodiscard]] ir::ValueType shared_type(const ir::Variable& variable) const;
@@ -68,6 +70,7 @@ class VariableCompiler {
   void store_shared(const ir::Variable& target, const Value& value, text::Span span);
   Operand system_index(const ir::Variable& variable);
   Value failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments);
+  void report_element(const ir::Variable& target, Operand value, text::Span span);
   void report_variable(Operand operand, std::string_view name, text::Span span);
   [[nodiscard]] const SymbolSlot& slot_of(ir::SymbolId symbol) const;
 

@@ -46,7 +46,7 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
                options.limits,
                names_,
                shared_,
-               options.observer != nullptr,
+               options.observer == nullptr ? Changes::none : options.changes,
                options.skip_switches,
                options.stretches},
       programs_(context_, finder),
@@ -166,6 +166,8 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::store_number: goes_on = access_.store_number(i); break;
       case Opcode::load_element: goes_on = access_.load_element(i, stack_.program()); break;
       case Opcode::store_element: goes_on = access_.store_element(i, stack_.program()); break;
+      case Opcode::load_of_row: goes_on = access_.load_of_row(i, stack_.program()); break;
+      case Opcode::store_in_row: goes_on = access_.store_in_row(i, stack_.program()); break;
       case Opcode::convert: goes_on = convert(i); break;
       case Opcode::block:
         if (executed_ == options_.limits.blocks) [[unlikely]]

@@ -1,6 +1,8 @@
 // Look-ups while running.
 #include "dialects/interpreter/machine/variable_access.h"
 
+#include <utility>
+
 #include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
 
@@ -172,6 +174,43 @@ bool VariableAccess::refer_element(const Instruction& i, const CompiledProgram& 
   if (!element.has_value()) return false;
   storage_.reg(i.a) = storage_.refer(Space::frame, *element);
   return true;
+}
+
+// nullptr after an alarm.
+double* VariableAccess::find_in_row(const Instruction& i, const CompiledProgram& program, std::uint32_t array,
+                                    double index) {
+  const Array& a = program.arrays[array];
+  const std::uint32_t first = storage_.bases().frame + a.first_slot;
+  if (index >= 0.0 && index < a.dimension1)  // most indices are whole already
+    if (const auto row = static_cast<std::uint32_t>(index); static_cast<double>(row) == index)
+      return &storage_.frame_at(first + row);
+  if (const auto row = whole_number(index, a.dimension1 - 1.0)) return &storage_.frame_at(first + *row);
+  std::string name(program.source->strings.at(program.source->at(a.symbol).name));
+  name += '[' + text::format_shortest(arithmetic_.round(value_or_zero(index))) + ']';
+  report_.fail(i, DiagnosticId::variable_out_of_range, {std::move(name)}, ir::kFirstIndex);
+  return nullptr;
+}
+
+bool VariableAccess::load_of_row(const Instruction& i, const CompiledProgram& program) {
+  const double index = storage_.reg(i.c);
+  const bool unknown = is_unknown(index);
+  const double* element = unknown ? nullptr : find_in_row(i, program, i.b, index);
+  if (unknown)
+    storage_.reg(i.a) = kVacant;
+  else if (element != nullptr)
+    storage_.reg(i.a) = *element;
+  return unknown || element != nullptr;
+}
+
+bool VariableAccess::store_in_row(const Instruction& i, const CompiledProgram& program) {
+  const double index = storage_.reg(i.b);
+  if (is_unknown(index)) {
+    fill(program.arrays[i.a], kVacant);
+    return true;
+  }
+  double* element = find_in_row(i, program, i.a, index);
+  if (element != nullptr) *element = storage_.reg(i.c);
+  return element != nullptr;
 }
 
 void VariableAccess::fill_array(const Instruction& i, const CompiledProgram& program) {

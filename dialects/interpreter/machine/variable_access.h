@@ -32,6 +32,8 @@ class VariableAccess {
   bool load_element(const Instruction& i, const CompiledProgram& program);
   bool store_element(const Instruction& i, const CompiledProgram& program);
   bool refer_element(const Instruction& i, const CompiledProgram& program);
+  bool load_of_row(const Instruction& i, const CompiledProgram& program);
+  bool store_in_row(const Instruction& i, const CompiledProgram& program);
   void fill_array(const Instruction& i, const CompiledProgram& program);
   bool load_system(const Instruction& i);
   bool store_system(const Instruction& i);
@@ -67,6 +69,7 @@ class VariableAccess {
   double& at(const Slot& slot);
   [[nodiscard]] bool is_unknown(double value) const { return interpreter::is_unknown(value, control_.semantics); }
   bool forget_bank(const Instruction& i);
+  double* find_in_row(const Instruction& i, const CompiledProgram& program, std::uint32_t array, double index);
   void fill(const Array& array, double value);
 
   const ir::Control& control_;

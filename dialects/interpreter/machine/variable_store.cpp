@@ -104,17 +104,24 @@ void VariableCompiler::store_symbol(const ir::Variable& target, const Value& val
   const Value converted = convert(symbol.type, value, at, span);
   if (at != Operand::none) {
     if (converted.operand != at) builder_.emit(Opcode::copy, span, raw_of(at), raw_of(converted.operand));
-    return report_variable(at, name, span);
+    return slot.array == kNoArray ? report_variable(at, name, span) : report_element(target, at, span);
   }
   if (slot.array == kNoArray) {
     builder_.emit(Opcode::store_reference, span, raw_of(make_operand(Space::frame, slot.slot)),
                   raw_of(converted.operand));
     return report_variable(converted.operand, name, span);
   }
-  const Operand indices = index_registers(target);
-  builder_.emit(Opcode::store_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
-  if (builder_.context().observed)
-    builder_.emit(Opcode::report_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
+  if (const Operand index = one_index(target); index != Operand::none)
+    builder_.emit(Opcode::store_in_row, span, slot.array, raw_of(index), raw_of(converted.operand));
+  else
+    builder_.emit(Opcode::store_element, span, slot.array, raw_of(index_registers(target)), raw_of(converted.operand));
+  report_element(target, converted.operand, span);
+}
+
+void VariableCompiler::report_element(const ir::Variable& target, Operand value, text::Span span) {
+  if (builder_.context().reported != Changes::all) return;
+  builder_.emit(Opcode::report_element, span, slot_of(target.symbol).array, raw_of(index_registers(target)),
+                raw_of(value));
 }
 
 void VariableCompiler::store_string(const ir::Variable& target, const Value& value, text::Span span) {
@@ -140,7 +147,7 @@ void VariableCompiler::store_numbered(const ir::Variable& target, const Value& v
   if (target.index != ir::ExpressionId::none) {
     const Value index = expressions_.compile_number(target.index);
     builder_.emit(Opcode::store_number, span, raw_of(index.operand), raw_of(value.operand), 0, extra_of(target.bank));
-    if (builder_.context().observed)
+    if (builder_.context().reported != Changes::none)
       builder_.emit(Opcode::report_number, span, raw_of(index.operand), raw_of(value.operand), 0,
                     extra_of(target.bank));
     return;

@@ -1,4 +1,6 @@
 // Variables of every bank: types, arrays, indirect numbers, system values, start values, strings, and the listing.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/unit/dialects/interpreter/run_trace.h"
@@ -267,6 +269,61 @@ TEST(Variables, AnObserverHearsOfEveryBlock) {
   options.observer = &changes;
   run_program(b.build(), sinumerik_control(), options);
   EXPECT_EQ(changes.text, "0/1 R1=5\n1/2\n2/3 R2=6\n3/4 LIST[1]=7\n4/5\n");
+}
+
+TEST(Variables, AnObserverHearsOfScalarsAlone) {
+  Builder b;
+  const ir::SymbolId list = b.declare("LIST", ValueType::real, 3);
+  b.assign(Builder::named(list, b.number(1)), b.number(7));
+  b.assign(Builder::r(1), b.read(Builder::named(list, b.number(1))));
+  b.assign(Builder::named(list, b.apply(Operator::subtract, b.read(Builder::r(1)), b.number(5))), b.number(8));
+  b.end();
+  const auto heard = [&](interpreter::Changes of) {
+    interpreter::RunNames names;
+    Changes changes(names);
+    interpreter::RunOptions options;
+    options.names = &names;
+    options.observer = &changes;
+    options.changes = of;
+    run_program(b.build(), sinumerik_control(), options);
+    return changes.text;
+  };
+  EXPECT_EQ(heard(interpreter::Changes::all), "0/1 LIST[1]=7\n1/2 R1=7\n2/3 LIST[2]=8\n3/4\n");
+  EXPECT_EQ(heard(interpreter::Changes::scalars), "0/1\n1/2 R1=7\n2/3\n3/4\n");
+  EXPECT_EQ(heard(interpreter::Changes::none), "0/1\n1/2\n2/3\n3/4\n");
+}
+
+// An index that is a number of the text and one that is computed are the same place, rounded alike, with the same end.
+TEST(Variables, ElementsByNumberAndByComputedIndex) {
+  for (const double index : {0.0, 2.0, 0.8, 2.4, 2.6, 3.0, -1.0}) {
+    const auto run = [&](bool computed) {
+      Builder b;
+      const ir::SymbolId list = b.declare("LIST", ValueType::integer, 3);
+      b.assign(Builder::r(1), b.number(index));
+      const auto place = [&] { return computed ? b.read(Builder::r(1)) : b.number(index); };
+      b.assign(Builder::named(list, place()), b.number(4.0));
+      b.assign(Builder::named(list, place()),
+               b.apply(Operator::add, b.read(Builder::named(list, place())), b.read(Builder::named(list, place()))));
+      b.assign(Builder::r(2), b.read(Builder::named(list, b.number(0))));
+      b.assign(Builder::r(3), b.read(Builder::named(list, b.number(1))));
+      b.assign(Builder::r(4), b.read(Builder::named(list, b.number(2))));
+      b.end();
+      return run_program(b.build(), sinumerik_control());
+    };
+    const Ran fixed = run(false);
+    const Ran computed = run(true);
+    ASSERT_EQ(fixed.result.ended, computed.result.ended) << index;
+    if (index < 0.0 || index > 2.5) {
+      EXPECT_EQ(fixed.last_diagnostic()->diagnostic.id, DiagnosticId::variable_out_of_range);
+      EXPECT_EQ(fixed.last_diagnostic()->diagnostic.arguments, computed.last_diagnostic()->diagnostic.arguments);
+      continue;
+    }
+    for (const char* name : {"R2", "R3", "R4"}) {
+      const bool is_place = name[1] - '2' == static_cast<int>(std::lround(index));
+      EXPECT_EQ(fixed.value(name), is_place ? 8.0 : 0.0) << index << " " << name;
+      EXPECT_EQ(computed.value(name), is_place ? 8.0 : 0.0) << index << " " << name;
+    }
+  }
 }
 
 // A block belongs to the program and line where it stands, also when it calls.
