@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "dialects/family/chord_counts.h"
+#include "dialects/family/contour_check.h"
 #include "dialects/family/engraving.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/geometry.h"
@@ -58,6 +59,9 @@ class Binder {
       if (step.kind == StepKind::set) known_[static_cast<std::size_t>(step.target)] = 0;
     if (!text::has_error(result_.diagnostics))
       for (const ChordedCurve& curve : family_.chorded) count_chords(curve);
+    const std::size_t found = result_.diagnostics.size();
+    if (!text::has_error(result_.diagnostics)) check_verbs();
+    if (result_.diagnostics.size() > found) return std::move(result_);  // their loops would be reported again
     for (const Step& step : family_.steps) {
       if (step.kind == StepKind::for_begin) check_loop(step);
       if (step.kind == StepKind::tool) check_tool(step);
@@ -311,6 +315,45 @@ class Binder {
     if (!counts.fault.empty()) return report(DiagnosticId::family_syntax, curve.span, {counts.fault});
     const auto first = static_cast<std::ptrdiff_t>(value_of(curve.counts));
     std::ranges::copy(counts.by_piece, result_.bound.values.begin() + first);
+  }
+
+  // Of verbs that stand for many moves, but not in a branch that these values do not take.
+  void check_verbs() {
+    struct Branch {
+      bool is_reached;  // the `if`
+      bool takes_first, takes_other;
+    };
+    std::vector<Branch> open;
+    bool is_reached = true;
+    for (const Step& step : family_.steps) {
+      if (step.kind == StepKind::if_begin) {
+        const bool known = is_reached && !names_unknown(family_.arena, step.values[0], known_);
+        const bool holds = known && compute(step.values[0]).value_or(1.0) != 0.0;
+        open.push_back({is_reached, !known || holds, !known || !holds});
+        is_reached = is_reached && open.back().takes_first;
+      } else if (step.kind == StepKind::if_else && !open.empty()) {
+        is_reached = open.back().is_reached && open.back().takes_other;
+      } else if (step.kind == StepKind::if_end && !open.empty()) {
+        is_reached = open.back().is_reached;
+        open.pop_back();
+      } else if (step.kind == StepKind::require && is_reached) {
+        check_verb(step);
+      } else if (step.kind == StepKind::contour && is_reached) {
+        const RoughContour& contour = family_.contours[static_cast<std::size_t>(step.number)];
+        if (const auto fault = fault_of_contour(result_.bound, known_, contour))
+          report(DiagnosticId::family_syntax, fault->span, {fault->text});
+      }
+    }
+  }
+
+  void check_verb(const Step& step) {
+    if (names_unknown(family_.arena, step.values[0], known_))
+      return report(
+          DiagnosticId::family_syntax, step.span,
+          {"the sizes of a face or a pocket are checked before the program runs: they depend on parameters only, "
+           "and on what follows from them"});
+    const std::optional<double> holds = compute(step.values[0]);
+    if (holds && *holds == 0.0) report(DiagnosticId::family_syntax, step.span, {step.text});
   }
 
   // Those that are known before the program runs.

@@ -66,6 +66,9 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"tap", &BodyReader::tap},
       {"at", &BodyReader::hole},
       {"engrave", &BodyReader::engrave},
+      {"face", &BodyReader::face},
+      {"pocket", &BodyReader::pocket},
+      {"rough", &BodyReader::rough},
       {"profile", &BodyReader::profile},
       {"for", &BodyReader::for_loop},
       {"while", &BodyReader::while_loop},
@@ -180,6 +183,7 @@ void BodyReader::tool() {
   }
   if (!cursor_.line_failed() && cursor_.accept_word("diameter")) out.values[0] = expressions_.value_of(kLength).id;
   if (!cursor_.line_failed() && cursor_.accept_word("corner")) out.values[1] = expressions_.value_of(kLength).id;
+  tool_changes(out.values[0]);
   add(std::move(out));
 }
 
@@ -223,6 +227,7 @@ void BodyReader::compensate() {
   if (row == kSides.end()) return cursor_.expected("left, right or off");
   cursor_.advance();
   compensation_waits_ = true;
+  compensated_ = row->second != ir::CompSide::off;
   Step out = step(StepKind::compensate);
   out.number = static_cast<std::int32_t>(row->second);
   add(std::move(out));
@@ -235,6 +240,7 @@ void BodyReader::feed() {
   if (value.dimension != kFeedPerRev) expressions_.require_dimension(value, kFeedPerMin);
   out.values[0] = value.id;
   has_feed_ = true;
+  feed_dimension_ = value.dimension;
   add(std::move(out));
 }
 
@@ -429,6 +435,7 @@ void BodyReader::plane() {
   cursor_.advance();
   Step out = step(StepKind::plane);
   out.number = static_cast<std::int32_t>(row - kPlanes.begin());
+  other_plane_ = out.number != 0;
   add(std::move(out));
 }
 

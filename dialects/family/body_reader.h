@@ -1,6 +1,7 @@
 // The body of a family, from after `program NAME` to its `end`: verbs become steps, blocks are matched.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,12 +12,14 @@
 #include "dialects/family/model.h"
 #include "dialects/family/naming.h"
 #include "dialects/family/scope.h"
+#include "dialects/family/verb_copy.h"
 #include "dialects/ir/cycle.h"
 
 namespace dripfeed::family {
 
 // The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
-// in turning_reader.cpp, curves in along_reader.cpp, native text in native_verb_reader.cpp, blocks, assignments and
+// in turning_reader.cpp, curves in along_reader.cpp, faces and pockets in
+// milling_reader.cpp, roughing in rough_reader.cpp, native text in native_verb_reader.cpp, blocks, assignments and
 // calls in flow_reader.cpp.
 class BodyReader {
  public:
@@ -53,6 +56,9 @@ class BodyReader {
   void thread();
   void groove();
   void engrave();
+  void face();
+  void pocket();
+  void rough();
   void retract();
   void drill();
   void ream();
@@ -101,6 +107,61 @@ class BodyReader {
   ir::SymbolId chord_list(const Along& along, ir::ExpressionId error);
   ir::ExpressionId span_of(const Step& loop);
 
+  // Verbs of the library: what is read of them, in the order of its parameters.
+  struct LibraryVerb {
+    std::vector<ir::ExpressionId> arguments;
+    std::optional<VerbFeeds> feeds = std::nullopt;
+    bool swaps_axes = false;
+  };
+  struct VerbRule {
+    std::string_view function;
+    std::vector<std::size_t> arguments;
+    std::string_view text;
+  };
+  [[nodiscard]] bool may_mill(std::string_view verb);
+  bool clause(LibraryVerb& verb, std::string_view word, Dimension dimension = kLength);
+  bool next_clause(LibraryVerb& verb, std::string_view word);
+  void entry_feed(LibraryVerb& verb);
+  void write(std::string_view subprogram, const LibraryVerb& verb, std::span<const VerbRule> rules);
+
+  // A contour that is roughed, see rough_reader.cpp.
+  struct RoughPoint {
+    ir::ExpressionId x = ir::ExpressionId::none;  // with the allowance
+    ir::ExpressionId z = ir::ExpressionId::none;
+    bool moves_x = true;
+    bool moves_z = true;
+    bool is_arc = false;
+    bool clockwise = false;
+    ir::ExpressionId i = ir::ExpressionId::none;
+    ir::ExpressionId k = ir::ExpressionId::none;
+    ir::ExpressionId radius = ir::ExpressionId::none;
+    ir::ExpressionId center_x = ir::ExpressionId::none;
+    ir::ExpressionId center_z = ir::ExpressionId::none;
+    std::uint32_t line = 0;
+  };
+  struct Rough {
+    RoughContour contour;
+    Step head;
+    std::size_t first_step = 0;
+  };
+  void end_rough();
+  bool read_contour(Rough& rough, const std::vector<Step>& steps, std::vector<RoughPoint>& points);
+  bool add_point(Rough& rough, const Step& step, std::vector<RoughPoint>& points);
+  ir::ExpressionId point_value(const Rough& rough, std::string_view stem, ir::ExpressionId value, bool is_x);
+  void find_center(RoughPoint& point, const RoughPoint& before);
+  void rough_passes(const Rough& rough, const std::vector<RoughPoint>& points);
+  ir::ExpressionId pass_end(const Rough& rough, const std::vector<RoughPoint>& points, ir::ExpressionId level);
+  void pass_end_at(const Rough& rough, const RoughPoint& from, const RoughPoint& to, ir::ExpressionId level,
+                   const Step& end);
+  void last_rough_pass(const Rough& rough, const std::vector<RoughPoint>& points);
+  void leave_rough(const Rough& rough, ir::ExpressionId x, ir::ExpressionId z);
+  ir::ExpressionId sum(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
+  void open_if(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
+  void set_name(ir::SymbolId target, ir::ExpressionId value);
+
+  // What the last tool, compensation and plane in the order of the text are.
+  void tool_changes(ir::ExpressionId diameter);
+
   void plunge(const Groove& groove);
   void thread_passes(const Step& one, ir::ExpressionId pitch);
   [[nodiscard]] std::string unused_name(std::string_view stem) const;
@@ -137,6 +198,8 @@ class BodyReader {
     text::Span span;
     std::uint32_t line;
     bool has_else = false;
+    bool changes_tool = false;    // in it
+    bool takes_diameter = false;  // a verb in it, of a tool that stands before that verb
   };
 
   Cursor& cursor_;
@@ -157,6 +220,11 @@ class BodyReader {
   bool is_subprogram_ = false;
   bool needs_feed_ = false;
   std::uint8_t skip_level_ = 0;  // of the line
+  ir::ExpressionId tool_diameter_ = ir::ExpressionId::none;
+  Dimension feed_dimension_ = kFeedPerMin;
+  bool compensated_ = false;
+  bool other_plane_ = false;
+  std::optional<Rough> rough_;  // whose contour is read
 };
 
 }  // namespace dripfeed::family

@@ -182,6 +182,8 @@ class Builder {
       case StepKind::optional_stop: emit_.block({Function::optional_stop}, {}); break;
       case StepKind::plane: emit_.block({kPlanes[step.number]}, {}); break;
       case StepKind::native: native(step); break;
+      case StepKind::require:
+      case StepKind::contour: break;  // checked before
     }
     return at;
   }
@@ -246,11 +248,13 @@ class Builder {
     if (feed_ != nullptr) words.push_back({ir::Address::f, say_feed(*std::exchange(feed_, nullptr))});
   }
 
-  // F of a tap or a thread is its pitch: the feed before it is written again after it. Where that may be one of
-  // several, or a value that has changed, a variable of its own keeps it.
+  // F of a tap or a thread is its pitch, and an entry has its own: the feed before is written again after them. Where
+  // that may be one of several, or a value that has changed, a variable of its own keeps it.
   [[nodiscard]] bool keeps_feed() const {
-    if (std::ranges::none_of(family_.steps, takes_feed_away)) return false;
-    const auto is_feed = [](const Step& one) { return one.kind == StepKind::feed; };
+    const auto passes = [](const Step& one) { return one.kind == StepKind::feed && one.number != 0; };
+    if (std::ranges::none_of(family_.steps, takes_feed_away) && std::ranges::none_of(family_.steps, passes))
+      return false;
+    const auto is_feed = [](const Step& one) { return one.kind == StepKind::feed && one.number == 0; };
     const auto first = std::ranges::find_if(family_.steps, is_feed);
     return first != family_.steps.end() &&
            (std::ranges::count_if(family_.steps, is_feed) > 1 || !is_declared(first->values[0]));
@@ -266,7 +270,8 @@ class Builder {
   }
 
   ExpressionId say_feed(const Step& step) {
-    return feed_now_ == ir::SymbolId::none ? values_.copy(step.values[0]) : emit_.variable(feed_now_);
+    const bool is_kept = feed_now_ != ir::SymbolId::none && step.number == 0;
+    return is_kept ? emit_.variable(feed_now_) : values_.copy(step.values[0]);
   }
 
   // Each has its pitch: on controls that have it in F the next cut writes the feed again.
@@ -367,8 +372,15 @@ class Builder {
   // Into the block of the next cut, unless something comes between that is on one path only.
   void feed(const Step& step) {
     write_feed();
-    if (feed_now_ != ir::SymbolId::none) values_.assign(feed_now_, step.values[0]);
-    feed_ = last_feed_ = &step;
+    if (step.number == kFeedBefore) {
+      feed_ = last_feed_;
+    } else {
+      feed_ = &step;
+      if (step.number == 0) {
+        if (feed_now_ != ir::SymbolId::none) values_.assign(feed_now_, step.values[0]);
+        last_feed_ = &step;
+      }
+    }
     if (!has_one_feed_mode_) write_feed();
   }
 

@@ -86,6 +86,11 @@ void BodyReader::hole() {
 }
 
 bool BodyReader::may_stand_here(StepKind kind) {
+  static constexpr std::array kInContour = {StepKind::cut, StepKind::arc_cw, StepKind::arc_ccw, StepKind::let};
+  if (rough_ && std::ranges::find(kInContour, kind) == kInContour.end()) {
+    cursor_.syntax(verb_, "in the contour of 'rough' stand only cut, arc, let, and calls of such");
+    return false;
+  }
   if (open_drills_ == 0 || std::ranges::find(kAmongHoles, kind) != kAmongHoles.end()) return true;
   cursor_.syntax(verb_, "among holes stand only at, loops, if, let and set: end the cycle before");
   return false;

@@ -83,6 +83,7 @@ void BodyReader::else_block() {
     return cursor_.syntax(verb_, "an 'else' without its 'if'");
   }
   open_.back().has_else = true;
+  if (open_.back().changes_tool) tool_diameter_ = ir::ExpressionId::none;
   scope_.close();
   scope_.open();
   add(step(StepKind::if_else));
@@ -95,6 +96,11 @@ void BodyReader::end() {
   }
   const Open open = open_.back();
   open_.pop_back();
+  if (open.changes_tool) tool_diameter_ = ir::ExpressionId::none;  // it may be another one
+  if (open.kind == StepKind::contour) {
+    end_rough();
+    return scope_.close();
+  }
   if (open.kind == StepKind::profile_begin) --open_profiles_;
   if (open.kind == StepKind::drill_begin) --open_drills_;
   scope_.close();
@@ -159,6 +165,9 @@ void BodyReader::call() {
   if (steps_.size() + sub->steps.size() > kMostSteps)
     return cursor_.syntax(at, fmt::format("with all its calls the program has more than {} steps", kMostSteps));
   for (Step copy : sub->steps) {
+    if (copy.kind == StepKind::tool) tool_changes(ir::ExpressionId::none);
+    if (copy.kind == StepKind::compensate) compensated_ = copy.number != 0;
+    if (copy.kind == StepKind::plane) other_plane_ = copy.number != 0;
     // These moves make the nominal; others of the subprogram do not, nor do those that may be skipped.
     if (open_profiles_ > 0 && copy.skip_level == 0) copy.line = line_;
     steps_.push_back(std::move(copy));

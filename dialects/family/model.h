@@ -167,6 +167,33 @@ struct ChordedCurve {
   text::Span span;
 };
 
+// The contour of a `rough`: what is checked of it before the program runs. x as the family has it.
+struct RoughContour {
+  // A let of the contour (target), or a point that a line or an arc leads to.
+  struct Item {
+    ir::SymbolId target = ir::SymbolId::none;
+    ir::ExpressionId value = ir::ExpressionId::none;  // of the let
+    ir::ExpressionId x = ir::ExpressionId::none;
+    ir::ExpressionId z = ir::ExpressionId::none;
+    bool is_arc = false;
+    bool clockwise = false;
+    ir::ExpressionId i = ir::ExpressionId::none;  // none: 0
+    ir::ExpressionId k = ir::ExpressionId::none;
+    ir::ExpressionId radius = ir::ExpressionId::none;
+    text::Span span;
+  };
+  bool is_facing = false;  // passes along x
+  bool is_inside = false;
+  ir::ExpressionId x = ir::ExpressionId::none;  // where it begins
+  ir::ExpressionId z = ir::ExpressionId::none;
+  ir::ExpressionId depth = ir::ExpressionId::none;
+  ir::ExpressionId retract = ir::ExpressionId::none;
+  ir::ExpressionId allowance_x = ir::ExpressionId::none;  // none: 0
+  ir::ExpressionId allowance_z = ir::ExpressionId::none;
+  std::vector<Item> items;
+  text::Span span;
+};
+
 // A place of the drawing. Its view has two of the axes, the first one across: lathes have z and x, mills x and y, x and
 // z or y and z.
 struct DrawnPlace {
@@ -203,7 +230,7 @@ enum class StepKind : std::uint8_t {
   spindle_off,
   coolant,     // number: CoolantState
   compensate,  // number: CompSide; takes effect with the next rapid or cut
-  feed,        // values[0]
+  feed,        // values[0]; number: 0, kPassingFeed or kFeedBefore
   rapid,
   cut,
   arc_cw,
@@ -230,9 +257,15 @@ enum class StepKind : std::uint8_t {
   dwell,    // values[0]
   stop,
   optional_stop,
-  plane,   // number: 0 xy, 1 zx, 2 yz
-  native,  // number: row of Family::natives
+  plane,    // number: 0 xy, 1 zx, 2 yz
+  native,   // number: row of Family::natives
+  require,  // values[0]: a condition that the values of a verb fulfil; text
+  contour,  // number: row of Family::contours, which its values fulfil
 };
+
+// Of a feed: it counts until kFeedBefore, which gives back the one before it.
+inline constexpr std::int32_t kPassingFeed = 1;
+inline constexpr std::int32_t kFeedBefore = 2;
 
 // A block of the controls' own languages, word for word.
 struct NativeVerb {
@@ -319,6 +352,7 @@ struct Family {
   std::vector<SurfaceShape> surfaces;
   std::vector<CurveShape> curves;
   std::vector<ChordedCurve> chorded;
+  std::vector<RoughContour> contours;
   std::vector<OutlineShape> outlines;
   std::vector<DimensionShape> dimensions;
   // x, y and z of the nominals, where they are used.

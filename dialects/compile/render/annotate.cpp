@@ -48,6 +48,7 @@ class Annotator {
       const std::uint32_t origin =
           line.number <= printed.origin_lines.size() ? printed.origin_lines[line.number - 1] : 0;
       if (origin != 0 && !std::exchange(has_heading, true)) heading();
+      if (const std::string name = name_in(line.text, origin); !name.empty()) return add(with(line.text, name), origin);
       const auto meaning = left.find(origin);
       if (meaning == left.end()) return add(line.text, origin);
       add(with(line.text, meaning->second), origin);
@@ -60,6 +61,13 @@ class Annotator {
  private:
   void heading() {
     for (const std::string& one : annotation_.heading) add(comment(one, style_), 0);
+  }
+
+  // Of the variable that a verb's line assigns to for the first time; "" for none.
+  std::string name_in(std::string_view line, std::uint32_t origin) {
+    if (style_ != CommentStyle::brackets || !annotation_.verbs.contains(origin)) return {};
+    const auto found = annotation_.names.find(std::string(line.substr(0, line.find('='))));
+    return found != annotation_.names.end() && named_.insert(found->first).second ? found->second : std::string();
   }
 
   [[nodiscard]] std::string with(std::string_view line, std::string_view meaning) const {
@@ -84,6 +92,7 @@ class Annotator {
   CommentStyle style_;
   std::string text_;
   std::vector<std::uint32_t> origins_;
+  std::set<std::string> named_;
 };
 
 }  // namespace
@@ -122,8 +131,23 @@ Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std
   for (const family::Definition& one : family.definitions) out.meaning.emplace(one.line, name_of(one.symbol));
   for (const family::List& one : family.lists)
     out.meaning.emplace(one.line, with_text(name_of(one.symbol), one.counts_chords ? "for these values only" : ""));
-  for (const family::Step& one : family.steps)
-    if (one.kind == family::StepKind::let) out.meaning.emplace(one.line, name_of(one.target));
+  for (const family::Step& one : family.steps) {
+    if (one.kind == family::StepKind::require || one.kind == family::StepKind::contour) out.verbs.insert(one.line);
+    if (one.kind == family::StepKind::let && !out.verbs.contains(one.line))
+      out.meaning.emplace(one.line, name_of(one.target));
+  }
+  return out;
+}
+
+std::map<std::string, std::string> names_of_variables(const std::vector<LegendEntry>& legend) {
+  std::map<std::string, std::string> out;
+  std::set<std::string> shared;
+  const auto is_passing = [](std::string_view name) { return name.starts_with("other") || name.starts_with("chosen"); };
+  for (const LegendEntry& one : legend) {
+    const bool is_first = out.emplace(one.variable, one.name).second;
+    if (!is_first || one.count > 1 || is_passing(one.name)) shared.insert(one.variable);
+  }
+  std::erase_if(out, [&](const auto& one) { return shared.contains(one.first); });
   return out;
 }
 

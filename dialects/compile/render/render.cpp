@@ -190,11 +190,12 @@ class Renderer {
     if (text::has_error(raised.diagnostics)) return;
     result_.mode = RenderMode::macro;
     result_.because = because;
-    print(raised.program);
+    std::vector<LegendEntry> legend = legend_of(bound_, raised);
+    print(raised.program, names_of_variables(legend));
     const std::size_t longest = longest_line(printed_.text);
     const std::size_t most = request_.target.limits.block_length_bytes;
     if (most == 0 || longest <= most) {
-      result_.legend = legend_of(bound_, raised);
+      result_.legend = std::move(legend);
       return;
     }
     if (!only)
@@ -251,11 +252,12 @@ class Renderer {
     return raised;
   }
 
-  void print(ir::Program& raised) {
+  void print(ir::Program& raised, std::map<std::string, std::string> names = {}) {
     printed_ = print_for(dialect_, raised, request_.target);
     put_natives(*family_, dialect_, printed_);
-    annotate(printed_, annotation_of(bound_, request_.heading, result_.mode == RenderMode::macro), request_.target,
-             dialect_.comments);
+    Annotation annotation = annotation_of(bound_, request_.heading, result_.mode == RenderMode::macro);
+    annotation.names = std::move(names);
+    annotate(printed_, annotation, request_.target, dialect_.comments);
     if (request_.delivery == ir::Delivery::drip) wrap_for_wire(printed_, dialect_.name, built_.name);
   }
 

@@ -67,5 +67,38 @@ TEST(FamilyRounding, MacrosAreOneToAMillionthAndBlocksAreThemRounded) {
   EXPECT_EQ(compared, dialect_names().size() * (names().size() - 1));
 }
 
+// Verbs that stand for many moves.
+TEST(FamilyRounding, VerbsAreOneToAMillionthAndBlocksAreThemRounded) {
+  const std::string lathe =
+      "family test\nmachine lathe, x is diameter\nparam foot length 30.7 mm in 1..99\nprogram test\n  spindle 600 rpm "
+      "cw\n"
+      "  feed 0.2 mm/rev\n  rapid x 110 mm z 5 mm\n  rough x 100 mm z 2 mm depth 2.3 mm retract 1 mm allowance x 0.31 "
+      "mm "
+      "z 0.17 mm\n    cut x foot z 0 mm\n    cut z -20 mm\n    arc cw x foot + 10 mm z -25 mm center i 5 mm k 0 mm\n"
+      "    cut x 60 mm z -40 mm\n    arc ccw x 80 mm z -50 mm radius 10 mm\n    cut x 104 mm\n  end\nend\n";
+  const std::string mill =
+      "family test\nmachine mill\nparam wide length 12.3 mm in 1..99\nprogram test\n  tool 1 diameter wide\n"
+      "  spindle 600 rpm cw\n  feed 200 mm/min\n  rapid z 9 mm\n"
+      "  face y 0 mm to 61 mm x 0 mm to 33 mm z 2 mm to 0 mm depth 0.9 mm stepover 7.7 mm beyond 1 mm return 5 mm\n"
+      "  pocket x 17 mm y 30 mm length 31 mm width 47 mm corner 7.1 mm z 0 mm to -5 mm depth 1.7 mm stepover 8.1 mm "
+      "finish 0.23 mm ramp 3.3 deg feed 90 mm/min return 5 mm\n"
+      "  pocket x 17 mm y 30 mm length 31 mm width 47 mm corner 7.1 mm z 0 mm to -5 mm depth 1.7 mm stepover 8.1 mm "
+      "finish 0.23 mm helix 3.3 deg return 5 mm\n"
+      "  pocket x 17 mm y 30 mm diameter 47 mm z 0 mm to -5 mm depth 1.7 mm stepover 8.1 mm finish 0.23 mm helix 3.3 "
+      "deg "
+      "return 5 mm\nend\n";
+  for (const std::string& text : {lathe, mill}) {
+    const text::Source family = {"test.family", text};
+    std::vector<ir::Motion> first;
+    for (const std::string& dialect : dialect_names()) {
+      const std::vector<ir::Motion> macro = moves(family, dialect, RenderMode::macro);
+      ASSERT_GT(macro.size(), 50U) << dialect;
+      if (first.empty()) first = macro;
+      expect_near(first, macro, kMacro, dialect);
+      expect_near(macro, moves(family, dialect, RenderMode::explicit_blocks), kWritten, dialect + ", blocks");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
