@@ -37,6 +37,7 @@ constexpr auto kCenters = std::to_array<AxisRow>({
 });
 
 constexpr std::int32_t kLargestTip = 9;
+constexpr std::size_t kLongestToolName = 32;  // as SINUMERIK has it
 constexpr std::int32_t kLargestOffset = 99;
 
 const AxisRow* find_axis(std::span<const AxisRow> rows, std::string_view name) {
@@ -169,11 +170,19 @@ void BodyReader::work_offset() {
 void BodyReader::tool() {
   Step out = step(StepKind::tool);
   const Parameter* chosen = family_.find_parameter(cursor_.word());
-  if (chosen != nullptr && chosen->kind == ParameterKind::tool) {
+  const text::Span at_name = cursor_.peek().span;
+  if (auto name = cursor_.accept_string()) {
+    out.text = std::move(*name);
+    const auto may_stand = [](char c) { return c > ' ' && c <= '~' && c != '"' && c != ';' && c != '%'; };
+    if (out.text.empty() || out.text.size() > kLongestToolName || !std::ranges::all_of(out.text, may_stand))
+      return cursor_.syntax(
+          at_name,
+          fmt::format("the name of a tool has 1 to {} letters, digits and signs, and no blank", kLongestToolName));
+  } else if (chosen != nullptr && chosen->kind == ParameterKind::tool) {
     out.target = chosen->symbol;
     cursor_.advance();
   } else {
-    out.number = cursor_.expect_integer("the number of a tool, or a parameter that is one");
+    out.number = cursor_.expect_integer("the number of a tool, its name in quotes, or a parameter that is one");
   }
   if (!cursor_.line_failed() && cursor_.accept_word("nose")) out.values[2] = expressions_.value_of(kLength).id;
   if (!cursor_.line_failed() && cursor_.accept_word("tip")) {
@@ -417,7 +426,7 @@ void BodyReader::skip() {
     cursor_.expected_one_of("what may be skipped: a move, coolant, message, dwell or stop", kVerbs);
   else if (compensation_waits_)
     cursor_.syntax(verb_, "compensation begins and ends with a move that is not skipped");
-  if (!cursor_.line_failed()) {
+  if (!cursor_.line_failed() && row != nullptr) {
     cursor_.advance();
     (this->*row->read)();
   }

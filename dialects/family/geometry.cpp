@@ -134,6 +134,7 @@ std::vector<ToolShape> tools(const BoundFamily& bound) {
   for (const Step& step : bound.family->steps) {
     if (step.kind != StepKind::tool) continue;
     const std::int32_t number = tool_number(bound, step);
+    if (number == 0 && !step.text.empty()) continue;  // by a name, and no machine is known
     if (std::ranges::find(out, number, &ToolShape::number) != out.end()) continue;
     out.push_back({number, value_of(bound, step.values[2]), step.tip, value_of(bound, step.values[0]),
                    value_of(bound, step.values[1])});

@@ -72,6 +72,7 @@ void BodyReader::write(std::string_view subprogram, const LibraryVerb& verb, std
   if (verb.swaps_axes) copy.swap_axes();
   for (const VerbRule& rule : rules) {
     std::vector<ExpressionId> arguments;
+    arguments.reserve(rule.arguments.size());
     for (const std::size_t i : rule.arguments) arguments.push_back(verb.arguments[i]);
     Step condition = head;
     condition.values[0] = copy.value(rule.function, arguments);

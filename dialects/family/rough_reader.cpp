@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "dialects/family/body_reader.h"
+#include "dialects/family/evaluate.h"
 
 namespace dripfeed::family {
 

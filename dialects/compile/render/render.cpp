@@ -19,6 +19,7 @@
 #include "dialects/compile/plain/index_places.h"
 #include "dialects/compile/render/annotate.h"
 #include "dialects/compile/render/family_lines.h"
+#include "dialects/compile/render/named_tools.h"
 #include "dialects/compile/render/native_verbs.h"
 #include "dialects/compile/render/wrapped_family.h"
 #include "dialects/compile/translate/cone_leads.h"
@@ -57,6 +58,7 @@ class Renderer {
     family::ReadFamilyResult read = family::read_family(request_.family);
     result_.diagnostics = std::move(read.diagnostics);
     if (text::has_error(result_.diagnostics)) return std::move(result_);
+    report(number_tools(read.family, request_.target));
     family_ = std::make_shared<const family::Family>(std::move(read.family));
     if (auto fault = fault_of_machine(family_->machine, request_.target)) {
       fault->span = family_->machine_span;
@@ -253,6 +255,7 @@ class Renderer {
   }
 
   void print(ir::Program& raised, std::map<std::string, std::string> names = {}) {
+    name_tools(*family_, request_.target, raised);
     printed_ = print_for(dialect_, raised, request_.target);
     put_natives(*family_, dialect_, printed_);
     Annotation annotation = annotation_of(bound_, request_.heading, result_.mode == RenderMode::macro);

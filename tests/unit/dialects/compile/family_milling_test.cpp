@@ -183,7 +183,7 @@ TEST(FamilyPockets, TheFeedBeforeComesBack) {
 }
 
 TEST(FamilyPockets, WhatCannotBeMilledIsRefused) {
-  const auto pocket = [](Pocket p) { return milling_fault(milled_part(milling_verb(p)), pocket_values(p)); };
+  const auto pocket = [](const Pocket& p) { return milling_fault(milled_part(milling_verb(p)), pocket_values(p)); };
   const auto changed = [&](auto change) {
     Pocket p = rectangle(80, 50, 8);
     change(p);
@@ -278,7 +278,7 @@ TEST(FamilyFaces, EveryLevelIsCoveredAndEveryPassLeavesThePart) {
         for (const ir::Motion& one : moves) {
           if (one.kind == rapid) {
             const bool level = one.start[0] == one.end[0] && one.start[1] == one.end[1];
-            // Beside the part, or above it.
+            // Outside the part, or above it.
             if (one.end[2] < f.top) {
               EXPECT_TRUE(level && part.distance({one.end[0], one.end[1]}) > f.cutter / 2);
             }

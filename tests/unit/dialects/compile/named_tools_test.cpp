@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/unit/dialects/compile/family_run.h"
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
 namespace dripfeed::compile::test {
@@ -130,6 +131,57 @@ TEST(WrittenToolData, WhatTheProfileHasIsNoChange) {
   EXPECT_FALSE(ran.names("$TC_DP6"));
   EXPECT_TRUE(ran.names("$TC_DP15")) << "wear stays what it was: not interpreted";
   EXPECT_EQ(ran.value("R1"), 5.0);
+}
+
+// --- families
+
+RenderResult with_named_tool(const std::string& dialect, const std::string& name, RenderMode mode,
+                             bool has_profile = true) {
+  RenderRequest request;
+  request.family = {"test.family", "family test\nmachine mill\nprogram test\n  feed 100 mm/min\n  tool \"" + name +
+                                       "\"  diameter 10 mm\n  rapid x 1 mm\n  tool 9\n  cut x 2 mm\nend\n"};
+  request.target = test::control(dialect, ir::MachineKind::mill);
+  request.target.from_profile = has_profile;
+  if (has_profile) request.target.tool_names = machine().tool_names;
+  request.mode = mode;
+  request.program_name = dialect.starts_with("sinumerik") ? "FAMILY_TEST" : "O0100";
+  return render(request);
+}
+
+TEST(NamedTools, AFamilyCallsAToolByItsName) {
+  for (const std::string& dialect : dialect_names()) {
+    for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
+      const RenderResult made = with_named_tool(dialect, "MILL_D10", mode);
+      ASSERT_TRUE(made.diagnostics.empty()) << dialect;
+      EXPECT_EQ(made.text.contains("T=\"MILL_D10\""), dialect.starts_with("sinumerik")) << made.text;
+      ASSERT_EQ(made.geometry.tools.size(), 2U);
+      EXPECT_EQ(made.geometry.tools[0].number, 4);
+      ir::Control control = test::control(dialect, ir::MachineKind::mill);
+      control.from_profile = true;
+      control.tool_names = machine().tool_names;
+      std::vector<std::int32_t> numbers;
+      for (const ir::Motion& one : run_text(made.text, control).motions)
+        if (one.kind == ir::MotionKind::tool) numbers.push_back(one.number);
+      EXPECT_EQ(numbers, (std::vector<std::int32_t>{4, 9})) << made.text;
+    }
+  }
+}
+
+TEST(NamedTools, AFamilysToolThatTheMachineDoesNotHaveIsAnError) {
+  const auto fault = [](const RenderResult& made) {
+    EXPECT_TRUE(made.text.empty());
+    EXPECT_EQ(made.diagnostics.size(), 1U);
+    EXPECT_EQ(made.diagnostics.front().id, text::DiagnosticId::tool_missing);
+    EXPECT_EQ(made.diagnostics.front().severity, text::Severity::error);
+    return made.diagnostics.front().notes.front().text;
+  };
+  EXPECT_EQ(fault(with_named_tool("fanuc", "MILL_D12", RenderMode::macro)), "did you mean \"MILL_D10\"?");
+  EXPECT_EQ(fault(with_named_tool("sinumerik-840d", "mill_d10", RenderMode::macro)),
+            "of the names in the machine's profile \"MILL_D10\" is the nearest; case counts");
+  EXPECT_TRUE(fault(with_named_tool("fanuc", "MILL_D10", RenderMode::macro, false)).contains("state the machine"));
+  EXPECT_EQ(with_named_tool("fanuc", "", RenderMode::macro).diagnostics.front().id, text::DiagnosticId::family_syntax);
+  EXPECT_EQ(with_named_tool("fanuc", "MILL D10", RenderMode::macro).diagnostics.front().id,
+            text::DiagnosticId::family_syntax);
 }
 
 }  // namespace
