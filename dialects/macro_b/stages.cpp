@@ -4,6 +4,7 @@
 
 #include "dialects/macro_b/reader/lex.h"
 #include "dialects/macro_b/reader/parse.h"
+#include "dialects/macro_b/validator/unread.h"
 #include "dialects/macro_b/validator/validate.h"
 #include "dialects/macro_b/writer/print.h"
 
@@ -18,6 +19,7 @@ ir::ReadResult read(const text::Source& source, const ir::Control& control, cons
   program.tokens.push_back({ir::TokenKind::eob, {end, end}});
   Parser(program, control, grammar, result.diagnostics).run();
   program.tokens.pop_back();
+  soften_unread(program, result.diagnostics);
   return result;
 }
 
@@ -53,7 +55,9 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   if (!grammar.condition_blocks) check_condition_blocks(program, findings);
   if (delivery == ir::Delivery::drip) check_drip(program, control, grammar, findings);
   check_not_interpreted(program, control, findings);
-  return findings.take();
+  std::vector<text::Diagnostic> found = findings.take();
+  soften_unread(program, found);
+  return found;
 }
 
 ir::PrintResult print(const ir::Program& program, const ir::Control& control, const Grammar& grammar) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "dialects/facts/unread.h"
 #include "dialects/sinumerik/sinumerik.h"
 #include "dialects/sinumerik/tables/name_index.h"
 
@@ -66,17 +67,9 @@ void soften_unreached(const ir::Program& program, std::vector<text::Diagnostic>&
   facts::FlowGraph graph(program);
   flood(program, graph, graph.entries(), ir::kNoIndex, reached);
   const std::vector<bool> of_cycle = contours_of_cycles(program, reached);
-  for (text::Diagnostic& d : diagnostics) {
-    if (!is_error(d)) continue;
-    // The fault's statement is the last one that begins at it or before it.
-    const auto after =
-        std::ranges::upper_bound(statements, d.span.begin, {}, [](const ir::Statement& s) { return s.span.begin; });
-    if (after == statements.begin()) continue;
-    const auto i = static_cast<std::size_t>(std::distance(statements.begin(), after)) - 1;
-    if (reached[i] || of_cycle[i] || ir::is_structure(statements[i].kind)) continue;
-    d.severity = text::Severity::warning;
-    d.notes.push_back({d.span, "no run reaches this block: the control does not read it"});
-  }
+  for (std::size_t i = 0; i < statements.size(); ++i)
+    if (of_cycle[i]) reached[i] = true;
+  facts::soften_unread(program, reached, diagnostics);
 }
 
 }  // namespace dripfeed::sinumerik
