@@ -9,11 +9,22 @@
 
 namespace dripfeed::ir {
 
-// nullopt: none of that name.
+// A number alone holds no block.
+inline bool is_empty(const Program& text, const Section& section) {
+  for (std::uint32_t i = section.first; i < section.last; ++i)
+    if (text.statements[i].kind != StatementKind::empty) return false;
+  return true;
+}
+
+// The first of that name that has blocks, otherwise the first. nullopt: none of that name.
 inline std::optional<std::uint32_t> section_named(const Program& text, std::string_view name) {
-  for (std::uint32_t i = 0; i < text.sections.size(); ++i)
-    if (text.strings.at(text.sections[i].name) == name) return i;
-  return std::nullopt;
+  std::optional<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < text.sections.size(); ++i) {
+    if (text.strings.at(text.sections[i].name) != name) continue;
+    if (!is_empty(text, text.sections[i])) return i;
+    if (!found) found = i;
+  }
+  return found;
 }
 
 // All statements where the text is one program.

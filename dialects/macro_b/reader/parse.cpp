@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/sections.h"
 #include "dialects/macro_b/reader/tape_marks.h"
 #include "dialects/text/look_alike.h"
 #include "dialects/text/number.h"
@@ -32,7 +33,8 @@ Parser::Parser(ir::Program& program, const ir::Control& control, const Grammar& 
       cursor_(program.source.text(), program.tokens),
       faults_(control, diagnostics),
       expressions_(program, control, grammar, keywords_, cursor_, faults_),
-      lowering_(program, control, grammar, faults_) {}
+      lowering_(program, control, grammar, faults_),
+      of_machine_(control.from_profile) {}
 
 void Parser::run() {
   const std::size_t lines = program_.source.line_count();
@@ -54,10 +56,7 @@ void Parser::run() {
 // The first program that has blocks: a number alone (O0002, then O9811) runs nothing.
 void Parser::name_main() {
   for (const ir::Section& section : program_.sections) {
-    const auto begin = program_.statements.begin();
-    const bool is_empty = std::all_of(begin + section.first, begin + section.last,
-                                      [](const ir::Statement& s) { return s.kind == StatementKind::empty; });
-    if (is_empty) continue;
+    if (ir::is_empty(program_, section)) continue;
     program_.name = program_.strings.at(section.name);
     return;
   }
@@ -83,6 +82,8 @@ void Parser::block() {
     ended_ = !leader_ || tape_marks_ > 0 || ended_;
     ++tape_marks_;
     cursor_.advance();
+  } else if (leader_ && tape_marks_ == 0) {
+    skip_label();
   } else if (ended_) {
     skip_after_end();
   } else {
@@ -108,6 +109,13 @@ void Parser::skip_leader() {
   }
   if (is_mark) cursor_.advance();
   while (is_leader && cursor_.kind() == TokenKind::invalid) cursor_.advance();
+}
+
+// Nor is what comes before the first one. A title is none that one would miss.
+void Parser::skip_label() {
+  const bool has_words = cursor_.kind() == TokenKind::address && cursor_.peek().kind == TokenKind::number;
+  if (has_words && !std::exchange(reported_label_, true)) faults_.report(unreachable, cursor_.span());
+  while (!cursor_.at_end()) cursor_.advance();
 }
 
 // What comes after the closing tape mark is not read by the control.
@@ -398,13 +406,23 @@ void Parser::character_fault() {
   const std::string_view bytes = cursor_.text();
   const char looks = text::look_alike(text::read_character(bytes).code_point);
   const bool lower_case = bytes.size() == 1 && bytes.front() >= 'a' && bytes.front() <= 'z';
+  const bool is_open = lower_case && !of_machine_;
   const bool shows = looks != '?' && looks != ' ' && looks != '\0';
+  if (is_open && std::exchange(reported_lower_case_, true)) {
+    faults_.make_native(kNotUnderstood);
+    while (!cursor_.at_end()) cursor_.advance();
+    return;
+  }
   text::Diagnostic* fault =
       shows ? faults_.fail(homoglyph, cursor_.span(), {text::describe_character(bytes), std::string(1, looks)})
             : faults_.fail(invalid_character, cursor_.span(), {text::describe_character(bytes)});
   if (fault == nullptr) return;
   if (looks != '?') fault->fix = text::Edit{cursor_.span(), looks == '\0' ? std::string() : std::string(1, looks)};
   if (lower_case) fault->fix = text::Edit{cursor_.span(), std::string(1, static_cast<char>(bytes.front() - 'a' + 'A'))};
+  if (!is_open) return;
+  // Some controls read them as capitals, others skip what their code table does not have: once a program.
+  fault->severity = text::Severity::warning;
+  fault->alarm.clear();
 }
 
 // (OUTER (INNER)): a bracket that ends no comment is left, and nothing else.

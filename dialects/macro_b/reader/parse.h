@@ -38,11 +38,14 @@ class Parser {
   void body();
   void name_main();
   void skip_leader();
+  void skip_label();
   void skip_after_end();
   void trailer();
   void macro_statement(const Keyword& keyword);
   void one_macro_statement(std::string_view after);
   void assignment();
+  void warn_of_second_statement();
+  void warn_of_no_then();
   void message(const ir::Variable& target, ir::ExpressionId value);
   void if_statement();
   void go_to(ir::ExpressionId condition);
@@ -95,7 +98,11 @@ class Parser {
   std::uint32_t tape_marks_ = 0;
   bool ended_ = false;  // after the closing tape mark
   bool reported_after_end_ = false;
+  bool reported_label_ = false;
+  bool reported_second_statement_ = false;
+  bool reported_lower_case_ = false;
   bool leader_ = false;  // the text begins with a tape mark
+  bool of_machine_;      // the control is that of a named machine
 };
 
 }  // namespace dripfeed::macro_b

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "dialects/macro_b/tables/variables.h"
-#include "dialects/text/number.h"
 
 namespace dripfeed::macro_b {
 
@@ -135,6 +134,20 @@ ExpressionId ExpressionReader::factor(std::string_view after) {
   return ExpressionId::none;
 }
 
+// Nine digits are those of the increment system IS-C, which a machine may have: once a program.
+void ExpressionReader::digits_fault(const text::Decimal& decimal, std::uint32_t most_digits) {
+  constexpr std::uint32_t kMostOfFineIncrements = 9;
+  const bool may_fit =
+      !control_.from_profile && most_digits == control_.limits.digits && decimal.digits <= kMostOfFineIncrements;
+  if (may_fit && std::exchange(reported_digits_, true)) return;
+  text::Diagnostic* fault =
+      faults_.report(too_many_digits, cursor_.span(),
+                     {std::string(cursor_.text()), std::to_string(decimal.digits), std::to_string(most_digits)});
+  if (fault == nullptr || !may_fit) return;
+  fault->severity = text::Severity::warning;
+  fault->notes.push_back({fault->span, "with the increment system IS-C the control takes 9: the machine decides this"});
+}
+
 // The token at the cursor; `begin` is where its sign stands.
 ExpressionId ExpressionReader::number(std::uint32_t most_digits, bool negative, std::uint32_t begin) {
   const std::string_view written = cursor_.text();
@@ -144,10 +157,7 @@ ExpressionId ExpressionReader::number(std::uint32_t most_digits, bool negative, 
     faults_.fail(malformed_number, cursor_.span(), {std::string(written)});
     return ExpressionId::none;
   }
-  if (decimal->digits > most_digits) {
-    faults_.report(too_many_digits, cursor_.span(),
-                   {std::string(written), std::to_string(decimal->digits), std::to_string(most_digits)});
-  }
+  if (decimal->digits > most_digits) digits_fault(*decimal, most_digits);
   cursor_.advance();
   return program_.add_constant(negative ? -decimal->value : decimal->value, span, decimal->has_point);
 }

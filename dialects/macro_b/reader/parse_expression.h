@@ -12,6 +12,7 @@
 #include "dialects/ir/program.h"
 #include "dialects/macro_b/reader/cursor.h"
 #include "dialects/macro_b/tables/grammar.h"
+#include "dialects/text/number.h"
 
 namespace dripfeed::macro_b {
 
@@ -56,6 +57,7 @@ class ExpressionReader {
   ir::ExpressionId product(std::string_view after);
   ir::ExpressionId factor(std::string_view after);
   ir::ExpressionId number(std::uint32_t most_digits, bool negative, std::uint32_t begin);
+  void digits_fault(const text::Decimal& decimal, std::uint32_t most_digits);
   ir::ExpressionId variable_value();
   ir::ExpressionId bracketed(std::string_view after);
   [[nodiscard]] const NamedVariable* system_name() const;
@@ -80,6 +82,7 @@ class ExpressionReader {
   std::uint32_t depth_ = 0;
   std::uint32_t operators_ = 0;  // of the block
   bool reported_mixed_logic_ = false;
+  bool reported_digits_ = false;
   std::uint32_t open_at_ = 0;  // of the innermost bracket that is open
 };
 

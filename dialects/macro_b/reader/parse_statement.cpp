@@ -204,9 +204,30 @@ void Parser::assignment() {
     } else {
       lowering_.emit_assign(*target, value, place());
     }
-    if (!cursor_.is_symbol(',') || cursor_.peek().kind != TokenKind::variable) return;
-    cursor_.advance();
+    const bool listed = cursor_.is_symbol(',') && cursor_.peek().kind == TokenKind::variable;
+    if (listed) {
+      cursor_.advance();
+    } else if (cursor_.kind() == TokenKind::variable) {
+      warn_of_second_statement();
+    } else {
+      const Keyword* keyword = expressions_.keyword();
+      if (keyword == nullptr || keyword->role != KeywordRole::go_to) return;
+      warn_of_second_statement();
+      begin_ = cursor_.span().begin;
+      return go_to(ExpressionId::none);
+    }
   }
+}
+
+// #1=2 #3=4 and #1=2 GOTO 5: the manuals forbid NC words together with a macro statement (PS0127), and do not say what a
+// second macro statement is. Once a program.
+void Parser::warn_of_second_statement() {
+  if (std::exchange(reported_second_statement_, true)) return;
+  text::Diagnostic* fault = faults_.report(statement_not_alone, cursor_.span(), {"the second macro statement"});
+  if (fault == nullptr) return;
+  fault->severity = text::Severity::warning;
+  fault->alarm.clear();
+  fault->notes.push_back({fault->span, "some controls take several macro statements in a block"});
 }
 
 // #3000 = n(TEXT) stops with an alarm, #3006 = n(TEXT) with a message; the text is a comment after the number.
@@ -239,15 +260,28 @@ void Parser::if_statement() {
   if (next != nullptr && next->role == KeywordRole::go_to) return go_to(condition);
   const bool has_then = next != nullptr && next->role == KeywordRole::then_word;
   if (!has_then && (!grammar_.then_may_lack || cursor_.at_end())) {
-    faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"IF needs GOTO or THEN after its condition"},
-                 ir::AlarmDetail::if_statement);
-    return;
+    if (cursor_.kind() != TokenKind::variable) {
+      faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"IF needs GOTO or THEN after its condition"},
+                   ir::AlarmDetail::if_statement);
+      return;
+    }
+    warn_of_no_then();
   }
   if (has_then) cursor_.advance();
   structure(StatementKind::if_begin, condition, 0);
   if (cursor_.at_end()) return;  // THEN over several blocks
   one_macro_statement("THEN");
   if (!faults_.failed()) structure(StatementKind::if_end, ExpressionId::none, 0);
+}
+
+// IF [#1 GT 0] #2=3: memory dumps of machines at work hold it, and manuals have it with THEN alone.
+void Parser::warn_of_no_then() {
+  text::Diagnostic* fault =
+      faults_.report(syntax_error, {begin_, cursor_.previous_end()}, {"IF needs GOTO or THEN after its condition"},
+                     ir::AlarmDetail::if_statement);
+  if (fault == nullptr) return;
+  fault->severity = text::Severity::warning;
+  fault->notes.push_back({fault->span, "some controls read the statement as that after THEN"});
 }
 
 void Parser::one_macro_statement(std::string_view after) {

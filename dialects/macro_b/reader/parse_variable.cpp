@@ -30,6 +30,7 @@ std::optional<ir::Variable> ExpressionReader::variable() {
   if (cursor_.kind() == TokenKind::number) {
     std::string_view digits = cursor_.text();
     if (grammar_.variables_have_parts) digits = digits.substr(0, digits.find('.'));
+    if (digits.size() > 1 && digits.ends_with('.')) digits.remove_suffix(1);  // #504. is #504
     const auto written = text::parse_integer(digits);
     if (!written || static_cast<double>(*written) > kHighestNumber) {
       faults_.fail(variable_out_of_range, {begin, cursor_.span().end}, {"#" + std::string(cursor_.text())});

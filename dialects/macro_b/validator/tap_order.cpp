@@ -26,7 +26,9 @@ TapOrder::TapOrder(const ir::Program& program, const ir::Control& control, Findi
     : program_(program),
       control_(control),
       findings_(findings),
-      has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()) {}
+      has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()),
+      has_taps_(std::ranges::any_of(program.codes,
+                                    [](const ir::Code& c) { return c.function == Function::drill && is_tap(c); })) {}
 
 void TapOrder::block(const ir::Block& block, bool moves) {
   if (has_rigid_taps_) rigid_tap(block, moves);
@@ -45,8 +47,12 @@ void TapOrder::forget() {
 // M29 S500, then the tapping cycle: nothing that moves or turns the plane comes between.
 void TapOrder::rigid_tap(const ir::Block& block, bool moves) {
   const auto codes = program_.codes_of(block);
-  const auto m29 = std::ranges::find_if(
-      codes, [](const ir::Code& c) { return c.function == Function::machine_function && c.argument == kRigidTap; });
+  const bool has_speed =
+      std::ranges::any_of(program_.words_of(block), [](const ir::Word& w) { return w.address == ir::Address::s; });
+  // Which M function that is, a parameter states (5210): where nothing taps and no speed stands with it, it is another.
+  const auto m29 = std::ranges::find_if(codes, [&](const ir::Code& c) {
+    return c.function == Function::machine_function && c.argument == kRigidTap && (has_taps_ || has_speed);
+  });
   const auto cycle = std::ranges::find(codes, Function::drill, &ir::Code::function);
   const auto plane = std::ranges::find(codes, ir::ModalGroup::plane, &ir::Code::group);
   const bool taps = cycle != codes.end() && is_tap(*cycle);

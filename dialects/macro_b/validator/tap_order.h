@@ -31,6 +31,7 @@ class TapOrder {
   const ir::Control& control_;
   Findings& findings_;
   bool has_rigid_taps_;
+  bool has_taps_;  // the text has a tapping cycle
   enum class Rigid : std::uint8_t { off, waits, taps } rigid_ = Rigid::off;
   bool sync_tap_ = false;
 };

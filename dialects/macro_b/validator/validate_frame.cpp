@@ -8,6 +8,7 @@
 #include "dialects/macro_b/reader/lower.h"
 #include "dialects/macro_b/reader/tape_marks.h"
 #include "dialects/macro_b/validator/validate.h"
+#include "dialects/text/upper_case.h"
 
 namespace dripfeed::macro_b {
 
@@ -115,17 +116,29 @@ bool is_in_table(const ir::Control& control, std::string_view name) {
 
 }  // namespace
 
+namespace {
+
+// A file of the control's own disc is called by its name, and has no marks of a tape.
+bool is_named_by_file(const ir::Program& program) {
+  constexpr std::string_view kExtension = ".EIA";
+  const std::string& name = program.source.name();
+  return name.size() > kExtension.size() && text::upper_case(name).ends_with(kExtension);
+}
+
+}  // namespace
+
 void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
                  Findings& findings) {
   const ir::Token* first = first_token(program);
   const bool opened = begins_with_tape_mark(program);
   const std::uint32_t begin = first == nullptr ? 0 : first->span.begin;
-  if (!opened) findings.add(missing_tape_mark, {begin, begin}, {"first"});
-  if (!has_closing_mark(program, opened)) {
+  const bool named_by_file = is_named_by_file(program);
+  if (!opened && !named_by_file) findings.add(missing_tape_mark, {begin, begin}, {"first"});
+  if (!has_closing_mark(program, opened) && (opened || !named_by_file)) {
     const std::uint32_t end = last_token_end(program);
     findings.add(missing_tape_mark, {end, end}, {"last"});
   }
-  if (sections.front().number.empty()) {
+  if (sections.front().number.empty() && !named_by_file) {
     const auto content =
         std::ranges::find_if(program.statements, [](const ir::Statement& s) { return s.kind != StatementKind::empty; });
     findings.add(missing_program_number,

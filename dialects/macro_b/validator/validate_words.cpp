@@ -149,6 +149,7 @@ class WordCheck {
       }
       for (std::size_t k = 0; k < i; ++k) {
         if (codes[k].group != group || codes[k].letter != 'G') continue;
+        if (codes[k].function == codes[i].function && codes[k].argument == codes[i].argument) continue;
         text::Diagnostic* finding = findings_.add(
             codes_of_one_group, codes[i].span,
             {std::string(text_of(program_, codes[k].span)), std::string(text_of(program_, codes[i].span))});

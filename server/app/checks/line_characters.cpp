@@ -42,8 +42,14 @@ void check_characters(const Examination& e, const ir::Program& program, std::vec
   tape_code::CharacterSet taken = machine::characters_of(*line);
   taken.add('\r');  // a part of the text's EOBs, and not sent as such
   std::vector<text::Span> reported;
-  for (const text::Diagnostic& d : diagnostics)
-    if (d.id == text::DiagnosticId::invalid_character) reported.push_back(d.span);
+  for (text::Diagnostic& d : diagnostics) {
+    if (d.id != text::DiagnosticId::invalid_character) continue;
+    // Whether the control takes small letters may be open; a line that does not carry them settles it.
+    const bool is_letter = d.span.size() == 1;
+    if (is_letter && !taken.has(static_cast<std::uint8_t>(program.source.text()[d.span.begin])))
+      d.severity = text::Severity::error;
+    reported.push_back(d.span);
+  }
   std::ranges::sort(reported, {}, &text::Span::begin);
   const auto is_reported = [&reported](std::uint32_t at) {
     const auto after = std::ranges::upper_bound(reported, at, {}, &text::Span::begin);

@@ -34,7 +34,7 @@ struct LineError {
 std::vector<LineError> errors_of(const ir::ReadResult& read) {
   std::vector<LineError> errors;
   for (const text::Diagnostic& one : read.diagnostics)
-    if (one.severity == text::Severity::error)
+    if (one.severity == text::Severity::error || one.id == text::DiagnosticId::invalid_character)
       errors.push_back({read.program.source.position(one.span.begin).line, &one});
   return errors;
 }
