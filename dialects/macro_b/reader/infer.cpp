@@ -2,10 +2,10 @@
 //   lathe: T with four digits and no M06; U or W together with X or Z words; G50 S; G32; G70-G76 with P and Q or with U
 //   and R;
 //          H with a point, the increment of C, in a block that says no tool length
-//   mill:  a Y word; G43, G44 or G49; G17; M06, unless its tool has its own offset (T0707 M06 may be either's); G81,
-//   G82 or
+//   mill:  a Y word; G43 or G44; M06, unless its tool has its own offset (T0707 M06 may be either's); G81, G82 or
 //          G73 with R
-//   then:  X and Z in one block and no Y anywhere: lathe; otherwise mill, with no line.
+//   then:  G17 or G49, which stand in the first line of lathes' programs, too: mill; X and Z in one block and no Y
+//          anywhere: lathe; otherwise mill, with no line.
 // G-code system of a lathe: A by G50 S, G32, U or W; B by G91, G95, G92 S, G33; C by G70 or G71 without words, G24.
 // Where none of these stand, A by G98 or G99 without drilling, B by G90 or G94 without words: programs of system A have
 // a G90 among the codes of their first line, where it turns nothing. Where lines contradict each other the system is
@@ -126,15 +126,20 @@ bool is_lathe(const Block& b) {
   if (b.h_has_point && !length && !b.is_call() && !b.has('Y')) return true;
   if (b.g(32) || (b.g(50) && b.has('S'))) return true;
   if (turning_cycle && ((b.has('P') && b.has('Q') && !b.has('Y')) || (b.has('U') && b.has('R')))) return true;
-  return !b.is_call() && !b.has('Y') && (b.has('U') || b.has('W')) && !b.g(28) && !b.g(30);
+  // With G90 or G91 in the block a U or W alone is an axis of its own: U and W of lathes are increments. G17 with U
+  // chooses among parallel axes.
+  const bool single = !b.has('X') && !b.has('Z') && b.has('U') != b.has('W');
+  const bool alone = ((b.g(90) || b.g(91)) && single) || b.g(17);
+  return !b.is_call() && !b.has('Y') && (b.has('U') || b.has('W')) && !alone && !b.g(28) && !b.g(30);
 }
 
 bool is_mill(const Block& b) {
   if (b.is_call()) return false;
   const bool drilling = (b.g(81) || b.g(82) || b.g(73)) && b.has('R');
   const bool changes = b.m(6) && !b.tool_is_pair;
-  return b.has('Y') || b.g(43) || b.g(44) || b.g(49) || b.g(17) || changes || drilling;
+  return b.has('Y') || b.g(43) || b.g(44) || changes || drilling;
 }
+bool hints_at_mill(const Block& b) { return !b.is_call() && (b.g(49) || b.g(17)); }
 
 using SystemLines = std::array<ir::SystemEvidence, 3>;  // the first line for each system
 
@@ -178,6 +183,7 @@ std::vector<ir::SystemEvidence> named_systems(const SystemLines& lines) {
 struct Evidence {
   std::optional<ir::MachineKind> kind;
   std::uint32_t kind_line = 0;
+  std::uint32_t mill_hint_line = 0;
   bool is_mill_turn = false;
   std::uint32_t profile_line = 0;  // first block with X and Z
   bool has_y = false;
@@ -192,6 +198,7 @@ Evidence evidence_of(const text::Source& source, const Grammar& grammar) {
   while (const auto block = scan.next()) {
     if (!e.kind && is_lathe(*block)) e.kind = ir::MachineKind::lathe, e.kind_line = block->line;
     if (!e.kind && is_mill(*block)) e.kind = ir::MachineKind::mill, e.kind_line = block->line;
+    if (e.mill_hint_line == 0 && hints_at_mill(*block)) e.mill_hint_line = block->line;
     const bool mill_turn = std::ranges::any_of(block->g10, [&codes = grammar.mill_turn_codes](std::int32_t g) {
       return std::ranges::find(codes, g) != codes.end();
     });
@@ -223,7 +230,8 @@ std::string axes_of(const Evidence& e, const ir::Control& usual) {
 }  // namespace
 
 ir::Control infer_control(const text::Source& source, const Grammar& grammar, UsualControl control) {
-  const Evidence e = evidence_of(source, grammar);
+  Evidence e = evidence_of(source, grammar);
+  if (!e.kind && e.mill_hint_line != 0) e.kind = ir::MachineKind::mill, e.kind_line = e.mill_hint_line;
   const bool profile = !e.kind && e.profile_line != 0 && !e.has_y;
   const ir::MachineKind kind = profile ? ir::MachineKind::lathe : e.kind.value_or(ir::MachineKind::mill);
   std::vector<ir::SystemEvidence> systems = named_systems(e.systems);

@@ -51,6 +51,16 @@ TEST(Infer, AToolWithItsOwnOffsetWithM06IsEithers) {
   EXPECT_EQ(kind("O1\nT7 M06\nG00 X55. Z1.5\nM30\n"), ir::MachineKind::mill);
 }
 
+// G49 and G17 stand in the first line of lathes' programs, too.
+TEST(Infer, AFirstLineWithG49IsEithers) {
+  const Dialect& fanuc = *find_dialect("fanuc");
+  const auto kind = [&](const std::string& text) { return fanuc.infer_control(text::Source("x", text)).kind; };
+  EXPECT_EQ(kind("O1\nG21 G40 G49 G54 G80 G90\nT0000\nG97 S1200 M03\nG00 X-25. Z.5\nG71 U.5 R.2\nM30\n"),
+            ir::MachineKind::lathe);
+  EXPECT_EQ(kind("O1\nG17 G40 G49\nT0101\nG28 U0 W0\nG00 X55. Z1.5\nM30\n"), ir::MachineKind::lathe);
+  EXPECT_EQ(kind("O1\nG17 G40 G49\nG00 X55. Z1.5\nM30\n"), ir::MachineKind::mill);
+}
+
 TEST(Infer, AG90AmongTheFirstCodesIsNoSystemB) {
   const Dialect& fanuc = *find_dialect("fanuc");
   const auto control = [&](const std::string& text) { return fanuc.infer_control(text::Source("x", text)); };
