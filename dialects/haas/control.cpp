@@ -43,6 +43,8 @@ ir::Control control(ir::MachineKind kind, ir::GSystem) {
                                           .variables = variable_ranges()});
   c.semantics.machine_move = ir::MachineMove::programmed;  // by the motion in effect; from memory
   c.semantics.drill_r_from_initial = false;
+  c.semantics.length_needs_code = mill;
+  c.semantics.change_needs_code = mill;
   c.semantics.taps_are_rigid = true;
   return c;
 }

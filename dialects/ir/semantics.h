@@ -100,6 +100,7 @@ struct Semantics {
   bool tool_number_has_suffix = false;  // T01.01: the fraction distinguishes tools of one number
   bool g54_takes_p = false;             // G54 P3 is G54.1 P3
   bool length_needs_code = false;       // a tool's length acts by G43 alone, not by its change (mills)
+  bool change_needs_code = false;       // a tool is changed in by M06 alone; elsewhere T may do it, by the builder
   bool d_selects_edge = false;          // D is the tool's edge and takes effect at once; otherwise a comp number
 };
 

@@ -359,7 +359,7 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "Set a spindle limit before constant surface speed: towards the centre the speed rises without end."},
   {tool_missing, "tool-missing", warning, "the tool {} is not in the machine's list",
    "Load the tool, or add it to the machine's profile with its nose radius or diameter."},
-  {tool_not_called, "tool-not-called", note, "a cut begins before any tool is called",
+  {tool_not_called, "tool-not-called", note, "a cut begins and no tool was changed in",
    "The tool in the spindle cuts, whichever it is. Call it by name, so that it can be checked."},
   {value_not_finite, "value-not-finite", error, "the move is not a number: {}",
    "A calculation exceeded the largest number. Check the variables that the move uses."},

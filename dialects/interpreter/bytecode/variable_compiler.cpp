@@ -148,14 +148,15 @@ void VariableCompiler::store_shared(const ir::Variable& target, const Value& val
   const ValueType type = shared_type(target);
   const bool declared =
       target.bank == Bank::named && builder_.context().shared.definition_of(shared_id(target)) != nullptr;
-  if (declared && value.is_string() != (type == ValueType::string) && type != ValueType::axis) {
+  // A text of one character is one (CHAR), and the name of an axis is an axis.
+  const bool takes_text = type == ValueType::axis || type == ValueType::character;
+  if (declared && value.is_string() != (type == ValueType::string) && !takes_text) {
     failure(span, DiagnosticId::wrong_type,
             {name_of(builder_.source(), builder_.context().control, target),
              type == ValueType::string ? "STRING" : "REAL", value.is_string() ? "STRING" : "REAL"});
     return;
   }
-  if (value.is_string() && type != ValueType::axis)
-    return emit_shared(Opcode::store_shared_text, target, value.operand, span);
+  if (value.is_string() && !takes_text) return emit_shared(Opcode::store_shared_text, target, value.operand, span);
   emit_shared(Opcode::store_shared, target, convert(type, value, Operand::none, span).operand, span);
 }
 

@@ -308,7 +308,7 @@ void BlockRunner::take_notes(const Instruction& i, std::uint64_t notes) {
   if ((notes & kNoteMeasuringTool) != 0) access_.forget_tool_offsets();
   if ((notes & kNoteMotionWithoutCode) != 0) {
     std::string letters;
-    for (std::uint64_t rest = block_.present & rules_.axis_addresses; rest != 0; rest &= rest - 1)
+    for (std::uint64_t rest = (block_.present | block_.unknown) & rules_.axis_addresses; rest != 0; rest &= rest - 1)
       letters += (letters.empty() ? "" : " ") + letter_of(static_cast<ir::Address>(std::countr_zero(rest)));
     report_.say(i, DiagnosticId::motion_without_code, {letters});
   }

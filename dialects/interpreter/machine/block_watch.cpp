@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dialects/ir/cycle.h"
 #include "dialects/text/number.h"
@@ -36,6 +37,7 @@ void BlockWatch::look_at(const Instruction& i, const PlainBlock& block, bool mov
   take_tool(block);
   if (moved) {
     length(i, block);
+    cut(i, block);
     feed(i, block);
   }
   if (state_.drilling.active && has_code(block, Function::drill)) hole(i, block);
@@ -46,8 +48,14 @@ void BlockWatch::take_tool(const PlainBlock& block) {
   if (state_.tool.number != tool_) {
     tool_ = state_.tool.number;
     length_known_ = tool_ != 0;
-    reported_length_ = false;
+    // Mills stop the spindle to change the tool.
+    if (control_.kind == ir::MachineKind::mill) spindle_known_ = tool_ != 0;
+    reported_length_ = reported_spindle_ = false;
   }
+  spindle_ran_ |= state_.spindle != ir::SpindleState::stopped;
+  if ((block.present & bit_of(Address::t)) != 0) selected_ = static_cast<std::int32_t>(block.at(Address::t));
+  // M13, say, starts it with the coolant, and a builder's M100 may change tools.
+  spindle_known_ &= !has_code(block, Function::machine_function);
   const bool other_length = std::ranges::any_of(block.codes, [](const PlainCode& c) {
     return c.group == ir::ModalGroup::length_offset && c.function == Function::not_modelled;
   });
@@ -56,10 +64,11 @@ void BlockWatch::take_tool(const PlainBlock& block) {
 
 // Moves along the spindle in the part's coordinates need the tool length that was changed in.
 void BlockWatch::length(const Instruction& i, const PlainBlock& block) {
-  if (!control_.semantics.length_needs_code || !length_known_ || reported_length_) return;
+  if (control_.kind != ir::MachineKind::mill || !length_known_ || reported_length_) return;
   if ((block.present & bit_of(Address::z)) == 0 || has_code(block, Function::machine_coordinates)) return;
   const bool none = state_.length_offset == ir::LengthOffset::off || state_.length_offset_number == 0;
   if (none) {
+    if (!control_.semantics.length_needs_code) return;
     report_.say(i, DiagnosticId::length_offset_missing, {"Z", "T" + std::to_string(tool_)});
   } else if (static_cast<std::int32_t>(state_.length_offset_number) != tool_) {
     report_.say(i, DiagnosticId::length_offset_of_other_tool,
@@ -68,6 +77,33 @@ void BlockWatch::length(const Instruction& i, const PlainBlock& block) {
     return;
   }
   reported_length_ = true;
+}
+
+// On mills in moves across the spindle: straight down, G01 positions as often as not. On lathes until the spindle has
+// turned once: later on it stands while a bar is pulled.
+void BlockWatch::cut(const Instruction& i, const PlainBlock& block) {
+  const Function motion = state_.modes.motion;
+  const bool cuts = motion == Function::linear || motion == Function::arc_cw || motion == Function::arc_ccw;
+  const bool is_lathe = control_.kind == ir::MachineKind::lathe;
+  const std::uint64_t letters = bit_of(Address::x) | bit_of(is_lathe ? Address::z : Address::y);
+  if (control_.kind != ir::MachineKind::mill && !is_lathe) return;
+  if (!spindle_known_ || !cuts || (block.present & letters) == 0 || state_.drilling.active) return;
+  if (has_code(block, Function::machine_coordinates)) return;
+  if (tool_ == 0) return selected(i);
+  if (state_.spindle == ir::SpindleState::stopped) {
+    if (state_.speed_unknown) return;  // a caller's
+    if ((!is_lathe || !spindle_ran_) && !std::exchange(reported_spindle_, true))
+      report_.say(i, DiagnosticId::spindle_not_turning);
+    return;
+  }
+  const bool has_speed = state_.speed_unknown || state_.rpm != 0.0 || state_.surface_speed_m_min != 0.0;
+  if (!has_speed && !std::exchange(reported_speed_, true))
+    report_.count({.name = "the speed of the spindle (S), which the program does not state", .is_input = true});
+}
+
+void BlockWatch::selected(const Instruction& i) {
+  if (!control_.semantics.change_needs_code || selected_ == 0 || std::exchange(reported_selected_, true)) return;
+  report_.warn(i, DiagnosticId::tool_not_called, {}, "T" + std::to_string(selected_) + " is not changed in by M06");
 }
 
 void BlockWatch::feed(const Instruction& i, const PlainBlock& block) {

@@ -1,6 +1,7 @@
 // What a run takes from outside its program: definition files, a state, parameters and feed of a caller that is not
 // there; and which inputs it lacked.
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <set>
 #include <vector>
@@ -20,19 +21,24 @@ std::string describe_value(double value, const ir::Semantics& semantics) {
   return is_vacant(value) ? "vacant" : text::format_shortest(value);
 }
 
-// The places that name a local variable which the text never sets.
+// The places that name a local variable which the text never sets, or sets only after it was named.
 std::vector<const ir::Variable*> unset_arguments(const ir::Program& program) {
   constexpr std::uint32_t kHighestArgument = 33;
+  const auto is_argument = [](const ir::Variable& v) {
+    return v.bank == ir::Bank::hash && v.index == ir::ExpressionId::none && v.number <= kHighestArgument;
+  };
   std::bitset<kHighestArgument + 1> is_set = 1;  // #0 is no argument
+  std::array<std::uint32_t, kHighestArgument + 1> named_at;
+  named_at.fill(~0U);
+  for (const ir::Variable& variable : program.variables)
+    if (is_argument(variable)) named_at[variable.number] = std::min(named_at[variable.number], variable.span.begin);
   for (const ir::Assign& assign : program.assigns) {
     const ir::Variable& target = program.at(assign.target);
-    if (target.index == ir::ExpressionId::none && target.number <= kHighestArgument) is_set.set(target.number);
+    if (is_argument(target) && target.span.begin == named_at[target.number]) is_set.set(target.number);
   }
   std::vector<const ir::Variable*> found;
-  for (const ir::Variable& variable : program.variables) {
-    const bool is_numbered = variable.bank == ir::Bank::hash && variable.index == ir::ExpressionId::none;
-    if (is_numbered && variable.number <= kHighestArgument && !is_set[variable.number]) found.push_back(&variable);
-  }
+  for (const ir::Variable& variable : program.variables)
+    if (is_argument(variable) && !is_set[variable.number]) found.push_back(&variable);
   return found;
 }
 
