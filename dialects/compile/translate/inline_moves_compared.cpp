@@ -89,7 +89,10 @@ class Comparison {
     const bool has_center = is_arc(a.kind) || a.kind == ir::MotionKind::thread;
     if (has_center && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); }))
       return false;
-    const bool same_speed = alike(a.spindle_rpm, b.spindle_rpm) && alike(a.surface_speed_m_min, b.surface_speed_m_min);
+    // An S that was given to a spindle that stands is written where it starts.
+    const bool stands = a.spindle == ir::SpindleState::stopped && b.spindle == ir::SpindleState::stopped;
+    const bool same_speed =
+        stands || (alike(a.spindle_rpm, b.spindle_rpm) && alike(a.surface_speed_m_min, b.surface_speed_m_min));
     const bool left = a.kind == ir::MotionKind::thread && (a.feed < 0.0) != (b.feed < 0.0);
     if (left) return std::abs(a.feed + b.feed) <= kLeadShare * std::abs(a.feed) && (!turns || turns_alike(a, b));
     if (turns && (a.spindle != b.spindle || !same_speed)) return false;

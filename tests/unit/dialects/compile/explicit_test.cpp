@@ -52,6 +52,20 @@ TEST(Explicit, SinumerikLatheKeepsItsMotions) {
       control("sinumerik-840d", ir::MachineKind::lathe));
 }
 
+// S in a block of its own, moves, and M03 only then.
+TEST(Explicit, ASpeedMayStandBeforeTheSpindleStarts) {
+  ConvertRequest request;
+  request.from = control("haas", ir::MachineKind::mill);
+  request.to = control("fanuc", ir::MachineKind::mill);
+  request.mode = ConvertMode::explicit_blocks;
+  request.source = text::Source("program",
+                                "%\nO1\nG17 G21 G40 G80 G90 G94\nG54\nT1 M6\nS800\nG00 X1. Y2.\n"
+                                "G43 H1 Z5.\nM03\nG01 Z-1. F100.\nX9.\nG00 Z5.\nM30\n%\n");
+  const ConvertResult result = convert(request);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, request.source);
+  EXPECT_THAT(result.text, testing::HasSubstr("S800"));
+}
+
 // The spindle goes in with one direction and out with the other; a thread of plain blocks would go on turning it (PG,
 // "Rigid tapping").
 TEST(Explicit, ATapThatTurnsTheSpindleIsRefused) {
