@@ -19,8 +19,10 @@ namespace {
 using ir::TokenKind;
 using text::DiagnosticId;
 
-// Diagnostics Manual, alarm 12280.
+// Diagnostics Manual, alarm 12280. Controls come with definition files of their own whose macros are longer: an error
+// only where the block is too long, too.
 constexpr std::uint32_t kLongestMacro_bytes = 256;
+constexpr std::uint32_t kLongestBlock_bytes = 512;
 
 std::string_view without_blanks(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t");
@@ -82,6 +84,8 @@ void Parser::macro_definition(text::Span head) {
     report(DiagnosticId::syntax_error, name,
            {"a macro of more than " + std::to_string(kLongestMacro_bytes) + " bytes"});
     if (!faulty_) diagnostics_.back().alarm = "12280";
+    if (!faulty_ && body.end <= body.begin + kLongestBlock_bytes)
+      diagnostics_.back().severity = text::Severity::warning;
   }
   std::string written(UpperName(name.in(cursor_.whole())).view());
   if (std::ranges::find(macros_, written, &Macro::name) != macros_.end()) {
