@@ -219,8 +219,8 @@ void Parser::assignment() {
   }
 }
 
-// #1=2 #3=4 and #1=2 GOTO 5: the manuals forbid NC words together with a macro statement (PS0127), and do not say what a
-// second macro statement is. Once a program.
+// #1=2 #3=4 and #1=2 GOTO 5: the manuals forbid NC words together with a macro statement (PS0127), and do not say what
+// a second macro statement is. Once a program.
 void Parser::warn_of_second_statement() {
   if (std::exchange(reported_second_statement_, true)) return;
   text::Diagnostic* fault = faults_.report(statement_not_alone, cursor_.span(), {"the second macro statement"});
