@@ -31,6 +31,24 @@ std::optional<std::uint32_t> equal_offset(std::uint32_t number, const ir::Contro
   return std::nullopt;
 }
 
+const ir::SystemVariableRow* row_of(const ir::Control& control, std::uint32_t number) {
+  const auto row = std::ranges::find_if(control.system_variables, [&](const ir::SystemVariableRow& one) {
+    return one.name.empty() && number >= one.first && number <= one.last;
+  });
+  return row == control.system_variables.end() ? nullptr : &*row;
+}
+
+// A control that has a range of its own means something else by its numbers than who has the common one.
+bool is_the_same(std::uint32_t number, const ir::Control& from, const ir::Control& to) {
+  const ir::VariableRange* here = ir::find_variable(from, ir::Bank::hash, number);
+  const ir::VariableRange* there = ir::find_variable(to, ir::Bank::hash, number);
+  if (number >= kFirstOwn || here == nullptr || there == nullptr || here->use != ir::VariableUse::system) return false;
+  if (here->first != there->first || here->last != there->last || here->use != there->use) return false;
+  const ir::SystemVariableRow* a = row_of(from, number);
+  const ir::SystemVariableRow* b = row_of(to, number);
+  return a == nullptr || b == nullptr || a->kind == b->kind;
+}
+
 bool is_system(const ir::VariableRange* range) { return range == nullptr || range->use == ir::VariableUse::system; }
 
 }  // namespace
@@ -51,8 +69,7 @@ std::vector<text::Diagnostic> translate_variables(ir::Program& program, const ir
       if (v.bank != ir::Bank::hash || v.index != ir::ExpressionId::none) continue;
       const ir::VariableRange* there = ir::find_variable(to, ir::Bank::hash, v.number);
       if (!is_foreign_variable(v, from) && there != nullptr && there->use != ir::VariableUse::system) continue;
-      const bool common = v.number < kFirstOwn && is_system(there) && there != nullptr;
-      if (common || v.number == 0) continue;
+      if (v.number == 0 || is_the_same(v.number, from, to)) continue;
       if (const auto equal = equal_offset(v.number, from, to)) {
         v.number = *equal;
         continue;

@@ -211,6 +211,32 @@ TEST(FamilyRoughing, FacingGoesAlongX) {
   }
 }
 
+// The bottom of a bore, from the middle outward.
+TEST(FamilyRoughing, FacingInsideGoesOutward) {
+  const std::string steps =
+      "  rapid x 18 mm z 5 mm\n  rough facing inside x 18 mm z 1 mm depth deep retract 1 mm allowance x stays z stays\n"
+      "    cut x 20 mm z -20 mm\n    cut x 44 mm\n    arc cw x 54 mm z -15 mm center i 0 mm k 5 mm\n    cut x 84 mm z "
+      "-8 mm\n    arc ccw x 100 mm z 0 mm radius 8 mm\n    cut z 1 mm\n  end\n";
+  std::vector<Turned> bottom = {{10.0, -20.0}};
+  add_line(bottom, {22.0, -20.0});
+  add_arc(bottom, {22.0, -15.0}, 5.0, 180.0, 90.0);
+  bottom.back() = {27.0, -15.0};
+  add_line(bottom, {42.0, -8.0});
+  add_arc(bottom, {50.0, -8.0}, 8.0, 270.0, 360.0);
+  bottom.back() = {50.0, 0.0};
+  add_line(bottom, {50.0, 1.0});
+  for (const double deep : {0.7, 3.0}) {
+    SCOPED_TRACE(deep);
+    expect_roughed(turned_part(steps),
+                   {.sides = {.facing = true, .inside = true},
+                    .contour = bottom,
+                    .begin = {9.0, 1.0},
+                    .depth = deep,
+                    .left = {0.25, 0.25}},
+                   {{"deep", fmt::format("{} mm", deep)}});
+  }
+}
+
 // Of a contour that is a subprogram, with arguments, and in radii.
 TEST(FamilyRoughing, AContourMayBeCalled) {
   const text::Source family = {"test.family",

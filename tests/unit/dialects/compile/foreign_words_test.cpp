@@ -38,6 +38,14 @@ TEST(ForeignWords, VariablesOfTheControlAreNotPassedOn) {
       {"#1=#2001", "fanuc", "mazak", ""},
       {"#100=#5041", "fanuc", "mitsubishi-m80", ""},
       {"#500=1.", "fanuc", "mazak", ""},
+      {"#1=#3020", "haas", "fanuc", "#3020"},  // a timer there, and nothing that the others share
+      {"#1=#3020", "fanuc", "haas", "#3020"},
+      {"#1=#3026", "haas", "mazak", "#3026"},  // the tool in the spindle
+      {"#1=#1601", "haas", "mitsubishi-m80", "#1601"},
+      {"#1=#5041", "haas", "fanuc", ""},
+      {"#1=#2001", "haas", "mazak", ""},
+      {"#5221=1.", "fanuc", "haas", ""},
+      {"#3001=0", "haas", "mitsubishi-m80", ""},
   };
   for (const Case& c : cases) {
     const ConvertResult result = translated(kHead + c.line + "\nM30\n", c.from, c.to);
