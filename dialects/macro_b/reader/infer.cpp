@@ -231,7 +231,10 @@ std::string axes_of(const Evidence& e, const ir::Control& usual) {
 
 ir::Control infer_control(const text::Source& source, const Grammar& grammar, UsualControl control) {
   Evidence e = evidence_of(source, grammar);
-  if (!e.kind && e.mill_hint_line != 0) e.kind = ir::MachineKind::mill, e.kind_line = e.mill_hint_line;
+  if (!e.kind && e.mill_hint_line != 0) {
+    e.kind = ir::MachineKind::mill;
+    e.kind_line = e.mill_hint_line;
+  }
   const bool profile = !e.kind && e.profile_line != 0 && !e.has_y;
   const ir::MachineKind kind = profile ? ir::MachineKind::lathe : e.kind.value_or(ir::MachineKind::mill);
   std::vector<ir::SystemEvidence> systems = named_systems(e.systems);
