@@ -86,70 +86,90 @@ def load(server, folder, until, checked):
     return [threading.Thread(target=work, daemon=True) for work in (check, backup, lambda: watch(server, until))]
 
 
-def arm_all(server, release, names):
-    jobs = []
-    for name in names:
-        job = server.post("/jobs", {"release": release[name]})["id"]
-        server.post(f"/jobs/{job}/arm", {})
-        jobs.append(job)
-    return jobs
+class Fleet:
+    """Controls on pseudo-terminals in a folder, and their machines m1, m2, … on a server."""
+
+    def __init__(self, binary, folder, controls, speed="1"):
+        self.folder, self.controls = folder, controls
+        self.names = [f"m{n}" for n in range(1, controls + 1)]
+        # A pty has no FIFO and no time-out of one, as the fleet's options state. But a thread of the kernel carries its characters, and has to share the
+        # processors: the latency is for that.
+        self.profile = shop.preset("fanuc-0i-lathe", baud=BAUD, framing="7E2", end_by_quiet_s=2.0, arming_minutes=60, unsent=4, latency_chars=6)
+        self.profile["buffer"]["bytes"] = 2048
+        self.profile["link"]["url"] = f"pty:{folder}/line-1"
+        machine = folder / "m.json"
+        machine.write_text(json.dumps(self.profile))
+        self.process = subprocess.Popen([str(binary), "simulate", "--link", f"pty:{folder}/line-{{n}}", "--count", str(controls), "--machine", str(machine),
+                                         "--operator", "1", "--uart", "ideal", "--speed", speed, "--json"],
+                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        shop.wait_for("the fleet", lambda: (folder / f"line-{controls}").is_symlink(), 60)
+
+    def add_machines(self, server):
+        for n, name in enumerate(self.names, 1):
+            self.profile["name"], self.profile["link"]["url"] = name, f"pty:{self.folder}/line-{n}"
+            server.add_machine(self.profile)
+
+    def release(self, server, seconds):
+        """Of a program that lasts so long, for each machine."""
+        program = server.post("/programs", {"name": "O0001", "dialect": "fanuc", "text": text(seconds)})
+        found = {}
+        for name in self.names:
+            check = server.post("/checks", {"program": program["id"], "machine": name, "delivery": "drip"})
+            if check["verdict"] == "warn":  # a line of 9600 baud starves such a program, and here it is meant to
+                server.post(f"/checks/{check['id']}/waivers", {"reason": "a program for the bench"})
+            found[name] = server.release(program["id"], name)["id"]
+        return found
+
+    def feed(self, server, releases):
+        for name in self.names:
+            job = server.post("/jobs", {"release": releases[name]})["id"]
+            server.post(f"/jobs/{job}/arm", {})
+        shop.wait_for("all lines to be on", lambda: all(server.status(n)["line"] in ("feeding", "held") for n in self.names), 120, 1)
+
+    def finish(self):
+        """What the controls counted: each, and all together."""
+        self.process.terminate()
+        report = json.loads(self.process.communicate(timeout=120)[0])
+        return (report["controls"], report["total"]) if self.controls > 1 else ([report], report)
+
+
+def said(reports, total):
+    return (f"{total['bytes']} characters, {total['holds']} holds, after DC3 worst {total['after_dc3_max']}, p99 {total.get('after_dc3_p99')}; "
+            f"line use at least {min(r['line_use'] for r in reports):.4f}, mean {sum(r['line_use'] for r in reports) / len(reports):.4f}; "
+            f"alarms {sum(1 for r in reports if r['alarm'])}")
 
 
 def run(given, folder):
     binary = pathlib.Path(given.binary).resolve()
-    # A pty has no FIFO and no time-out of one, as the fleet's options state. But a thread of the kernel carries its characters, and has to share the processors:
-    # the latency is for that.
-    profile = shop.preset("fanuc-0i-lathe", baud=BAUD, framing="7E2", end_by_quiet_s=2.0, arming_minutes=60, unsent=4, latency_chars=6)
-    profile["buffer"]["bytes"] = 2048
-    machine = folder / "m.json"
-    profile["link"]["url"] = f"pty:{folder}/line-1"
-    machine.write_text(json.dumps(profile))
-    fleet = subprocess.Popen([str(binary), "simulate", "--link", f"pty:{folder}/line-{{n}}", "--count", str(given.controls), "--machine", str(machine),
-                              "--operator", "1", "--uart", "ideal", "--speed", "1000" if given.never_held else "1",
-                              "--json"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    shop.wait_for("the fleet", lambda: (folder / f"line-{given.controls}").is_symlink(), 60)
+    fleet = Fleet(binary, folder, given.controls, "1000" if given.never_held else "1")
     server = shop.Server(binary, folder / "data").start()
-    names = [f"m{n}" for n in range(1, given.controls + 1)]
-    program = server.post("/programs", {"name": "O0001", "dialect": "fanuc", "text": text(given.seconds * 1.2 + 60)})
-    release = {}
-    for n, name in enumerate(names, 1):
-        profile["name"], profile["link"]["url"] = name, f"pty:{folder}/line-{n}"
-        server.add_machine(profile)
-        check = server.post("/checks", {"program": program["id"], "machine": name, "delivery": "drip"})
-        if check["verdict"] == "warn":  # a line of 9600 baud starves such a program, and here it is meant to
-            server.post(f"/checks/{check['id']}/waivers", {"reason": "a program for the bench"})
-        release[name] = server.release(program["id"], name)["id"]
-    print(f"{len(names)} machines are set up", flush=True)
-    arm_all(server, release, names)
-    shop.wait_for("all lines to be on", lambda: all(server.status(n)["line"] in ("feeding", "held") for n in names), 120, 1)
+    fleet.add_machines(server)
+    releases = fleet.release(server, given.seconds * 1.2 + 60)
+    print(f"{len(fleet.names)} machines are set up", flush=True)
+    fleet.feed(server, releases)
     until = time.monotonic() + given.seconds
     checked = []
     loaders = load(server, folder, until, checked) if given.load else []
     for thread in loaders:
         thread.start()
-    begin, wall = (processor_s(server.process.pid), processor_s(fleet.pid)), time.monotonic()
+    begin, wall = (processor_s(server.process.pid), processor_s(fleet.process.pid)), time.monotonic()
     most_mib, stood = 0.0, collections.Counter()
     while time.monotonic() < until:
         most_mib = max(most_mib, memory_mib(server.process.pid))
-        stood.update(server.status(n)["stall"] for n in random.sample(names, min(LOOKS, len(names))))
+        stood.update(server.status(n)["stall"] for n in random.sample(fleet.names, min(LOOKS, len(fleet.names))))
         time.sleep(min(1.0, max(0.0, until - time.monotonic())))
     span = time.monotonic() - wall
-    used = (processor_s(server.process.pid) - begin[0]) / span, (processor_s(fleet.pid) - begin[1]) / span
-    states = [server.status(n) for n in names]
-    fleet.terminate()
-    report = json.loads(fleet.communicate(timeout=120)[0])
+    used = (processor_s(server.process.pid) - begin[0]) / span, (processor_s(fleet.process.pid) - begin[1]) / span
+    states = [server.status(n) for n in fleet.names]
+    reports, total = fleet.finish()
     server.kill()
-    reports = report["controls"] if given.controls > 1 else [report]
-    total = report["total"] if given.controls > 1 else report
     if checked:
-        print(f"{len(checked)} checks of a million blocks beside them, the longest {max(checked):.1f} s")
+        print(f"{len(checked)} checks of a million blocks at the same time, the longest {max(checked):.1f} s")
     ours = {stall: count for stall, count in stood.items() if stall not in THEIRS}
     lost = [s for s in states if s["line"] not in ("feeding", "held", "draining", "idle")]
     print(f"{given.controls} controls, {span:.0f} s: server {used[0]:.2f} cores, fleet {used[1]:.2f} cores, server {most_mib:.0f} MiB; "
-          f"{total['bytes']} characters, {total['holds']} holds, after DC3 worst {total['after_dc3_max']}, p99 {total.get('after_dc3_p99')}; "
-          f"line use at least {min(r['line_use'] for r in reports):.4f}, "
-          f"mean {sum(r['line_use'] for r in reports) / len(reports):.4f}; alarms {sum(1 for r in reports if r['alarm'])}; "
-          f"lines in another state: {len(lost)}; stood for us in {ours or 'none'} of {stood.total()} looks; histogram {total['after_dc3_histogram']}")
+          f"{said(reports, total)}; lines in another state: {len(lost)}; stood for us in {ours or 'none'} of {stood.total()} looks; "
+          f"histogram {total['after_dc3_histogram']}")
     return 1 if lost or any(r["alarm"] for r in reports) else 0
 
 
