@@ -56,6 +56,9 @@ void BlockWatch::take_tool(const PlainBlock& block) {
   if ((block.present & bit_of(Address::t)) != 0) selected_ = static_cast<std::int32_t>(block.at(Address::t));
   // M13, say, starts it with the coolant, and a builder's M100 may change tools.
   spindle_known_ &= !has_code(block, Function::machine_function);
+  // A spindle of a lathe that is turned as an axis stands, and the tool that cuts then has a drive of its own.
+  if (control_.kind == ir::MachineKind::lathe && ((block.present | block.unknown) & bit_of(Address::c)) != 0)
+    spindle_known_ = false;
   const bool other_length = std::ranges::any_of(block.codes, [](const PlainCode& c) {
     return c.group == ir::ModalGroup::length_offset && c.function == Function::not_modelled;
   });
