@@ -145,6 +145,7 @@ void BodyReader::call() {
   const Subprogram* sub = family_.find_subprogram(cursor_.word());
   if (sub == nullptr) {
     std::vector<std::string_view> names;
+    names.reserve(family_.subprograms.size());
     for (const Subprogram& one : family_.subprograms) names.emplace_back(one.name);
     return cursor_.expected_one_of("the name of a subprogram that stands above", names);
   }
