@@ -214,21 +214,24 @@ Result<void> set_counters(sql::Connection& from, Connection& to, const std::vect
   return {};
 }
 
+// `how`: DISABLE or ENABLE.
+Result<void> set_rules(Connection& to, const std::vector<Table>& tables, std::string_view how) {
+  for (const Table& table : tables) {
+    if (auto set = to.execute(fmt::format("ALTER TABLE {} {} TRIGGER USER", table.name, how).c_str()); !set) return set;
+  }
+  return {};
+}
+
 Result<void> copy_all(sql::Connection& from, Connection& to) {
   auto found = tables_of(to);
   if (!found) return std::unexpected(found.error());
   const auto tables = in_order(std::move(*found));
   if (!tables) return std::unexpected(tables.error());
-  for (const char* rules : {"DISABLE", "ENABLE"}) {
-    for (const Table& table : *tables) {
-      if (auto set = to.execute(fmt::format("ALTER TABLE {} {} TRIGGER USER", table.name, rules).c_str()); !set)
-        return set;
-    }
-    if (rules[0] == 'E') break;
-    for (const Table& table : *tables) {
-      if (auto copied = copy_rows(from, to, table); !copied) return copied;
-    }
+  if (auto off = set_rules(to, *tables, "DISABLE"); !off) return off;
+  for (const Table& table : *tables) {
+    if (auto copied = copy_rows(from, to, table); !copied) return copied;
   }
+  if (auto on = set_rules(to, *tables, "ENABLE"); !on) return on;
   return set_counters(from, to, *tables);
 }
 
