@@ -235,6 +235,7 @@ class HandControl:
 
     def cut(self):
         """The cable is cut. SO_LINGER 0 makes it a reset, as a device server does."""
+        self.wait_called(1)  # a cable that was never plugged cannot be cut
         self.link.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\x01\x00\x00\x00\x00\x00\x00\x00")
         self.link.shutdown(socket.SHUT_RD)
         self.link.close()
