@@ -41,6 +41,7 @@ constexpr std::array kRows{
     Row{ErrorCode::in_use, "in-use", "another server runs on this database"},
     Row{ErrorCode::disk_full, "disk-full", "the disk is full"},
     Row{ErrorCode::io_failed, "io-failed", "the disk could not be read or written"},
+    Row{ErrorCode::no_answer, "no-answer", "the database does not answer"},
     Row{ErrorCode::corrupt, "corrupt", "the database is damaged"},
     Row{ErrorCode::not_a_store, "not-a-store", "the file is not a database of dripfeed"},
     Row{ErrorCode::newer_schema, "newer-schema", "the database was written by a newer dripfeed"},

@@ -34,6 +34,7 @@ enum class ErrorCode : std::uint8_t {
   in_use,              // another server owns this store
   disk_full,
   io_failed,
+  no_answer,     // of a database server: it fell silent, or the connection broke; what was asked may have been done
   corrupt,       // the file is damaged, or bytes do not have their hash
   not_a_store,   // the file is something else
   newer_schema,  // written by a newer program than this

@@ -165,8 +165,10 @@ namespace {
 
 Lane lane_of(const Route& route) {
   switch (route.weight) {
-    case Weight::stored: return Lane::here;
-    case Weight::light: return route.method == Method::get ? Lane::here : Lane::write;
+    case Weight::stored: return Lane::read;
+    case Weight::light:
+      if (route.method != Method::get) return Lane::write;
+      return route.right == Right::anybody ? Lane::here : Lane::read;  // a route without a right asks no store
     case Weight::staged: return Lane::write;
     case Weight::command: return Lane::command;
     case Weight::arming: return Lane::arm;

@@ -27,12 +27,17 @@ struct LaneRow {
 };
 // None has a low priority: whoever holds the store's lock must not wait for the processor.
 constexpr std::array kLanes = {
-    LaneRow{Lane::command, "http command", 2, 256}, LaneRow{Lane::arm, "http arm", 4, 64},
-    LaneRow{Lane::write, "http write", 8, 1024},    LaneRow{Lane::bulk, "http bulk", 2, 64},
+    LaneRow{Lane::read, "http read", 4, 1024},
+    LaneRow{Lane::command, "http command", 2, 256},
+    LaneRow{Lane::arm, "http arm", 4, 64},
+    LaneRow{Lane::write, "http write", 8, 1024},
+    LaneRow{Lane::bulk, "http bulk", 2, 64},
     LaneRow{Lane::heavy, "http heavy", 0, 32},  // they wait for worker processes, which have the low priority
-    LaneRow{Lane::secret, "http secret", 1, 32},    LaneRow{Lane::provider, "http provider", 4, 32},
+    LaneRow{Lane::secret, "http secret", 1, 32},
+    LaneRow{Lane::provider, "http provider", 4, 32},
     LaneRow{Lane::spool, "http spool", 1, 4096},  // a connection has one piece and one file to close at a time
 };
+static_assert(kLanes.size() + 1 == kLanesAndHere);
 
 }  // namespace
 

@@ -1,7 +1,9 @@
 // The threads that answer requests, by what they may wait for. The HTTP thread itself only reads and writes sockets and
-// answers what is read in a moment; nothing that is slow in one lane holds up another.
+// answers what needs neither the store nor a disk: whatever hangs, a person's stop is read and reaches its lane.
+// Nothing that is slow in one lane holds up another.
 //
-//   here     the HTTP thread: small reads
+//   here     the HTTP thread: that the server is there, and that there is no such path
+//   read     small reads of the store
 //   command  stop, cancel, resume, confirm: what a person at a machine waits for
 //   arm      arming: the same, and another system may be asked before it
 //   write    small changes of the store
@@ -15,13 +17,15 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 
 namespace dripfeed::http {
 
-enum class Lane : std::uint8_t { here, command, arm, write, bulk, heavy, secret, provider, spool };
+enum class Lane : std::uint8_t { here, read, command, arm, write, bulk, heavy, secret, provider, spool };
+inline constexpr std::size_t kLanesAndHere = 10;
 
 class Lanes {
  public:
@@ -43,7 +47,7 @@ class Lanes {
  private:
   class One;
   One& at(Lane lane);
-  std::unique_ptr<One> lanes_[8];
+  std::unique_ptr<One> lanes_[kLanesAndHere - 1];
 };
 
 }  // namespace dripfeed::http

@@ -20,8 +20,8 @@ constexpr MetricType kGauge = MetricType::gauge;
 
 double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
 
-constexpr std::array<std::string_view, kLanesAndHere> kLaneNames = {"here",  "command", "arm",      "write", "bulk",
-                                                                    "heavy", "secret",  "provider", "spool"};
+constexpr std::array<std::string_view, kLanesAndHere> kLaneNames = {"here", "read",  "command", "arm",      "write",
+                                                                    "bulk", "heavy", "secret",  "provider", "spool"};
 
 void write_requests(Exposition& out, const Traffic& traffic) {
   constexpr std::array<std::string_view, Traffic::kClasses> kClassNames = {"1xx", "2xx", "3xx", "4xx", "5xx"};

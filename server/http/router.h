@@ -20,9 +20,10 @@ std::string_view name_of(Right right);
 
 // Where a route is answered (see lanes.h), and what an answer under an idempotency key is.
 //
-//   stored   reads on the HTTP thread that say what the store says and no more, to everybody alike: the answer is kept
+//   stored   lane `read`: reads that say what the store says and no more, to everybody alike: the answer is kept
 //            while the store is the same (see kept_answers.h)
-//   light    other reads on the HTTP thread; changes in the lane `write`, each in one transaction with its kept answer
+//   light    other small reads in the lane `read`, and on the HTTP thread those that need no right; changes in the
+//            lane `write`, each in one transaction with its kept answer
 //   staged   lane `write`: its rows are committed at the end, together with those of other callers who wait; see
 //            Call::commit
 //   command  lane `command`: acts on lines, which no transaction can undo

@@ -13,8 +13,6 @@
 
 namespace dripfeed::http {
 
-inline constexpr std::size_t kLanesAndHere = 9;
-
 class Traffic {
  public:
   using Count = std::atomic<std::uint64_t>;

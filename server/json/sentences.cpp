@@ -200,6 +200,7 @@ constexpr std::array kRows = {
     Row{"store_in_use", "another server runs on this database"},
     Row{"store_disk_full", "the disk is full"},
     Row{"store_unreachable", "the database cannot be opened"},
+    Row{"store_no_answer", "the database does not answer"},
     Row{"store_io", "the disk could not be read or written"},
     Row{"store_corrupt", "the database is damaged"},
     Row{"store_internal", "the database refused for a reason that should not exist"},

@@ -50,13 +50,15 @@ std::string one_line(std::string_view words) {
   return line;
 }
 
+Error silence() { return {ErrorCode::no_answer, fmt::format("nothing for {} s", Pulse::kPatience.count())}; }
+
 void ignore_notice(void* /*to*/, const char* /*notice*/) {}
 
 }  // namespace
 
-void ResultDrop::operator()(pg_result* result) const { PQclear(result); }
-
-Result<std::unique_ptr<Connection>> Connection::open(const std::string& url, const OpenSettings& settings) {
+Result<std::unique_ptr<Connection>> Connection::open(const std::string& url, const OpenSettings& settings,
+                                                     std::shared_ptr<const Pulse> pulse) {
+  if (pulse && pulse->is_silent()) return std::unexpected(silence());
   // Before dbname: what the URL says of them counts.
   constexpr std::array<const char*, 7> kNames{"connect_timeout",
                                               "fallback_application_name",
@@ -68,24 +70,22 @@ Result<std::unique_ptr<Connection>> Connection::open(const std::string& url, con
   const std::array<const char*, 7> values{"5", "dripfeed", "10000", "30", url.c_str(), "UTF8", nullptr};
   pg_conn* const handle = PQconnectdbParams(kNames.data(), values.data(), 1);
   if (handle == nullptr) return std::unexpected(Error{ErrorCode::internal, "out of memory"});
-  std::unique_ptr<Connection> connection(new Connection(handle));
+  std::unique_ptr<Connection> connection(new Connection(handle, std::move(pulse)));
   if (PQstatus(handle) != CONNECTION_OK)
     return std::unexpected(Error{ErrorCode::cannot_open, one_line(PQerrorMessage(handle))});
   PQsetNoticeProcessor(handle, ignore_notice, nullptr);
+  make_waitable(handle);
   if (auto ready = connection->set_up(settings); !ready) return std::unexpected(ready.error());
   return connection;
 }
 
-Connection::~Connection() {
-  drop_statements();
-  PQfinish(handle_);
-}
+Connection::~Connection() { drop_statements(); }
 
 Result<void> Connection::set_up(const OpenSettings& settings) {
   constexpr int kOldest = 140000;
-  if (PQserverVersion(handle_) < kOldest)
+  if (PQserverVersion(handle()) < kOldest)
     return std::unexpected(Error{ErrorCode::cannot_open, "the server is older than PostgreSQL 14"});
-  const char* const encoding = PQparameterStatus(handle_, "server_encoding");
+  const char* const encoding = PQparameterStatus(handle(), "server_encoding");
   if (encoding == nullptr || std::string_view(encoding) != "UTF8")
     return std::unexpected(Error{ErrorCode::cannot_open, "the encoding of the database is not UTF8"});
   if (auto set = execute(kSettings); !set) return set;
@@ -95,17 +95,17 @@ Result<void> Connection::set_up(const OpenSettings& settings) {
 const sql::Words& Connection::words() const { return kWords; }
 
 Result<void> Connection::execute(const char* sql) {
-  const ResultPtr result(PQexec(handle_, sql));
+  const ResultPtr result = answer(PQsendQuery(handle(), sql));
   if (note(result.get())) return {};
   return std::unexpected(fault_);
 }
 
 // Not prepared: the server takes no prepared statements once a transaction has failed, and begin_to_write is two.
 Result<void> Connection::transact(std::string_view sql) {
-  const ResultPtr result(PQexec(handle_, std::string(sql).c_str()));
+  const ResultPtr result = answer(PQsendQuery(handle(), std::string(sql).c_str()));
   if (!note(result.get())) {
     // It has begun, but the lock did not come in time.
-    if (sql == kWords.begin_to_write && in_transaction()) ResultPtr(PQexec(handle_, "ROLLBACK"));
+    if (sql == kWords.begin_to_write && in_transaction()) answer(PQsendQuery(handle(), "ROLLBACK"));
     return std::unexpected(fault_);
   }
   // It ends a transaction that has failed by undoing it, and reports no fault.
@@ -115,18 +115,18 @@ Result<void> Connection::transact(std::string_view sql) {
 }
 
 bool Connection::in_transaction() const {
-  const PGTransactionStatusType status = PQtransactionStatus(handle_);
+  const PGTransactionStatusType status = PQtransactionStatus(handle());
   return status == PQTRANS_INTRANS || status == PQTRANS_INERROR || status == PQTRANS_ACTIVE;
 }
 
-bool Connection::is_usable() const { return PQstatus(handle_) == CONNECTION_OK; }
+bool Connection::is_usable() const { return PQstatus(handle()) == CONNECTION_OK; }
 
 store::Error Connection::fault(std::string_view about) const {
   return {fault_.code, about.empty() ? fault_.detail : fmt::format("{}: {}", about, fault_.detail)};
 }
 
 Result<void> Connection::learn_numbered_tables() {
-  const ResultPtr result(PQexec(handle_, std::string(kNumbered).c_str()));
+  const ResultPtr result = answer(PQsendQuery(handle(), std::string(kNumbered).c_str()));
   if (!note(result.get())) return std::unexpected(fault_);
   numbered_.clear();
   for (int row = 0; row < PQntuples(result.get()); ++row)
@@ -134,14 +134,22 @@ Result<void> Connection::learn_numbered_tables() {
   return {};
 }
 
+ResultPtr Connection::answer(int taken) {
+  return wait_for_result(handle(), taken == 1, [this] { return pulse_ && pulse_->is_silent(); });
+}
+
 std::string Connection::next_name() { return fmt::format("s{}", ++names_); }
 
 bool Connection::note(const pg_result* result) {
   const ExecStatusType status = PQresultStatus(result);  // of null: a fatal error
   if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK || status == PGRES_EMPTY_QUERY) return true;
+  if (pulse_ && pulse_->is_silent() && !is_usable()) {
+    fault_ = silence();
+    return false;
+  }
   const char* const state = result == nullptr ? nullptr : PQresultErrorField(result, PG_DIAG_SQLSTATE);
   const char* const words = state == nullptr ? nullptr : PQresultErrorField(result, PG_DIAG_MESSAGE_PRIMARY);
-  fault_ = {code_of(state == nullptr ? "" : state), one_line(words == nullptr ? PQerrorMessage(handle_) : words)};
+  fault_ = {code_of(state == nullptr ? "" : state), one_line(words == nullptr ? PQerrorMessage(handle()) : words)};
   return false;
 }
 

@@ -6,22 +6,18 @@
 #include <string>
 
 #include "store/postgresql/open.h"
+#include "store/postgresql/pulse.h"
+#include "store/postgresql/waiting.h"
 #include "store/sql/connection.h"
-
-struct pg_conn;
-struct pg_result;
 
 namespace dripfeed::postgresql {
 
-struct ResultDrop {
-  void operator()(pg_result* result) const;
-};
-using ResultPtr = std::unique_ptr<pg_result, ResultDrop>;
-
 class Connection final : public sql::Connection {
  public:
-  // Sets what the server keeps per connection: commits are durable, times to wait. Errors: cannot_open, io_failed.
-  static store::Result<std::unique_ptr<Connection>> open(const std::string& url, const OpenSettings& settings);
+  // Sets what the server keeps per connection: commits are durable, times to wait. With a pulse nothing waits for a
+  // silent database. Errors: cannot_open, no_answer.
+  static store::Result<std::unique_ptr<Connection>> open(const std::string& url, const OpenSettings& settings,
+                                                         std::shared_ptr<const Pulse> pulse = nullptr);
   ~Connection() override;
 
   [[nodiscard]] const sql::Words& words() const override;
@@ -36,8 +32,13 @@ class Connection final : public sql::Connection {
   // Asks the server for the tables whose rows it numbers, so that last_id() knows them. After the schema was made.
   store::Result<void> learn_numbered_tables();
 
+  // From now on, for one that was opened before there was a pulse.
+  void heed(std::shared_ptr<const Pulse> pulse) { pulse_ = std::move(pulse); }
+
   // For its statements.
-  [[nodiscard]] pg_conn* handle() const { return handle_; }
+  [[nodiscard]] pg_conn* handle() const { return handle_.get(); }
+  // Of what PQsend… returned.
+  ResultPtr answer(int taken);
   std::string next_name();
   // False: the fault is kept for fault().
   bool note(const pg_result* result);
@@ -48,10 +49,11 @@ class Connection final : public sql::Connection {
   std::unique_ptr<sql::Statement> prepare(std::string_view sql) override;
 
  private:
-  explicit Connection(pg_conn* handle) : handle_(handle) {}
+  Connection(pg_conn* handle, std::shared_ptr<const Pulse> pulse) : handle_(handle), pulse_(std::move(pulse)) {}
   store::Result<void> set_up(const OpenSettings& settings);
 
-  pg_conn* handle_;
+  HandlePtr handle_;
+  std::shared_ptr<const Pulse> pulse_;                        // null: it waits as long as it takes
   std::map<std::string, std::string, std::less<>> numbered_;  // a table and the column of its rows' numbers
   std::uint64_t names_ = 0;
   std::uint64_t changed_rows_ = 0;

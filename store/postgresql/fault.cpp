@@ -36,16 +36,16 @@ constexpr std::array kRows{
     Row{"42501", ErrorCode::cannot_open},  // privileges
     Row{"57P03", ErrorCode::cannot_open},  // it starts or stops
     Row{"25006", ErrorCode::io_failed},    // a standby that is only read
-    Row{"08", ErrorCode::io_failed},
+    Row{"08", ErrorCode::no_answer},       // the connection
     Row{"53", ErrorCode::io_failed},
-    Row{"57", ErrorCode::io_failed},
+    Row{"57", ErrorCode::no_answer},  // it was ended, or the server ends
     Row{"58", ErrorCode::io_failed},
 };
 
 }  // namespace
 
 ErrorCode code_of(std::string_view sql_state) {
-  if (sql_state.empty()) return ErrorCode::io_failed;
+  if (sql_state.empty()) return ErrorCode::no_answer;  // libpq's own fault: there is no connection
   for (const Row& row : kRows) {
     if (sql_state.starts_with(row.state)) return row.code;
   }

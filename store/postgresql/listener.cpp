@@ -11,7 +11,7 @@ namespace dripfeed::postgresql {
 bool Listener::listens() {
   if (connection_ && connection_->is_usable()) return true;
   connection_.reset();
-  auto opened = Connection::open(url_, {});
+  auto opened = Connection::open(url_, {}, pulse_);
   if (!opened || !(*opened)->execute("LISTEN dripfeed_event")) return false;
   connection_ = std::move(*opened);
   return true;

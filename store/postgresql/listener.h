@@ -12,13 +12,14 @@ namespace dripfeed::postgresql {
 
 class Listener {
  public:
-  explicit Listener(std::string url) : url_(std::move(url)) {}
+  Listener(std::string url, std::shared_ptr<const Pulse> pulse) : url_(std::move(url)), pulse_(std::move(pulse)) {}
   void wait(std::chrono::milliseconds patience);
 
  private:
   bool listens();
 
   std::string url_;
+  std::shared_ptr<const Pulse> pulse_;
   std::unique_ptr<Connection> connection_;
 };
 

@@ -18,8 +18,8 @@ class NodeTable final : public store::Nodes {
     store::Answers& answers;
     store::Ledger& ledger;
   };
-  NodeTable(sql::Database& database, Others others, std::string own, std::string url)
-      : database_(database), others_(others), own_(std::move(own)), listener_(std::move(url)) {}
+  NodeTable(sql::Database& database, Others others, std::string own, Listener listener)
+      : database_(database), others_(others), own_(std::move(own)), listener_(std::move(listener)) {}
 
   [[nodiscard]] const std::string& own() const override { return own_; }
   store::Result<store::Beat> beat(std::string_view url, std::string_view version) override;

@@ -25,7 +25,7 @@ struct OpenSettings {
 // to date. A connection that breaks is made again by the next call. With `own` nothing is changed any more once another
 // server has owned the store. With a local folder what
 // was left there is booked first. Store::backup() is refused (invalid_value): the server has means of its own. Errors:
-// cannot_open, in_use, not_a_store, newer_schema, migration_failed, disk_full, io_failed, busy.
+// cannot_open, in_use, not_a_store, newer_schema, migration_failed, disk_full, io_failed, no_answer, busy.
 store::Result<std::unique_ptr<store::Store>> open(const std::string& url, const OpenSettings& settings = {});
 
 }  // namespace dripfeed::postgresql

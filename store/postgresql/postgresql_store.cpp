@@ -40,9 +40,9 @@ class PostgresqlStore final : public sql::TableStore {
   store::Contents& contents() override { return local_ ? local_->contents : TableStore::contents(); }
 
   store::Nodes* nodes() override { return nodes_ ? &*nodes_ : nullptr; }
-  void be_node(const std::string& name, const std::string& url) {
+  void be_node(const std::string& name, Listener listener) {
     nodes_.emplace(database(), NodeTable::Others{TableStore::jobs(), TableStore::answers(), TableStore::ledger()}, name,
-                   url);
+                   std::move(listener));
   }
 
   // Before anything else is done with the store.
@@ -77,10 +77,11 @@ class PostgresqlStore final : public sql::TableStore {
 Result<std::unique_ptr<store::Store>> open(const std::string& url, const OpenSettings& settings) {
   auto server = Server::open(url, settings);
   if (!server) return std::unexpected(server.error());
+  const std::shared_ptr<const Pulse> pulse = (*server)->pulse();
   auto database = sql::Database::open(std::move(*server));
   if (!database) return std::unexpected(database.error());
   auto opened = std::make_unique<PostgresqlStore>(std::move(*database));
-  if (!settings.node.empty()) opened->be_node(settings.node, url);
+  if (!settings.node.empty()) opened->be_node(settings.node, Listener(url, pulse));
   // Another node may be writing a content that nothing refers to yet.
   if (settings.own && settings.node.empty()) {
     if (auto dropped = opened->drop_unused_contents(); !dropped) return std::unexpected(dropped.error());

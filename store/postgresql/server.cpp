@@ -82,7 +82,10 @@ Result<std::unique_ptr<Server>> Server::open(const std::string& url, const OpenS
     if (auto begun = server->begin_epoch(**first); !begun) return std::unexpected(begun.error());
   }
   if (auto others = one_number(**first, kUnlockStart); !others) return std::unexpected(others.error());
+  // Only now: a change of the tables may take longer than a pulse.
+  if (settings.own) server->pulse_ = std::make_shared<const Pulse>(url);
   server->first_ = std::move(*first);
+  server->first_->heed(server->pulse_);
   return server;
 }
 
@@ -91,7 +94,7 @@ std::unique_ptr<Server> Server::only_read(const std::string& url) {
 }
 
 Result<std::unique_ptr<Connection>> Server::connect_as_owner() {
-  auto connection = Connection::open(url_, settings_);
+  auto connection = Connection::open(url_, settings_, pulse_);
   if (!connection || !settings_.own) return connection;
   const auto locked = settings_.node.empty() ? lock_alone(**connection) : lock_as_node(**connection);
   if (!locked) return std::unexpected(locked.error());
@@ -136,7 +139,7 @@ Result<void> Server::know_epoch(Connection& connection) const {
   return std::unexpected(Error{ErrorCode::in_use, "another server had the database meanwhile; restart this one"});
 }
 
-Result<std::unique_ptr<sql::Connection>> Server::connect_to_read() { return Connection::open(url_, settings_); }
+Result<std::unique_ptr<sql::Connection>> Server::connect_to_read() { return Connection::open(url_, settings_, pulse_); }
 
 Result<std::unique_ptr<sql::Connection>> Server::connect_to_write() {
   if (first_) return std::move(first_);

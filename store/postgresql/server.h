@@ -21,6 +21,8 @@ class Server final : public sql::Engine {
   static std::unique_ptr<Server> only_read(const std::string& url);
   store::Result<std::unique_ptr<sql::Connection>> connect_to_read() override;
   store::Result<std::unique_ptr<sql::Connection>> connect_to_write() override;
+  // Null for one that only reads, and for programs that do not own the store: they wait as long as it takes.
+  [[nodiscard]] const std::shared_ptr<const Pulse>& pulse() const { return pulse_; }
 
  private:
   Server(std::string url, OpenSettings settings) : url_(std::move(url)), settings_(std::move(settings)) {}
@@ -31,7 +33,8 @@ class Server final : public sql::Engine {
 
   std::string url_;
   OpenSettings settings_;
-  std::uint64_t epoch_ = 0;            // of the owner: larger with each server that owned the store
+  std::uint64_t epoch_ = 0;  // of the owner: larger with each server that owned the store
+  std::shared_ptr<const Pulse> pulse_;
   std::unique_ptr<Connection> first_;  // that open() used: the first one to write with
 };
 

@@ -74,8 +74,8 @@ bool Statement::prepare() {
   std::vector<Oid> types;
   for (const Parameter& one : parameters_) types.push_back(one.type);
   const std::string name = connection_.next_name();
-  const ResultPtr prepared(
-      PQprepare(connection_.handle(), name.c_str(), sql_.c_str(), static_cast<int>(types.size()), types.data()));
+  const ResultPtr prepared = connection_.answer(
+      PQsendPrepare(connection_.handle(), name.c_str(), sql_.c_str(), static_cast<int>(types.size()), types.data()));
   if (!connection_.note(prepared.get())) return false;
   name_ = name;
   return true;
@@ -91,8 +91,9 @@ bool Statement::run() {
     lengths_.push_back(static_cast<int>(one.length));
   }
   formats_.assign(parameters_.size(), kBinary);
-  result_.reset(PQexecPrepared(connection_.handle(), name_.c_str(), static_cast<int>(parameters_.size()),
-                               values_.data(), lengths_.data(), formats_.data(), kBinary));
+  result_ =
+      connection_.answer(PQsendQueryPrepared(connection_.handle(), name_.c_str(), static_cast<int>(parameters_.size()),
+                                             values_.data(), lengths_.data(), formats_.data(), kBinary));
   if (!connection_.note(result_.get())) return false;
   connection_.note_changed(result_.get());
   row_ = -1;

@@ -74,10 +74,11 @@ Result<void> apply(Connection& connection, const Migration& migration, const Mar
   return std::unexpected(session.error());
 }
 
-// The engine's own words for a fault of the disk stay; all else is a migration that does not fit.
+// The engine's own words for a fault of the disk or the connection stay; all else is a migration that does not fit.
 Error as_migration(const Error& error, const Migration& migration) {
   const bool disk = error.code == ErrorCode::disk_full || error.code == ErrorCode::io_failed ||
-                    error.code == ErrorCode::busy || error.code == ErrorCode::corrupt;
+                    error.code == ErrorCode::no_answer || error.code == ErrorCode::busy ||
+                    error.code == ErrorCode::corrupt;
   return {disk ? error.code : ErrorCode::migration_failed,
           fmt::format("schema {} ({}): {}", migration.version, migration.name, error.detail)};
 }

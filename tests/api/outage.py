@@ -5,6 +5,7 @@ import functools
 import os
 import signal
 import subprocess
+import threading
 import time
 
 from client import DC1, DC3, Client, HandControl, binary, expect, hand_profile, in_folder, plain_program, shop
@@ -84,16 +85,57 @@ def a_feed_outlives_a_killed_database(folder, database):
     fed.client.server.stop()
 
 
+class Frozen:
+    """The database takes connections and bytes, and answers nothing."""
+
+    def __init__(self, database):
+        self.database = database
+
+    def __enter__(self):
+        self.processes = [self.database.process.pid, *self.database.children()]
+        for process in self.processes:
+            os.kill(process, signal.SIGSTOP)
+
+    def __exit__(self, *_):
+        for process in self.processes:
+            os.kill(process, signal.SIGCONT)
+
+
 def a_feed_outlives_a_frozen_database(folder, database):
     fed = Fed(folder, database, "outage_frozen")
-    processes = [database.process.pid, *database.children()]
-    for process in processes:
-        os.kill(process, signal.SIGSTOP)
-    try:
+    with Frozen(database):
         fed.rest_arrives_without_a_stop()
-    finally:
-        for process in processes:
-            os.kill(process, signal.SIGCONT)
+    fed.is_booked_whole()
+    fed.client.server.stop()
+
+
+def a_person_stops_it_while_the_database_is_frozen(folder, database):
+    """Who waits for the database when it falls silent gives up after some seconds; who comes later does not wait at all."""
+    fed = Fed(folder, database, "outage_silent")
+
+    def timed(*request):
+        begun = time.monotonic()
+        return fed.client.call(*request), time.monotonic() - begun
+    with Frozen(database):
+        # Reads that wait for the database do not keep the server from hearing of the stop.
+        readers = [threading.Thread(target=fed.client.call, args=("GET", "/machines")) for _ in range(20)]
+        for reader in readers:
+            reader.start()
+        answer, took_s = timed("POST", f"/jobs/{fed.job}/stop")
+        expect(answer.status == 503 and "stops at a block end" in answer.document["detail"], f"{answer}")
+        expect(took_s < 10, f"the stop took {took_s:.1f} s")
+        stopped = fed.control.wait_quiet()
+        expect(stopped.endswith(b"\n") and len(stopped) < 12_000, f"it was not stopped at a block end: {stopped[-40:]}")
+        for reader in readers:
+            reader.join()
+        answer, took_s = timed("GET", "/jobs")
+        expect(answer.status == 503 and "does not answer" in answer.document["detail"] and took_s < 2, f"{answer} after {took_s:.1f} s")
+        expect(fed.client.call("POST", f"/jobs/{fed.job}/resume").status == 503, "it goes on without a row in the audit")
+    shop.wait_for("the database to be asked again", lambda: fed.client.call("GET", "/jobs").status == 200)
+    fed.client.wait_job(fed.job, "held", "feeding")
+    expect(fed.control.text() == stopped, "a line that was stopped goes on")
+    fed.client.post(f"/jobs/{fed.job}/resume")
+    fed.rest_arrives_without_a_stop(check_gaps=False)
     fed.is_booked_whole()
     fed.client.server.stop()
 
@@ -154,7 +196,8 @@ def a_person_stops_it_without_the_database(folder, database):
 if __name__ == "__main__":
     made = Database()
     try:
-        for test in (a_feed_outlives_a_killed_database, a_feed_outlives_a_frozen_database, a_server_killed_without_its_database_knows_what_left,
+        for test in (a_feed_outlives_a_killed_database, a_feed_outlives_a_frozen_database, a_person_stops_it_while_the_database_is_frozen,
+                     a_server_killed_without_its_database_knows_what_left,
                      nothing_is_armed_without_the_database, a_person_stops_it_without_the_database):
             in_folder(functools.wraps(test)(lambda folder, test=test: test(folder, made)))
     finally:

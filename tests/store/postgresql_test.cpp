@@ -54,7 +54,7 @@ TEST_F(PostgresqlTest, WhatWasBegunWhenItBrokeIsUndone) {
     const auto late = store_->machines().add("mill-2", "profile", by("anna"));
     return late ? Result<void>() : std::unexpected(late.error());
   });
-  EXPECT_EQ(refusal(broken), ErrorCode::io_failed);
+  EXPECT_EQ(refusal(broken), ErrorCode::no_answer);
   EXPECT_EQ(refusal(store_->machines().get("mill-1")), ErrorCode::not_found);
   EXPECT_EQ(add_machine("mill-1"), "");
 }

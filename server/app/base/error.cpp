@@ -36,6 +36,7 @@ constexpr std::array kRows = {
     Row{store::ErrorCode::in_use, ErrorCode::unavailable},
     Row{store::ErrorCode::disk_full, ErrorCode::unavailable},
     Row{store::ErrorCode::io_failed, ErrorCode::unavailable},
+    Row{store::ErrorCode::no_answer, ErrorCode::unavailable},
     Row{store::ErrorCode::cannot_open, ErrorCode::unavailable},  // a database server that does not answer
 };
 

@@ -37,8 +37,8 @@ TEST(Faults, AClassHoldsForItsCodes) {
   EXPECT_EQ(code_of("DF001"), ErrorCode::append_only);
   EXPECT_EQ(code_of("55P03"), ErrorCode::busy);
   EXPECT_EQ(code_of("53100"), ErrorCode::disk_full);
-  EXPECT_EQ(code_of("57P01"), ErrorCode::io_failed);
-  EXPECT_EQ(code_of(""), ErrorCode::io_failed) << "the connection broke";
+  EXPECT_EQ(code_of("57P01"), ErrorCode::no_answer);
+  EXPECT_EQ(code_of(""), ErrorCode::no_answer) << "the connection broke";
   EXPECT_EQ(code_of("42P01"), ErrorCode::internal);
 }
 
