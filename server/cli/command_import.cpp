@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "dialects/compile/dialect/dialect.h"
 #include "server/app/base/names.h"
 #include "server/cli/cli.h"
 #include "server/cli/import_folder.h"
@@ -59,8 +58,8 @@ std::string sums_of(const std::vector<app::ImportRow>& rows, bool only_look) {
 
 std::string why_wrong(const ImportOptions& options) {
   if (const std::string why = app::why_no_folder(options.under); !why.empty()) return fmt::format("--folder {}", why);
-  if (!options.dialect.empty() && compile::find_dialect(options.dialect) == nullptr)
-    return fmt::format("--dialect: \"{}\" is not known", options.dialect);
+  if (const std::string why = app::why_no_dialect(options.dialect); !why.empty())
+    return fmt::format("--dialect: {}", why);
   return {};
 }
 
@@ -75,7 +74,7 @@ int import_folder(const ImportOptions& options) {
     return kWrongUse;
   }
   std::vector<app::ImportRow> rows;
-  const OnImported on_imported = [&](const app::ImportRow& row) {
+  const app::OnImported on_imported = [&](const app::ImportRow& row) {
     rows.push_back(row);
     if (!options.json) fmt::print("{}\n", line_of(row));
   };

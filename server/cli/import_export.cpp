@@ -37,7 +37,7 @@ bool passes_a_link(const fs::path& folder, const std::string& path) {
 
 class ExportImport {
  public:
-  ExportImport(store::Store& store, const FolderImport& order, const OnImported& on_imported)
+  ExportImport(store::Store& store, const FolderImport& order, const app::OnImported& on_imported)
       : store_(store),
         order_(order),
         on_imported_(on_imported),
@@ -244,7 +244,7 @@ class ExportImport {
 
   store::Store& store_;
   const FolderImport& order_;
-  const OnImported& on_imported_;
+  const app::OnImported& on_imported_;
   io::SteadyClock clock_;
   json::JsonDocuments documents_;
   app::Programs programs_;
@@ -255,7 +255,7 @@ class ExportImport {
 
 }  // namespace
 
-app::Result<void> import_export(store::Store& store, const FolderImport& order, const OnImported& on_imported) {
+app::Result<void> import_export(store::Store& store, const FolderImport& order, const app::OnImported& on_imported) {
   const auto text = read_file(order.folder / app::kManifestFile, kLargestManifest_bytes);
   if (!text) return std::unexpected(text.error());
   const auto manifest = json::read_manifest(*text);

@@ -2,17 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
 
-#include "server/app/library/shop_files.h"
+#include "server/app/library/import_file.h"
 #include "store/store.h"
 
 namespace dripfeed::cli {
-
-// Called with each row when it is known.
-using OnImported = std::function<void(const app::ImportRow&)>;
 
 struct FolderImport {
   std::filesystem::path folder;
@@ -22,9 +17,9 @@ struct FolderImport {
 
 // The tree's folders become folders of the library. A file with several programs becomes a folder with each of them.
 // Errors: unavailable (the folder cannot be read); all else is a row.
-app::Result<void> import_tree(store::Store& store, const FolderImport& order, const OnImported& on_imported);
+app::Result<void> import_tree(store::Store& store, const FolderImport& order, const app::OnImported& on_imported);
 
 // The folder has the manifest of an export. Errors: unavailable, malformed, invalid (the manifest); all else is a row.
-app::Result<void> import_export(store::Store& store, const FolderImport& order, const OnImported& on_imported);
+app::Result<void> import_export(store::Store& store, const FolderImport& order, const app::OnImported& on_imported);
 
 }  // namespace dripfeed::cli

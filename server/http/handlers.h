@@ -106,6 +106,7 @@ Response diagnose(const Call& call);
 Response convert(const Call& call);
 Response optimize(const Call& call);
 Response rewrite(const Call& call);
+Response import_programs(const Call& call);
 Response split_text(const Call& call);
 Response statistics_of_text(const Call& call);
 Response get_dialect_words(const Call& call);

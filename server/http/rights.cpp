@@ -50,6 +50,7 @@ constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/work", "checks"},
     ScopeRow{"/api/v1/programs/{id}/compare", "checks"},
     ScopeRow{"/api/v1/programs", "library"},
+    ScopeRow{"/api/v1/imports", "library"},
     ScopeRow{"/api/v1/split", "library"},
     ScopeRow{"/api/v1/families", "library"},
     ScopeRow{"/api/v1/parts", "library"},

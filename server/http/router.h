@@ -51,7 +51,8 @@ struct Body {
   bool needed;              // an empty one is none
 };
 inline constexpr Body kNoBody{"", false};
-inline constexpr Body kFile{"", true};  // of a route that carries one
+inline constexpr Body kFile{"", true};      // of a route that carries one
+inline constexpr Body kAnyFile{"", false};  // also one without a byte
 constexpr Body body(std::string_view schema) { return {schema, true}; }
 constexpr Body optional_body(std::string_view schema) { return {schema, false}; }
 

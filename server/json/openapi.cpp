@@ -222,8 +222,8 @@ std::string about(const OpenApiRoute& route) {
 }
 
 // Its type is that of the file; what is none, or not known, is application/octet-stream.
-Document file_body() {
-  return {{"required", true},
+Document file_body(bool is_needed) {
+  return {{"required", is_needed},
           {"description", "the bytes of the file"},
           {"content", content("*/*", {{"type", "string"}, {"contentMediaType", "application/octet-stream"}})}};
 }
@@ -236,7 +236,7 @@ Document operation_of(const OpenApiRoute& route) {
                         {"parameters", parameters_of(route)}};
   if (!route.body.empty())
     operation["requestBody"] = {{"required", route.needs_body}, {"content", content(kJson, to_reference(route.body))}};
-  if (route.takes_file) operation["requestBody"] = file_body();
+  if (route.takes_file) operation["requestBody"] = file_body(route.needs_body);
   operation["x-role"] = route.right;
   if (route.open) operation["security"] = Document::array();
   Document responses = {{std::to_string(route.status), answer_of(route)}};

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "server/json/sentences.h"
+
 namespace dripfeed::json {
 
 namespace {
@@ -144,5 +146,14 @@ Document embedded(std::string_view text) {
 }
 
 std::string dump(const Document& document) { return document.dump(-1, ' ', false, Document::error_handler_t::replace); }
+
+Document sentence_or_null(std::string_view sentence) {
+  const auto found = sentence_of(sentence);
+  if (!found) return nullptr;
+  Document values = Document::object();
+  for (const auto& [name, value] : found->values)
+    values[std::string(name)] = {{"text", value}, {"said", sentence_or_null(value)}};
+  return {{"id", found->id}, {"values", std::move(values)}};
+}
 
 }  // namespace dripfeed::json

@@ -31,6 +31,8 @@ app::Result<Document> parse(std::string_view text, std::size_t most_values = kMo
 std::string dump(const Document& document);
 // The raw text of a JSON document that is kept or was written here, as a member: its values were counted when it came.
 Document embedded(std::string_view text);
+// The document Said of a sentence, with those in its values; null where it is not in the table.
+Document sentence_or_null(std::string_view sentence);
 inline Document text_or_null(std::string_view text) { return text.empty() ? Document(nullptr) : Document(text); }
 // 0 is none.
 inline Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }

@@ -6,6 +6,7 @@
 
 #include "dialects/ir/control.h"
 #include "server/app/jobs/history.h"
+#include "server/app/library/importing.h"
 #include "server/json/records.h"
 
 namespace dripfeed::json {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kEndedStates = {"done", "failed", "cancelled", "interrupted"};
 constexpr std::array<std::string_view, 2> kAlarmStates = {"open", "all"};
+constexpr std::array<std::string_view, 1> kTrue = {"true"};
 constexpr std::array<std::string_view, 1> kForms = {"read"};
 constexpr std::array<std::string_view, 2> kSearchShelves = {"in_use", "all"};
 constexpr std::array<std::string_view, 3> kGSystems = {"A", "B", "C"};
@@ -36,6 +38,9 @@ constexpr std::array kRows = {
     WordsRow{"/api/v1/receipts", "state", store::kNames<store::ReceiptState>},
     WordsRow{"/api/v1/receipts/{id}/text", "form", kForms},
     WordsRow{"/api/v1/webhooks/{id}/deliveries", "state", store::kNames<store::DeliveryState>},
+    WordsRow{"/api/v1/imports", "known", app::kKnownNames},
+    WordsRow{"/api/v1/imports", "keep_ending", kTrue},
+    WordsRow{"/api/v1/imports", "only_look", kTrue},
     WordsRow{"/api/v1/programs", "shelf", store::kNames<store::Shelf>},
     WordsRow{"/api/v1/programs/{id}/path", "delivery", store::kNames<store::Delivery>},
     WordsRow{"/api/v1/programs/{id}/stock", "delivery", store::kNames<store::Delivery>},

@@ -15,16 +15,6 @@ Document machine_document(const std::optional<app::MachineReport>& machine) {
   return {{"state", machine->state}, {"program", machine->program}, {"line", machine->line}, {"alarm", machine->alarm}};
 }
 
-// With the sentences in its values; null where it is not in the table.
-Document sentence_document(std::string_view sentence) {
-  const auto found = sentence_of(sentence);
-  if (!found) return nullptr;
-  Document values = Document::object();
-  for (const auto& [name, value] : found->values)
-    values[std::string(name)] = {{"text", value}, {"said", sentence_document(value)}};
-  return {{"id", found->id}, {"values", std::move(values)}};
-}
-
 // The system's own words have none of their own.
 std::string_view link_error_id(std::string_view error) {
   if (error.empty()) return {};
@@ -41,14 +31,14 @@ Document status_document(const app::MachineStatus& status) {
   if (status.needs_confirmation)
     waits = {{"job", id_or_null(status.needs_confirmation->job)},
              {"text", status.needs_confirmation->text},
-             {"said", sentence_document(status.needs_confirmation->text)},
+             {"said", sentence_or_null(status.needs_confirmation->text)},
              {"reason_id", text_or_null(status.needs_confirmation->reason_id)}};
   return {{"line", app::name_of(r.state)},
           {"stall", text_or_null(r.stall)},
           {"stop_wanted", r.stop_wanted},
           {"link_error", text_or_null(r.link_error)},
           {"link_error_id", text_or_null(link_error_id(r.link_error))},
-          {"link_error_said", sentence_document(r.link_error)},
+          {"link_error_said", sentence_or_null(r.link_error)},
           {"link_note", text_or_null(r.link_note)},
           {"link_note_id", text_or_null(note_id)},
           {"line_errors",
@@ -135,7 +125,7 @@ Document job_document(const store::Job& job) {
           {"bytes", job.bytes_total},
           {"reason", job.reason},
           {"reason_id", text_or_null(job.reason_id)},
-          {"reason_said", sentence_document(job.reason)},
+          {"reason_said", sentence_or_null(job.reason)},
           {"rank", job.rank},
           {"created_by", job.created_by},
           {"created_at_ms", job.created_at_ms},
@@ -392,7 +382,7 @@ std::string alarm(const store::Alarm& alarm) {
                {"machine", alarm.machine},
                {"kind", alarm.kind},
                {"text", alarm.text},
-               {"said", sentence_document(alarm.text)},
+               {"said", sentence_or_null(alarm.text)},
                {"count", alarm.count},
                {"severity", app::name_of(app::severity_of(alarm.kind))},
                {"raised_at_ms", alarm.raised_at_ms},
@@ -502,7 +492,7 @@ std::string progress(std::string_view machine, const app::MachineStatus& status)
 
 std::string problem(const ProblemCode& code, const app::Error& error) {
   Document document = {{"type", "about:blank"}, {"title", code.title},  {"status", code.status},
-                       {"code", code.code},     {"detail", error.text}, {"said", sentence_document(error.text)}};
+                       {"code", code.code},     {"detail", error.text}, {"said", sentence_or_null(error.text)}};
   Document errors = Document::array();
   for (const app::ErrorPlace& place : error.places) {
     Document one = Document::object();

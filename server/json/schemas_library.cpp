@@ -1,4 +1,5 @@
 // Searches, where a program is used, and files that are attached.
+#include "server/app/library/shop_files.h"
 #include "server/json/records.h"
 #include "server/json/schemas.h"
 
@@ -84,10 +85,37 @@ Schema attachment() {
                                   {{"by", text("who did")}, {"reason", text("why")}, {"at_ms", time_ms("when")}}))}});
 }
 
+Schema import_report() {
+  return object("what became of a file",
+                {{"added", integer("programs that are new")},
+                 {"revised", integer("programs that got a revision")},
+                 {"same", integer("programs that were there with this text")},
+                 {"skipped", integer("programs or files that were left alone")},
+                 {"failed", integer("programs that could not be stored")},
+                 {"only_looked", flag("nothing was stored: this is what an import would give")},
+                 {"items", list_of(object("one program, or a file that has none",
+                                          {{"file", text("its path as given")},
+                                           {"kind", one_of(app::kImportKinds, "of thing")},
+                                           {"outcome", one_of(app::kImportOutcomes, "what became of it")},
+                                           {"why", or_null(text("it was skipped or failed; null: it was not"))},
+                                           {"why_said", or_null(reference("Said"))},
+                                           {"name", or_null(text("of the program"))},
+                                           {"folder", or_null(text("of the library; null: none"))},
+                                           {"dialect", or_null(text("of the program"))},
+                                           {"program", or_null(integer("its id; null: none was stored"))},
+                                           {"revision", or_null(integer("that has the text; null: none"))},
+                                           {"bytes", integer("of the text")},
+                                           {"sha256", or_null(text("of the text"))}}),
+                                   "in the order of the file")}});
+}
+
 }  // namespace
 
 Schemas library_schemas() {
-  return {{"SearchResult", search_result()}, {"ProgramUses", uses()}, {"Attachment", attachment()}};
+  return {{"SearchResult", search_result()},
+          {"ProgramUses", uses()},
+          {"ImportReport", import_report()},
+          {"Attachment", attachment()}};
 }
 
 }  // namespace dripfeed::json

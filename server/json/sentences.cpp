@@ -175,6 +175,15 @@ constexpr std::array kRows = {
     Row{"search_not_there", "programs cannot be searched: the log states why"},
     Row{"sweep_runs", "another sweep is running: ask again when it is done"},
     Row{"cancel_other", "{name} asked for this: only they, or an admin, cancel it"},
+    // what becomes of a file that is imported
+    Row{"import_hidden", "is hidden"},
+    Row{"import_empty", "is empty"},
+    Row{"import_no_program", "is not a text of a program"},
+    Row{"import_too_long", "has {count} bytes, more than the {most} of a program"},
+    Row{"import_archived", "archived by {name}: {why}"},
+    Row{"import_in_use", "the name is in use with another text"},
+    Row{"import_brought", "this import has brought another text of this name into this folder"},
+    Row{"import_several", "{count} programs have this name in this folder"},
     // the store's own
     Row{"store_not_found", "it does not exist"},
     Row{"store_exists", "it exists already"},

@@ -188,6 +188,7 @@ std::string import_report(std::span<const app::ImportRow> rows, bool only_looked
                      {"kind", row.kind},
                      {"outcome", app::kImportOutcomes.at(static_cast<std::size_t>(of.outcome))},
                      {"why", text_or_null(of.why)},
+                     {"why_said", sentence_or_null(of.why)},
                      {"name", text_or_null(of.name)},
                      {"folder", text_or_null(of.folder)},
                      {"dialect", text_or_null(of.dialect)},

@@ -7,6 +7,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import urllib.parse
 
 from client import ROLL, Client, binary, expect, in_folder
 
@@ -83,6 +84,38 @@ def a_tree(client, folder):
     again = imported(client, tree, code=1)
     expect(sums(again) == {"same": 11, "skipped": 5, "failed": 1} and library(client) == found, f"the same tree again: {sums(again)}")
     return tree
+
+
+def a_tree_over_the_wire(folder, tree):
+    """Each file in a request of its own: the reports together are the command's, but for what only who sees the folder knows."""
+    by_command, by_request = Client(folder / "by_command").start(), Client(folder / "by_request").start()
+    report = imported(by_command, tree, code=1)
+    items = []
+    for path in dict.fromkeys(item["file"] for item in report["items"] if item["why"] != "is a link"):
+        ending = "&keep_ending=true" if path.startswith("acme/twice") else ""
+        where = f"/imports?path={urllib.parse.quote(path)}{ending}"
+        looked = by_request.must("POST", where + "&only_look=true", (tree / path).read_bytes(), role="programmer")
+        done = by_request.must("POST", where, (tree / path).read_bytes(), role="programmer")
+        expect(looked["only_looked"] and not done["only_looked"], f"{looked} {done}")
+        expect([item["outcome"] for item in looked["items"]] == [item["outcome"] for item in done["items"]], f"a look states another thing: {looked} {done}")
+        items += done["items"]
+
+    def rows(items):
+        no_rows = ("program", "revision", "bytes")  # ids are another store's; what the command does not read has no length there
+        return [{member: value for member, value in item.items() if member not in no_rows} for item in items if item["why"] != "is a link"]
+    expect(rows(items) == rows(report["items"]), f"{rows(items)}")
+    expect(library(by_request) == library(by_command), "another library")
+    again = by_request.must("POST", "/imports?path=top.nc&known=skip", b"%\nO10\nM30\n%\n", role="programmer")
+    expect(sums(again) == {"skipped": 1} and again["items"][0]["program"], f"{again}")
+    below = by_request.must("POST", "/imports?path=a/b.nc&folder=old/works&dialect=mazak", PLAIN, role="programmer")["items"][0]
+    expect((below["folder"], below["name"], below["dialect"]) == ("old/works/a", "b", "mazak"), f"{below}")
+    outside = by_request.must("POST", "/imports?path=../../etc/b.nc", PLAIN, role="programmer")
+    expect(outside["failed"] == 1 and "folder" in outside["items"][0]["why"], f"{outside}")
+    for query, word in (("", "path"), ("path=a&known=maybe", "known"), ("path=a&dialect=cobol", "cobol"), ("path=a&folder=a//b", "folder"),
+                        ("path=a&only_look=yes", "only_look"), ("path=a&keep_ending=1", "keep_ending")):
+        by_request.refuse(422, "POST", f"/imports?{query}", PLAIN, role="programmer", words=[word])
+    for client in (by_command, by_request):
+        client.server.stop()
 
 
 def what_differs(client, tree):
@@ -180,6 +213,7 @@ def broken_exports(client, folder, out):
 def main(folder):
     client = Client(folder).start()
     tree = a_tree(client, folder)
+    a_tree_over_the_wire(folder, tree)
     what_differs(client, tree)
     out_and_in_again(client, folder)
     expect(client.post("/store/verify")["faults"] == [], "the store has faults")

@@ -94,6 +94,8 @@ def limits(folder):
     for path, body in ((f"/attachments?program={program}&name=b.pdf", b"b" * 100), ("/programs", {"name": "O3", "dialect": "fanuc", "text": "M30 (" + "B" * 100 + ")"})):
         problem = client.refuse(507, "POST", path, body, words=[str(2 * mega)])
         expect(problem["code"] == "over_quota", f"{problem}")
+    report = client.must("POST", "/imports?path=O4.nc", b"M30 (" + b"C" * 100 + b")")
+    expect(report["failed"] == 1 and str(2 * mega) in report["items"][0]["why"], f"{report}")
     expect(len(client.get("/programs")["items"]) == 1 and len(client.get("/attachments")["items"]) == 1, "something over the limit is stored")
     client.server.stop()
 

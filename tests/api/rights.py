@@ -98,6 +98,7 @@ def rows(made):
         ("POST", "/api/v1/preview", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/preview/verdict", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/diagnose", "programmer", {}, {"text": "M30"}, {}),
+        ("POST", "/api/v1/imports", "programmer", {}, b"%\nO7\nM30\n%\n", {"query": lambda: "?path=O7.nc"}),
         ("POST", "/api/v1/split", "programmer", {}, {"text": "%\nO1\nM30\nO2\nM30\n%\n"}, {}),
         ("POST", "/api/v1/programs/{id}/compare", "programmer", {"id": "program"}, {"text": "M30"}, {}),
         ("POST", "/api/v1/rewrite", "programmer", {}, {"text": "M30", "how": "renumber"}, {}),

@@ -146,6 +146,11 @@ Result<void> Importer::place_revision(const TextToImport& one, const store::Prog
   return {};
 }
 
+std::string why_no_dialect(std::string_view dialect) {
+  const bool is_known = dialect.empty() || compile::find_dialect(dialect) != nullptr;
+  return is_known ? "" : fmt::format("\"{}\" is not known", dialect);
+}
+
 std::string program_name_of(std::string_view file) {
   const std::string small = lower(file);
   const auto* const ending = std::ranges::find_if(

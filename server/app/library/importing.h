@@ -23,6 +23,7 @@ inline constexpr std::array<std::string_view, 5> kImportOutcomes{"added", "revis
 
 // What becomes of a text whose name is in use in its folder with another text.
 enum class KnownName : std::uint8_t { revise, skip };
+inline constexpr std::array<std::string_view, 2> kKnownNames{"revise", "skip"};
 
 struct ImportPlan {
   std::string actor;
@@ -76,6 +77,8 @@ class Importer {
   std::map<std::pair<std::string, std::string>, std::string> brought_{};  // by folder and name: the text's hash
 };
 
+// Why new programs cannot be of it; "" where they can. "" is the dialect that each text looks like.
+std::string why_no_dialect(std::string_view dialect);
 // What a program in that file is called: its ending goes where it says no more than that it is a program.
 std::string program_name_of(std::string_view file);
 // Why these bytes are no text of a program, as the end of a sentence ("is empty"); "" where they may be one.

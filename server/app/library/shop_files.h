@@ -2,8 +2,10 @@
 // how the manifest is written is server/json's.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "server/app/library/importing.h"
@@ -57,10 +59,14 @@ struct ShopManifest {
   std::vector<ShopAttachment> attachments{};
 };
 
+// What a row of a report is about; "file": it is none of the others.
+inline constexpr std::array<std::string_view, 6> kImportKinds{"program", "family",     "part",
+                                                              "machine", "attachment", "file"};
+
 // What became of one thing of a folder that was imported.
 struct ImportRow {
   std::string file;              // in the folder
-  std::string kind = "program";  // "program", "family", "part", "machine", "attachment"; "file": it is none of them
+  std::string kind = "program";  // of kImportKinds
   Imported of{};
 };
 

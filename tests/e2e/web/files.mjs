@@ -1,4 +1,7 @@
 // The library's drawings and columns, and the files of programs, parts and orders, against the real server.
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
 import { accessible, expect, fits, live, main, shot, signIn, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
@@ -147,6 +150,52 @@ async function ofAnOrder(page) {
   await files(page).getByRole('link', { name: 'order.pdf' }).waitFor();
 }
 
+// A folder of a person's disk, with what folders of a shop have beside programs.
+async function aFolder(page) {
+  const folder = await mkdtemp(path.join(tmpdir(), 'shop-'));
+  const write = async (name, body) => {
+    await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
+    await writeFile(path.join(folder, name), body);
+  };
+  await write('pumps/O0810.nc', kMilled);
+  await write('pumps/twice.nc', kMilled);
+  await write('pumps/twice.txt', kTurned);
+  await write('ALL.TXT', '%\nO0811\nM30\nO0812\nM30\n%\n');
+  await write('sheet.pdf', '%PDF-1.4');
+  const before = (await rig.call('GET', '/programs?limit=200')).body.items.length;
+  await signIn(page, url, tokens.programmer);
+  await page.goto(`${url}#/library`);
+  const choose = async () => {
+    const chosen = page.waitForEvent('filechooser');
+    await page.getByRole('button', { name: 'Import a folder…' }).click();
+    await (await chosen).setFiles(folder);
+  };
+  await choose();
+  await dialog(page).getByRole('button', { name: 'Import 5 programs' }).waitFor();
+  expect((await dialog(page).getByRole('row').filter({ hasText: 'sheet.pdf' }).innerText()).includes('is not a text of a program'), 'the drawing is left alone');
+  expect((await rig.call('GET', '/programs?limit=200')).body.items.length === before, 'a look stores nothing');
+  await accessible(page, 'the import');
+  expect(await dialog(page).evaluate((one) => one.scrollWidth <= one.clientWidth), 'nothing of the dialog is cut off');
+  await shot(page, 'files-import');
+  await dialog(page).getByLabel('Into the library’s folder').fill('old');
+  await dialog(page).getByRole('button', { name: 'Look again' }).click();
+  await dialog(page).getByRole('row').filter({ hasText: 'old/pumps/twice.txt' }).waitFor();
+  await dialog(page).getByRole('button', { name: 'Import 5 programs' }).click();
+  await dialog(page).getByText('The import is done.').waitFor();
+  await dialog(page).getByRole('button', { name: 'Back' }).click();
+  await row(page, 'O0810').getByRole('link', { name: 'old/pumps' }).waitFor();
+  const names = (await rig.call('GET', '/programs?limit=200')).body.items.filter((one) => one.folder?.startsWith('old')).map((one) => `${one.folder}/${one.name}`);
+  expect(names.sort().join(' ') === 'old/ALL/O0811 old/ALL/O0812 old/pumps/O0810 old/pumps/twice.nc old/pumps/twice.txt', names.join(' '));
+  await choose();
+  await dialog(page).getByLabel('Into the library’s folder').fill('old');
+  await dialog(page).getByRole('button', { name: 'Look again' }).click();
+  await dialog(page).getByRole('button', { name: 'There is nothing to import.' }).waitFor();
+  await page.setViewportSize(kPhone);
+  await fits(page, 'the import on a phone');
+  await shot(page, 'files-import-phone');
+  await rm(folder, { recursive: true });
+}
+
 async function viewer(page) {
   const { body } = await rig.call('GET', '/attachments?limit=1');
   await signIn(page, url, tokens.viewer);
@@ -160,5 +209,6 @@ await main([
   ['drawings are asked for as rows come into sight', () => withPage(kDesk, onlyWhatIsSeen)],
   ['files of a program are added, shown, saved and removed', () => withPage(kDesk, ofAProgram)],
   ['an order has files', () => withPage(kDesk, ofAnOrder)],
+  ['a folder is looked at, and imported', () => withPage(kDesk, aFolder)],
   ['a viewer sees files', () => withPage(kDesk, viewer)],
 ]);

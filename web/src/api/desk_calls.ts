@@ -13,6 +13,7 @@ import type {
   DialectWords,
   Family,
   FamilySummary,
+  ImportReport,
   NewWaiver,
   Page,
   Part,
@@ -57,6 +58,16 @@ export interface CheckPicture {
   plot: 'feed' | 'buffer' | 'stock' | 'deviation';
 }
 export type PictureOf = Pick<Verdict, 'program' | 'revision' | 'machine' | 'delivery'>;
+
+export interface ImportPlan {
+  folder: string; // of the library; '': none
+  known: 'revise' | 'skip'; // a name that is in use with another text
+  onlyLook: boolean;
+}
+export interface FileToImport extends ImportPlan {
+  path: string;
+  keepsEnding: boolean;
+}
 
 // Whose an attached file is.
 export type FileOwner = { program: number } | { family: string } | { part: string } | { order: number };
@@ -112,6 +123,18 @@ export const deskCalls = {
   uses: (id: number) => request<ProgramUses>('GET', `/programs/${id}/uses`),
 
   diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),
+  importFile: (file: File, plan: FileToImport, key: string) =>
+    sendFile<ImportReport>(
+      `/imports${queryOf({
+        path: plan.path,
+        folder: plan.folder,
+        known: plan.known,
+        keep_ending: plan.keepsEnding ? 'true' : null,
+        only_look: plan.onlyLook ? 'true' : null,
+      })}`,
+      file,
+      key,
+    ),
   split: async (text: string) => (await request<{ programs: SplitProgram[] }>('POST', '/split', { body: { text }, timeoutMs: kTextMs })).programs,
   convert: (order: ConvertOrder) => request<Converted>('POST', '/convert', { body: order, timeoutMs: kWorkMs }),
   rewrite: (order: Rewriting) => request<Rewritten>('POST', '/rewrite', { body: order, timeoutMs: kWorkMs }),

@@ -1408,6 +1408,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/imports": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * take one file into the library: a program, or the memory of a control with many; the body is the file
+         * @description Needs the role `programmer`. A token with scopes needs `library`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_imports"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/split": {
         parameters: {
             query?: never;
@@ -3656,7 +3676,7 @@ export interface components {
              * @description of the sentence, the same in every version
              * @enum {string}
              */
-            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "withdrawn" | "early_by_approver" | "none_of_group" | "hook_refuses" | "hook_silent" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "sign_in_other" | "sign_in_late" | "sign_in_used" | "no_provider" | "provider_silent" | "provider_unusable" | "provider_refuses" | "id_token_refused" | "provider_no_name" | "provider_name_taken" | "provider_no_group" | "account_not_enabled" | "account_locked" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_too_early" | "store_end_not_confirmed" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "withdrawn" | "early_by_approver" | "none_of_group" | "hook_refuses" | "hook_silent" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "sign_in_other" | "sign_in_late" | "sign_in_used" | "no_provider" | "provider_silent" | "provider_unusable" | "provider_refuses" | "id_token_refused" | "provider_no_name" | "provider_name_taken" | "provider_no_group" | "account_not_enabled" | "account_locked" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "import_hidden" | "import_empty" | "import_no_program" | "import_too_long" | "import_archived" | "import_in_use" | "import_brought" | "import_several" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_too_early" | "store_end_not_confirmed" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_no_answer" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
             /** @description by name; `detail`: what is added in brackets */
             values: {
                 [key: string]: {
@@ -6490,6 +6510,53 @@ export interface components {
             waiting: number;
             /** @description programs that could not be read as a whole: what they call is not known */
             unread: number;
+        };
+        /** @description what became of a file */
+        ImportReport: {
+            /** @description programs that are new */
+            added: number;
+            /** @description programs that got a revision */
+            revised: number;
+            /** @description programs that were there with this text */
+            same: number;
+            /** @description programs or files that were left alone */
+            skipped: number;
+            /** @description programs that could not be stored */
+            failed: number;
+            /** @description nothing was stored: this is what an import would give */
+            only_looked: boolean;
+            /** @description in the order of the file */
+            items: {
+                /** @description its path as given */
+                file: string;
+                /**
+                 * @description of thing
+                 * @enum {string}
+                 */
+                kind: "program" | "family" | "part" | "machine" | "attachment" | "file";
+                /**
+                 * @description what became of it
+                 * @enum {string}
+                 */
+                outcome: "added" | "revised" | "same" | "skipped" | "failed";
+                /** @description it was skipped or failed; null: it was not */
+                why: string | null;
+                why_said: components["schemas"]["Said"] | null;
+                /** @description of the program */
+                name: string | null;
+                /** @description of the library; null: none */
+                folder: string | null;
+                /** @description of the program */
+                dialect: string | null;
+                /** @description its id; null: none was stored */
+                program: number | null;
+                /** @description that has the text; null: none */
+                revision: number | null;
+                /** @description of the text */
+                bytes: number;
+                /** @description of the text */
+                sha256: string | null;
+            }[];
         };
         /** @description a file of a program, family, part or order */
         Attachment: {
@@ -13023,6 +13090,67 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Diagnosed"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_imports: {
+        parameters: {
+            query?: {
+                /** @description of the file: turning/O0012.nc; its folders become folders of the library, its name the program's */
+                path?: string;
+                /** @description the library's folder in which those of the path lie */
+                folder?: string;
+                /** @description of new programs; without it the one that each text looks like */
+                dialect?: string;
+                /** @description a name that is in use in its folder with another text gets a revision (revise, as without it), or is left alone */
+                known?: "revise" | "skip";
+                /** @description true: the name keeps an ending such as .NC, because another file of the folder differs by that alone */
+                keep_ending?: "true";
+                /** @description true: report what would become of it; nothing is stored */
+                only_look?: "true";
+            };
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description the bytes of the file */
+        requestBody?: {
+            content: {
+                "*/*": string;
+            };
+        };
+        responses: {
+            /** @description take one file into the library: a program, or the memory of a control with many; the body is the file */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportReport"];
                 };
             };
             400: components["responses"]["Problem400"];

@@ -33,16 +33,17 @@ export const DialogHost = () => shown.value;
 
 interface FrameProps {
   title: string;
+  wide?: boolean; // it has a table
   children: ComponentChildren;
 }
 
 // The frame: a title, and closing.
-export function Dialog({ title, children }: FrameProps) {
+export function Dialog({ title, wide = false, children }: FrameProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   const id = useId();
   useEffect(() => dialog.current?.showModal(), []);
   return (
-    <dialog ref={dialog} class="dialog" aria-labelledby={id} onClose={closeDialog}>
+    <dialog ref={dialog} class={wide ? 'dialog dialog-wide' : 'dialog'} aria-labelledby={id} onClose={closeDialog}>
       <h2 id={id}>{title}</h2>
       {children}
     </dialog>

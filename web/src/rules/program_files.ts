@@ -5,6 +5,20 @@ const kEndings = /\.(?:nc|txt|tap|cnc|iso|eia|ngc|min|prg|h|din|g|gcode)$/i;
 
 export const nameOfFile = (file: string): string => file.replace(kEndings, '').trim();
 
+// Where a file lies in the folder that a person chose, whose own name does not count.
+export const pathIn = (file: File): string => file.webkitRelativePath.slice(file.webkitRelativePath.indexOf('/') + 1) || file.name;
+
+// Of paths: those whose program keeps its ending, because another one of the folder differs by that alone.
+export function withEnding(paths: readonly string[]): Set<string> {
+  const placeOf = (path: string): string => {
+    const slash = path.lastIndexOf('/') + 1;
+    return path.slice(0, slash) + nameOfFile(path.slice(slash));
+  };
+  const counts = new Map<string, number>();
+  for (const path of paths) counts.set(placeOf(path), (counts.get(placeOf(path)) ?? 0) + 1);
+  return new Set(paths.filter((path) => (counts.get(placeOf(path)) ?? 0) > 1));
+}
+
 export interface DecodedText {
   text: string;
   encoding: 'utf-8' | 'latin-1';

@@ -18,6 +18,7 @@ import { atLeast } from '../../rules/roles';
 import { changeQuery, go, hrefs, route } from '../../router';
 import { person } from '../../state/shop';
 import { useFound, type Found } from './found';
+import { ImportDialog } from './import_dialog';
 import { Labels } from './labels';
 import { ArchiveButton } from './orders';
 import { Thumbnail } from './thumbnail';
@@ -43,12 +44,16 @@ export function LibraryView() {
   const upload = (files: readonly File[]) => {
     if (files.length > 0) showDialog(<UploadDialog files={files} folder={filter.folder ?? ''} changed={found.take} />);
   };
+  const importFolder = (files: readonly File[]) => {
+    if (files.length > 0) showDialog(<ImportDialog files={files} folder={filter.folder ?? ''} changed={found.again} />);
+  };
   const drop = useDrop(may ? upload : null);
   return (
     <div class={drop.isOver ? 'library drop-here' : 'library'} {...drop.handlers}>
       <div class="floor-head">
         <h1 tabIndex={-1}>{t('nav.library')}</h1>
         {may && <UploadButton upload={upload} />}
+        {may && <ImportButton take={importFolder} />}
       </div>
       <SearchLine words={words} filter={filter} items={found.shown?.items ?? []} />
       {drop.isOver && (
@@ -127,6 +132,28 @@ function UploadButton({ upload, main = true }: { upload: (files: readonly File[]
         hidden
         onChange={(event) => {
           upload([...(event.currentTarget.files ?? [])]);
+          event.currentTarget.value = '';
+        }}
+      />
+    </>
+  );
+}
+
+// `webkitdirectory` is what all browsers call it.
+function ImportButton({ take }: { take: (files: readonly File[]) => void }) {
+  const input = useRef<HTMLInputElement>(null);
+  useEffect(() => input.current?.setAttribute('webkitdirectory', ''), []);
+  return (
+    <>
+      <button type="button" class="button" onClick={() => input.current?.click()}>
+        {t('import.folder')}
+      </button>
+      <input
+        ref={input}
+        type="file"
+        hidden
+        onChange={(event) => {
+          take([...(event.currentTarget.files ?? [])]);
           event.currentTarget.value = '';
         }}
       />
