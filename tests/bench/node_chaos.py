@@ -1,5 +1,5 @@
 """Two servers on one PostgreSQL database, and what goes wrong between them: a server killed, the database killed, the network between them dead or
-slow, at random moments while a line is fed and programs are added.
+slow, a server's own disk slow (strace holds up each fsync), at random moments while a line is fed and programs are added.
 
     node_chaos.py DRIPFEED [ROUNDS] [SEED]
 
@@ -13,6 +13,7 @@ import pathlib
 import random
 import signal
 import socket
+import subprocess
 import sys
 import tempfile
 import threading
@@ -127,7 +128,7 @@ class Chaos:
         adding.start()
         self.control.say(DC1)
         time.sleep(self.random.uniform(0.0, 3.2))
-        kind = self.random.choice([self.node_killed, self.database_killed, self.network_cut, self.network_silent, self.disk_slow, self.taken_over])
+        kind = self.random.choice([self.node_killed, self.database_killed, self.network_cut, self.network_silent, self.disk_slow, self.own_disk_slow, self.taken_over])
         arrived = kind(node)
         stop.set()
         adding.join(120)
@@ -182,6 +183,18 @@ class Chaos:
                     except ProcessLookupError:
                         pass
                 time.sleep(self.random.uniform(0.1, 0.6))
+
+    def own_disk_slow(self, node):
+        """What the server writes into its own folder is durable only after seconds; now and then it dies meanwhile."""
+        delay_us = int(self.random.uniform(0.05, 3) * 1e6)
+        slow = subprocess.Popen(["strace", "-f", "-qq", "-o", "/dev/null", "-e", "trace=fdatasync,fsync", "-e", f"inject=fdatasync,fsync:delay_exit={delay_us}",
+                                 "-p", str(node.server.process.pid)], stderr=subprocess.PIPE)
+        time.sleep(self.random.uniform(0.5, 4))
+        expect(slow.poll() is None, f"strace: {slow.stderr.read() if slow.poll() is not None else ''}")
+        arrived = self.node_killed(node) if self.random.random() < 0.3 else None
+        slow.send_signal(signal.SIGINT)
+        slow.wait(60)
+        return arrived
 
     def taken_over(self, node):
         """The server dies, and a person takes its line to the other one."""
