@@ -15,6 +15,8 @@ using ir::Operator;
 void BodyReader::cut_along() {
   if (skip_level_ != 0) return cursor_.syntax(verb_, "a curve is many blocks: only a single move may be skipped");
   if (!may_cut()) return;
+  if (cursor_.accept_word("bezier")) return cut_along_points(true);
+  if (cursor_.accept_word("nurbs")) return cut_along_points(false);
   compensation_waits_ = false;
   Along along{.loop = step(StepKind::for_begin), .cut = {}, .dimension = {}};
   const std::optional<NewName> name = expect_new_name(cursor_, scope_);

@@ -18,6 +18,7 @@
 #include "dialects/family/engraving.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/geometry.h"
+#include "dialects/family/point_chords.h"
 #include "dialects/family/text_value.h"
 #include "dialects/text/number.h"
 
@@ -59,6 +60,8 @@ class Binder {
       if (step.kind == StepKind::set) known_[static_cast<std::size_t>(step.target)] = 0;
     if (!text::has_error(result_.diagnostics))
       for (const ChordedCurve& curve : family_.chorded) count_chords(curve);
+    if (!text::has_error(result_.diagnostics))
+      for (const PointCurve& curve : family_.point_curves) find_points(curve);
     const std::size_t found = result_.diagnostics.size();
     if (!text::has_error(result_.diagnostics)) check_verbs();
     if (result_.diagnostics.size() > found) return std::move(result_);  // their loops would be reported again
@@ -263,7 +266,10 @@ class Binder {
       if (!value) return;
       numbers.push_back(*value);
     }
-    if (list.counts_chords) {
+    if (list.curve >= 0) {
+      const PointCurve& curve = family_.point_curves[static_cast<std::size_t>(list.curve)];
+      numbers.assign(count_of_found(result_.bound, curve, list), 1.0);  // until find_points
+    } else if (list.counts_chords) {
       numbers.assign(kCurvePieces, 1.0);  // until count_chords
     } else if (list.size > 0) {
       numbers.assign(static_cast<std::size_t>(list.size), 0.0);
@@ -313,8 +319,38 @@ class Binder {
     if (!compute(curve.t.low) || !compute(curve.t.high) || !compute(curve.error)) return;
     const ChordCounts counts = chord_counts(result_.bound, curve);
     if (!counts.fault.empty()) return report(DiagnosticId::family_syntax, curve.span, {counts.fault});
-    const auto first = static_cast<std::ptrdiff_t>(value_of(curve.counts));
-    std::ranges::copy(counts.by_piece, result_.bound.values.begin() + first);
+    put(curve.counts, counts.by_piece);
+  }
+
+  // Checks a curve by its points, and finds the lists that follow from them.
+  void find_points(const PointCurve& curve) {
+    std::vector<ir::SymbolId> lists = {curve.weights};
+    if (!curve.has_own_knots) lists.push_back(curve.knots);
+    for (const PointCurve::Axis& axis : curve.axes) lists.push_back(axis.list);
+    const auto changes = [this](ir::SymbolId one) {
+      return one != ir::SymbolId::none && known_[static_cast<std::size_t>(one)] == 0;
+    };
+    if (std::ranges::any_of(lists, changes))
+      return report(DiagnosticId::family_syntax, curve.span,
+                    {"the program changes a list of this curve: its points, weights and knots are those of parameters "
+                     "and of what follows from them"});
+    if (const std::string fault = fault_of(result_.bound, curve); !fault.empty())
+      return report(DiagnosticId::family_syntax, curve.span, {fault});
+    if (curve.has_own_knots) put(curve.knots, own_knots(result_.bound, curve));
+    if (curve.error == ir::ExpressionId::none) return;
+    if (names_unknown(family_.arena, curve.error, known_))
+      return report(DiagnosticId::family_syntax, curve.span,
+                    {"the chords of a curve are counted before the program runs, and what the program computes changes "
+                     "the error of this one: use 'steps' in place of 'within'"});
+    if (!compute(curve.error)) return;
+    const ChordCounts counts = point_chord_counts(result_.bound, curve);
+    if (!counts.fault.empty()) return report(DiagnosticId::family_syntax, curve.span, {counts.fault});
+    put(curve.counts, counts.by_piece);
+  }
+
+  // Numbers of a list, for which there is room.
+  void put(ir::SymbolId list, const std::vector<double>& numbers) {
+    std::ranges::copy(numbers, result_.bound.values.begin() + static_cast<std::ptrdiff_t>(value_of(list)));
   }
 
   // Of verbs that stand for many moves, but not in a branch that these values do not take.

@@ -18,7 +18,7 @@
 namespace dripfeed::family {
 
 // The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
-// in turning_reader.cpp, curves in along_reader.cpp, faces and pockets in
+// in turning_reader.cpp, curves in along_reader.cpp and point_curve_reader.cpp, faces and pockets in
 // milling_reader.cpp, roughing in rough_reader.cpp, native text in native_verb_reader.cpp, blocks, assignments and
 // calls in flow_reader.cpp.
 class BodyReader {
@@ -106,6 +106,29 @@ class BodyReader {
   void chords(const Along& along, ir::ExpressionId error);
   ir::SymbolId chord_list(const Along& along, ir::ExpressionId error);
   ir::ExpressionId span_of(const Step& loop);
+
+  // A curve by its points, see point_curve_reader.cpp.
+  struct PointScheme {
+    PointCurve curve;
+    ir::ExpressionId order = ir::ExpressionId::none;
+    ir::ExpressionId count = ir::ExpressionId::none;  // of points
+    std::vector<ir::SymbolId> rows;                   // of the scheme, an axis each, and last that of the weights
+    ir::ExpressionId first = ir::ExpressionId::none;  // of the points that count; none: all do
+  };
+  void cut_along_points(bool is_bezier);
+  bool read_points(PointCurve& curve);
+  ir::SymbolId expect_list(Dimension dimension);
+  ir::SymbolId hidden_list(std::string_view stem, Dimension dimension, std::int32_t size, bool counts_chords = false);
+  PointScheme scheme_of(PointCurve curve);
+  void equal_point_steps(PointScheme& scheme, ir::ExpressionId count);
+  void point_chords(PointScheme& scheme);
+  void cut_point(const PointScheme& scheme, ir::ExpressionId t);
+  ir::ExpressionId knot(const PointScheme& scheme, ir::ExpressionId at);
+  ir::ExpressionId knot_ends(const PointScheme& scheme, bool last);
+  ir::ExpressionId number(double value) { return family_.arena.add_constant(value, verb_); }
+  void set_number(ir::SymbolId list, ir::ExpressionId index, ir::ExpressionId value);
+  ir::ExpressionId count_hidden_down(std::string_view stem, ir::ExpressionId first, ir::ExpressionId last);
+  void while_hidden(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
 
   // Verbs of the library: what is read of them, in the order of its parameters.
   struct LibraryVerb {

@@ -58,6 +58,7 @@ struct List {
   std::int32_t size = 0;                   // of the latter
   std::uint32_t line = 0;
   bool counts_chords = false;  // of a curve, by piece: see ChordedCurve
+  std::int32_t curve = -1;     // row of Family::point_curves that its numbers are found from; -1: none
 };
 
 // A list of points: one list parameter an axis, "corners.x" and "corners.y", of equal length.
@@ -165,6 +166,25 @@ struct ChordedCurve {
   std::uint32_t first_word = 0;              // Family::words
   std::uint32_t word_count = 0;
   text::Span span;
+};
+
+// `cut along bezier` and `cut along nurbs`: points, weights and knots are lists that no step changes. Within an error
+// it has kSpanPieces counts of chords between two knots, which bind finds, none between knots that are equal.
+inline constexpr std::int32_t kSpanPieces = 4;
+struct PointCurve {
+  struct Axis {
+    ir::Address address = ir::Address::x;
+    ir::SymbolId list = ir::SymbolId::none;
+  };
+  std::int32_t order = 0;                     // degree + 1; 0: Bezier, as many as points
+  std::vector<Axis> axes;                     // two or three
+  ir::SymbolId weights = ir::SymbolId::none;  // none: all 1
+  ir::SymbolId knots = ir::SymbolId::none;    // Bezier: none
+  bool has_own_knots = false;                 // clamped and uniform, found by bind
+  ir::ExpressionId error = ir::ExpressionId::none;
+  ir::SymbolId counts = ir::SymbolId::none;  // none: equal steps
+  text::Span span;
+  [[nodiscard]] bool is_bezier() const { return order == 0; }
 };
 
 // The contour of a `rough`: what is checked of it before the program runs. x as the family has it.
@@ -352,6 +372,7 @@ struct Family {
   std::vector<SurfaceShape> surfaces;
   std::vector<CurveShape> curves;
   std::vector<ChordedCurve> chorded;
+  std::vector<PointCurve> point_curves;
   std::vector<RoughContour> contours;
   std::vector<OutlineShape> outlines;
   std::vector<DimensionShape> dimensions;

@@ -3,6 +3,7 @@
 #include "dialects/family/chord_counts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -146,6 +147,106 @@ TEST(ChordCounts, WhatIsNoCurveIsRefused) {
   EXPECT_EQ(fault("mill", "  skip cut along t from 0 mm to 1 mm  x t  steps 4"),
             "a curve is many blocks: only a single move may be skipped");
   EXPECT_EQ(fault("mill", line + "x t"), "expected steps or within before the end of the line");
+}
+
+// Random cubic curves of three axes with weights, some inner knots twice: measured by a recursion of its own.
+TEST(ChordCounts, CurvesByPointsLieWithinTheirError) {
+  std::mt19937 random(11);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same curves in every run
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const std::vector<double> knots = {0, 0, 0, 0, 1, 2.5, 2.5, 4, 4, 4, 4};
+  for (int i = 0; i < 100; ++i) {
+    std::vector<double> at[4];
+    std::string lists;
+    for (int axis = 0; axis < 4; ++axis) {
+      lists += fmt::format("list {} = ", std::string_view("xyzw").substr(static_cast<std::size_t>(axis), 1) == "w"
+                                             ? std::string("ws")
+                                             : fmt::format("p{}", "xyz"[axis]));
+      for (int n = 0; n < 7; ++n) {
+        const double value =
+            axis == 3 ? (1.0 + std::round(30.0 * unit(random))) / 10.0 : std::round(400.0 * unit(random)) / 10.0;
+        at[axis].push_back(value);
+        lists += fmt::format("{}{}{}", n == 0 ? "" : ", ", value, axis == 3 ? "" : " mm");
+      }
+      lists += "\n";
+    }
+    const double error_mm = (1.0 + std::round(50.0 * unit(random))) / 1000.0;
+    const std::string text =
+        "family test\nmachine mill\n" + lists + "list ks = 0, 0, 0, 0, 1, 2.5, 2.5, 4, 4, 4, 4\nprogram test\n" +
+        fmt::format(
+            "  feed 100 mm/min\n  cut along nurbs order 4 x px y py z pz weights ws knots ks within {} mm\nend\n",
+            error_mm);
+    ReadFamilyResult read = read_family(text::Source("test", text));
+    ASSERT_FALSE(text::has_error(read.diagnostics)) << read.diagnostics.front().arguments.front();
+    const BindResult bound = bind_family(std::make_shared<const Family>(std::move(read.family)), {});
+    ASSERT_TRUE(bound.diagnostics.empty()) << bound.diagnostics.front().arguments.front();
+    // Cox and de Boor's basis, by its definition.
+    const auto basis = [&](auto& self, std::size_t n, int degree, double t) -> double {
+      if (degree == 0)
+        return knots[n] <= t && (t < knots[n + 1] || (t == 4.0 && knots[n + 1] == 4.0 && knots[n] < 4.0)) ? 1.0 : 0.0;
+      const auto share = [](double a, double b) { return b == 0.0 ? 0.0 : a / b; };
+      const auto high = n + static_cast<std::size_t>(degree);
+      return share(t - knots[n], knots[high] - knots[n]) * self(self, n, degree - 1, t) +
+             share(knots[high + 1] - t, knots[high + 1] - knots[n + 1]) * self(self, n + 1, degree - 1, t);
+    };
+    const auto point = [&](double t) {
+      double sum[4] = {};
+      for (std::size_t n = 0; n < 7; ++n) {
+        const double b = basis(basis, n, 3, t) * at[3][n];
+        for (int axis = 0; axis < 3; ++axis) sum[axis] += b * at[axis][n];
+        sum[3] += b;
+      }
+      return std::array<double, 3>{sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]};
+    };
+    const std::span<const double> counts = list_in(bound.bound.values, bound.bound.family->point_curves.front().counts);
+    ASSERT_EQ(counts.size(), 16U);
+    for (std::size_t row = 0; row < counts.size(); ++row) {
+      const double low = knots[3 + row / 4];
+      const double width = (knots[4 + row / 4] - low) / 4.0;
+      EXPECT_EQ(counts[row] == 0.0, width == 0.0) << row;
+      for (int chord = 0; chord < static_cast<int>(counts[row]); ++chord) {
+        const auto t = [&](double part) {
+          return low + width * (static_cast<double>(row % 4) + (chord + part) / counts[row]);
+        };
+        const auto a = point(t(0.0));
+        const auto b = point(t(1.0) - 1e-12);
+        for (const double part : {0.2, 0.4, 0.5, 0.6, 0.8}) {
+          const auto p = point(t(part));
+          double along = 0.0;
+          double square = 0.0;
+          for (std::size_t k = 0; k < 3; ++k) {
+            along += (p[k] - a[k]) * (b[k] - a[k]);
+            square += (b[k] - a[k]) * (b[k] - a[k]);
+          }
+          double away = 0.0;
+          for (std::size_t k = 0; k < 3; ++k) away = std::hypot(away, p[k] - a[k] - along / square * (b[k] - a[k]));
+          EXPECT_LE(away, error_mm + 1e-9) << "curve " << i << " piece " << row;
+        }
+      }
+    }
+  }
+}
+
+TEST(ChordCounts, FaultsOfCurvesByPoints) {
+  const auto fault_of_points = [](const std::string& lists, const std::string& steps) {
+    ReadFamilyResult read = read_family(text::Source(
+        "test", "family test\nmachine mill\n" + lists + "program test\n  feed 100 mm/min\n" + steps + "\nend\n"));
+    if (text::has_error(read.diagnostics)) return read.diagnostics.front().arguments.front();
+    const BindResult bound = bind_family(std::make_shared<const Family>(std::move(read.family)), {});
+    return bound.diagnostics.empty() ? std::string() : bound.diagnostics.front().arguments.front();
+  };
+  const std::string lists =
+      "list xs = 0 mm, 9 mm, 20 mm\nlist ys = 0 mm, 9 mm\nlist zs = 0 mm, 9 mm, 1 mm\nlist ws = 1, 0, 1\n";
+  EXPECT_THAT(fault_of_points(lists, "  cut along bezier x xs y ys steps 9"), testing::HasSubstr("as many points"));
+  EXPECT_THAT(fault_of_points(lists, "  cut along bezier x xs y zs weights ws steps 9"), "weights must be above 0");
+  EXPECT_THAT(fault_of_points(lists, "  cut along nurbs order 4 x xs y zs steps 9"),
+              testing::StartsWith("a curve needs at least"));
+  EXPECT_THAT(fault_of_points(lists, "  set xs[1] = 3 mm\n  cut along bezier x xs y zs within 0.1 mm"),
+              testing::StartsWith("the program changes a list"));
+  EXPECT_THAT(fault_of_points(lists, "  cut along bezier x xs y zs within 0 mm"), "the error of a curve is 0");
+  EXPECT_THAT(fault_of_points(lists, "  cut along bezier x xs x zs steps 9"), testing::HasSubstr("already"));
+  EXPECT_THAT(fault_of_points(lists, "  cut along bezier x xs steps 9"), testing::HasSubstr("two axes or three"));
+  EXPECT_THAT(fault_of_points(lists, "  cut along bezier x ws y xs steps 9"), testing::Not(testing::IsEmpty()));
+  EXPECT_EQ(fault_of_points(lists, "  cut along bezier x xs y zs steps 9"), "");
 }
 
 }  // namespace
