@@ -17,7 +17,7 @@ def shop_with_a_roll(folder, preset="fanuc-0i-lathe"):
         profile["link"] |= {key: value for key, value in hand_profile(control)["link"].items() if key != "url"}
     client.post("/machines", profile)
     client.post("/families", {"text": ROLL})
-    client.post("/parts", {"number": "R-1", "family": "hyperbolic-roll", "values": {"roll_length": "196 mm", "angle_step": "4 deg"}})
+    client.post("/parts", {"number": "R-1", "family": "hyperbolic-roll", "values": {"roll_length": "196 mm", "angle_step": "2 deg"}})
     client.wait_line("lathe", "idle")
     return client, control
 

@@ -411,7 +411,7 @@ async function queuedFromPart(page) {
 // What was changed at the control comes back, and is the part's: its values, not only its text.
 async function sentBack(page) {
   await rig.machine('sends-back', { jobs: 0 });
-  await rig.call('POST', '/parts', { number: 'R-8', family: 'hyperbolic-roll', values: { angle_step: '4 deg' } });
+  await rig.call('POST', '/parts', { number: 'R-8', family: 'hyperbolic-roll', values: { angle_step: '2 deg' } });
   const { body } = await rig.call('POST', '/render', { part: 'R-8', machine: 'sends-back', mode: 'macro', delivery: 'memory', name: 'O0808' });
   const text = await rig.text(`/programs/${body.program}/text`);
   await rig.punch('sends-back', text.replace('=196.(', '=188.5('));
@@ -427,7 +427,7 @@ async function sentBack(page) {
   await dialog(page).getByRole('button', { name: 'Save these values in part R-8' }).click();
   await dialog(page).getByRole('link', { name: /Part R-8 has them/ }).waitFor();
   const now = (await rig.call('GET', '/parts/R-8')).body;
-  expect(now.values.roll_length === '188.5 mm' && now.values.angle_step === '4 deg' && now.revision === 2, 'the part has the value, and keeps its others');
+  expect(now.values.roll_length === '188.5 mm' && now.values.angle_step === '2 deg' && now.revision === 2, 'the part has the value, and keeps its others');
 }
 
 const kLoop = '%\nO0710 (PASSES)\nG21 G17 G90 G94 G54\nT5 M6\nM3 S800\nG0 X0 Y0 Z5.\n#101=0\nWHILE[#101LT3]DO1\nG1 Z[-#101] F100.\nX[10.+#101]\nG0 X0\n#101=#101+1\nEND1\nG0 Z50.\nM30\n%\n';
