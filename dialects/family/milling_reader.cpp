@@ -148,7 +148,10 @@ void BodyReader::pocket() {
       {"face_leads_down", {n, n + 1}, "'pocket' leads down, from the part's top to its floor"},
       {"is_positive", {n + 2}, "the depth of cut of 'pocket' is above 0"},
       {"is_positive", {n + 3}, "the stepover of 'pocket' is above 0"},
-      {"pocket_overlaps", {n + 3, n + 7}, "the stepover of 'pocket' is at most 0.7 of the cutter's diameter"},
+      {is_round ? "rings_overlap" : "pocket_overlaps",
+       {n + 3, n + 7},
+       is_round ? "the stepover of a round 'pocket' is at most 0.95 of the cutter's diameter"
+                : "the stepover of 'pocket' is at most 0.85 of the cutter's diameter"},
       {"is_positive", {n + 4}, "'finish', what 'pocket' leaves on the wall for its last pass, is above 0"},
       {"entry_descends", {n + 5}, "the angle of the entry into 'pocket' is above 0 and at most 45 degrees"},
       {"is_above_gap", {n + 6, n}, "'pocket' returns to 0.5 mm above its top or higher"},

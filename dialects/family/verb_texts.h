@@ -40,7 +40,13 @@ sub face(first_x length, last_x length, first_y length, last_y length, top lengt
 end
 
 # --- pocket: from the middle outward in rings, and once around the wall at full depth, in and out on quarter circles
-function pocket_overlaps(stepover length, cutter length) = stepover <= 0.7*cutter + 0.0001 mm
+# Between two rings that are a stepover s apart nothing is left along their sides while s <= 2*r, r the cutter's radius.
+# At a sharp corner the inner ring, whose corner is (0, 0), clears what is within r of it, and the outer ring, whose
+# corner is (s, s), all with x or y above s - r. The farthest place between them is (s - r, s - r): it is cleared while
+# (s - r)*sqrt(2) <= r, which is s <= (1 + sqrt(0.5))*r = 0.8535*cutter. Where the outer corner is round with a radius q
+# above r, the farthest place is nearer, at (s - q)*sqrt(2) + q - r. Rings around a center have no corner.
+function pocket_overlaps(stepover length, cutter length) = stepover <= 0.85*cutter + 0.0001 mm
+function rings_overlap(stepover length, cutter length) = stepover <= 0.95*cutter + 0.0001 mm
 function is_above_gap(clear length, top length) = clear >= top + gap
 function entry_descends(entry_angle angle) = entry_angle > 0 deg and entry_angle <= 45 deg
 function corner_takes(corner_radius length, cutter length) = corner_radius >= cutter/2 - 0.0001 mm

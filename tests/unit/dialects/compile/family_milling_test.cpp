@@ -132,7 +132,7 @@ TEST(FamilyPockets, ARectangleIsClearedAtEveryLevel) {
 TEST(FamilyPockets, CornersOfWhatIsAccepted) {
   for (const double corner : {6.0, 15.0}) {
     Pocket p = rectangle(60, 30, corner);
-    p.stepover = 8.4;
+    p.stepover = 10.2;
     p.angle_deg = 45.0;
     p.depth = 30.0;
     expect_milled(p);
@@ -142,7 +142,7 @@ TEST(FamilyPockets, CornersOfWhatIsAccepted) {
     expect_milled(p);
   }
   Pocket square = rectangle(40, 40, 6);
-  square.stepover = 8.4;
+  square.stepover = 10.2;
   square.finish = 2.0;
   expect_milled(square);
   Pocket narrow = rectangle(30, 14.4, 6);
@@ -162,7 +162,7 @@ TEST(FamilyPockets, ARoundOne) {
     for (const double finish : {0.05, 0.2}) {
       Pocket p = rectangle(diameter, diameter, diameter / 2.0);
       p.is_round = true;
-      p.stepover = 8.4;
+      p.stepover = 11.4;
       p.finish = finish;
       expect_milled(p);
     }
@@ -194,7 +194,7 @@ TEST(FamilyPockets, WhatCannotBeMilledIsRefused) {
       {changed([](Pocket& p) { p.bottom = 1.0; }), "leads down"},
       {changed([](Pocket& p) { p.depth = 0.0; }), "depth of cut of 'pocket' is above 0"},
       {changed([](Pocket& p) { p.stepover = 0.0; }), "stepover of 'pocket' is above 0"},
-      {changed([](Pocket& p) { p.stepover = 8.5; }), "at most 0.7 of the cutter's"},
+      {changed([](Pocket& p) { p.stepover = 10.3; }), "at most 0.85 of the cutter's"},
       {changed([](Pocket& p) { p.finish = 0.0; }), "leaves on the wall"},
       {changed([](Pocket& p) { p.angle_deg = 0.0; }), "the angle of the entry"},
       {changed([](Pocket& p) { p.angle_deg = 46.0; }), "the angle of the entry"},
