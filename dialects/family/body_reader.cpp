@@ -85,6 +85,8 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"optional", &BodyReader::optional_stop},
       {"skip", &BodyReader::skip},
       {"plane", &BodyReader::plane},
+      {"mirror", &BodyReader::mirror},
+      {"repeat", &BodyReader::repeat},
       {"native", &BodyReader::native},
   });
   return kVerbs;

@@ -19,7 +19,8 @@ namespace dripfeed::family {
 
 // The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
 // in turning_reader.cpp, curves in along_reader.cpp and point_curve_reader.cpp, faces and pockets in
-// milling_reader.cpp, roughing in rough_reader.cpp, native text in native_verb_reader.cpp, blocks, assignments and
+// milling_reader.cpp, roughing in rough_reader.cpp, native text in native_verb_reader.cpp, mirrored and
+// repeated moves in copies_reader.cpp, blocks, assignments and
 // calls in flow_reader.cpp.
 class BodyReader {
  public:
@@ -82,6 +83,8 @@ class BodyReader {
   void skip();
   void plane();
   void native();
+  void mirror();
+  void repeat();
 
   // Steps that stand for a verb.
   struct Groove {
@@ -106,6 +109,25 @@ class BodyReader {
   void chords(const Along& along, ir::ExpressionId error);
   ir::SymbolId chord_list(const Along& along, ir::ExpressionId error);
   ir::ExpressionId span_of(const Step& loop);
+
+  // A block whose moves are mirrored or repeated, see copies_reader.cpp.
+  struct Copies {
+    bool is_repeat = false;
+    ir::Address address = ir::Address::x;         // mirrored
+    ir::ExpressionId x = ir::ExpressionId::none;  // mirrored: where; turned: the center; shifted: how far
+    ir::ExpressionId y = ir::ExpressionId::none;
+    ir::ExpressionId z = ir::ExpressionId::none;
+    ir::ExpressionId angle = ir::ExpressionId::none;
+    ir::ExpressionId cosine = ir::ExpressionId::none;  // turned
+    ir::ExpressionId sine = ir::ExpressionId::none;
+    std::size_t first_step = 0;
+    [[nodiscard]] bool mirrors() const { return !is_repeat; }
+  };
+  [[nodiscard]] bool may_copy();
+  void end_copies(const Copies& copies, text::Span head);
+  bool mirror_words(const Copies& copies, Step& step, std::vector<StepWord>& words);
+  bool shift_words(const Copies& copies, std::vector<StepWord>& words);
+  bool turn_words(const Copies& copies, std::vector<StepWord>& words);
 
   // A curve by its points, see point_curve_reader.cpp.
   struct PointScheme {
@@ -223,6 +245,7 @@ class BodyReader {
     bool has_else = false;
     bool changes_tool = false;    // in it
     bool takes_diameter = false;  // a verb in it, of a tool that stands before that verb
+    std::optional<Copies> copies = std::nullopt;
   };
 
   Cursor& cursor_;

@@ -96,7 +96,10 @@ void BodyReader::end() {
   }
   const Open open = open_.back();
   open_.pop_back();
-  if (open.changes_tool) tool_diameter_ = ir::ExpressionId::none;  // it may be another one
+  const bool is_once = open.kind == StepKind::let;                             // mirrored
+  if (open.changes_tool && !is_once) tool_diameter_ = ir::ExpressionId::none;  // it may be another one
+  if (open.copies) end_copies(*open.copies, open.span);
+  if (is_once) return scope_.close();
   if (open.kind == StepKind::contour) {
     end_rough();
     return scope_.close();

@@ -45,7 +45,7 @@ TEST(FamilyLanguage, EveryExampleOfTheDocumentationIsOneTrace) {
     EXPECT_GT(one_trace({"example.family", text}).size(), 5U);
     ++examples;
   }
-  EXPECT_EQ(examples, 15U);
+  EXPECT_EQ(examples, 16U);
 }
 
 TEST(FamilyLanguage, ExamplesAreTheirClosedForm) {
