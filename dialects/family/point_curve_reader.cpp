@@ -166,31 +166,31 @@ void BodyReader::while_hidden(Operator op, ExpressionId a, ExpressionId b) {
 
 ExpressionId BodyReader::knot(const PointScheme& scheme, ExpressionId at) { return name_of(scheme.curve.knots, at); }
 
-// The knots that the curve runs between.
+// The knots that a NURBS curve runs between.
 ExpressionId BodyReader::knot_ends(const PointScheme& scheme, bool last) {
-  if (scheme.curve.is_bezier()) return number(last ? 1.0 : 0.0);
   return knot(scheme, last ? scheme.count : number(scheme.curve.order - 1));
 }
 
-// let first = 0;  for t from knot[order - 1] to knot[count] step (…)/steps
+// let first = 0;  for point from 0 to steps step 1:  t = knot[count] - (steps - point)/steps*(…), so that the last one
+// is exactly at the last knot
 //   while t > knot[first + order];  set first = first + 1;  end;  point at t
 void BodyReader::equal_point_steps(PointScheme& scheme, ExpressionId count) {
   const bool seeks = !scheme.curve.is_bezier();
   if (seeks) scheme.first = kept("first", number(0.0), kRatio);
-  Step loop = hidden_loop("curve_t", kRatio);
-  const ExpressionId from = knot_ends(scheme, false);
-  loop.values[0] = from;
-  loop.values[1] = knot_ends(scheme, true);
-  const ExpressionId span = seeks ? calculated(Operator::subtract, loop.values[1], from) : loop.values[1];
-  loop.values[2] = calculated(Operator::divide, span, count);
-  const ExpressionId t = name_of(loop);
-  add(std::move(loop));
-  if (seeks) {
-    while_hidden(Operator::greater, t, knot(scheme, calculated(Operator::add, scheme.first, scheme.order)));
-    set_name(family_.arena.at(family_.arena.at(scheme.first).variable).symbol,
-             calculated(Operator::add, scheme.first, number(1.0)));
-    add(step(StepKind::while_end));
+  const ExpressionId point = count_hidden("point", 0.0, count);
+  if (!seeks) {
+    cut_point(scheme, kept("curve_t", calculated(Operator::divide, point, count), kRatio));
+    return end_hidden_loop();
   }
+  const ExpressionId last = knot_ends(scheme, true);
+  const ExpressionId span = calculated(Operator::subtract, last, knot_ends(scheme, false));
+  const ExpressionId left = calculated(Operator::divide, calculated(Operator::subtract, count, point), count);
+  const ExpressionId t =
+      kept("curve_t", calculated(Operator::subtract, last, calculated(Operator::multiply, left, span)), kRatio);
+  while_hidden(Operator::greater, t, knot(scheme, calculated(Operator::add, scheme.first, scheme.order)));
+  set_name(family_.arena.at(family_.arena.at(scheme.first).variable).symbol,
+           calculated(Operator::add, scheme.first, number(1.0)));
+  add(step(StepKind::while_end));
   cut_point(scheme, t);
   end_hidden_loop();
 }
