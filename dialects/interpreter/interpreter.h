@@ -109,6 +109,7 @@ struct RunOptions {
   Changes changes = Changes::all;     // for the observer
   StateObserver* states = nullptr;    // costs time when set; not of plain blocks that are run while they are read
   RunNames* names = nullptr;          // filled while running; nullptr: only RunResult has them
+  bool every_order = false;           // events of what is ordered again, too: ir::kOrders…
   // Names a budget of the caller's that is used up ("60 s"), which ends the run as passing one of the limits does; ""
   // while there is some left. Asked every few thousand motions, blocks and passes of loops. May be empty.
   std::function<std::string()> used_up = {};

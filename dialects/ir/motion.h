@@ -53,6 +53,17 @@ inline constexpr std::uint8_t kLengthsChanged = 2;  // tool offsets
 inline constexpr std::uint8_t kRadiiChanged = 8;    // radii that compensation takes: stays, too
 inline constexpr std::uint8_t kEndUnknown = 4;      // of the axes in axes_unknown `end` is a guess, too: an increment
 enum class CoolantState : std::uint8_t { off, mist, flood };
+// Bits of Motion::axes_commanded of an event, in a run that reports every order: what of it the block orders, also
+// where nothing of the modelled state changes by it. The machine's own program (PLC) hears each of them.
+inline constexpr std::uint16_t kOrdersTool = 1;         // T, where it brings a tool in
+inline constexpr std::uint16_t kOrdersChange = 2;       // M6
+inline constexpr std::uint16_t kOrdersSpindle = 4;      // M3, M4, M5
+inline constexpr std::uint16_t kOrdersOrientation = 8;  // M19
+inline constexpr std::uint16_t kOrdersSpeed = 16;       // S
+inline constexpr std::uint16_t kOrdersLimit = 32;       // G50 S, LIMS
+inline constexpr std::uint16_t kOrdersMist = 64;        // M7
+inline constexpr std::uint16_t kOrdersFlood = 128;      // M8, M9: both off
+inline constexpr std::uint16_t kOrdersEdge = 256;       // D, where it selects the tool's edge
 
 struct Motion {
   Place place;
@@ -60,7 +71,7 @@ struct Motion {
   Plane plane = Plane::xy;
   FeedMode feed_mode = FeedMode::per_min;
   LengthOffset length_offset = LengthOffset::off;  // in effect
-  std::uint16_t axes_commanded = 0;                // bit per Axis: named in the block
+  std::uint16_t axes_commanded = 0;                // bit per Axis: named in the block; events: kOrders…
   bool machine_coordinates = false;                // G53: `end` is in machine coordinates
   bool exact_stop = false;
   std::array<double, kAxisCount> start{};  // moves: where it begins, same frame as `end`

@@ -116,7 +116,10 @@ void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
       add(Function::dwell);
       add(Address::f, motion.feed);
       return block();
-    case MotionKind::offset: add(Function::work_offset, static_cast<std::int16_t>(motion.number)); return block();
+    case MotionKind::offset:
+      work_offset_ = motion.number;
+      add(Function::work_offset, static_cast<std::int16_t>(motion.number));
+      return block();
     case MotionKind::tool: return tool(motion);
     // Compensation begins and ends with a move: its code waits for the next one.
     case MotionKind::comp: return carry({{{function_of(motion.comp), 0}}, {}});
@@ -134,6 +137,7 @@ void BlockWriter::write_tap(std::span<const ir::Motion> hole, std::uint32_t line
   const auto cuts = [](const ir::Motion& m) { return m.kind == MotionKind::linear; };
   const auto in = std::ranges::find_if(hole, cuts);
   emit_.set_line(line);
+  restate(*in);
   if (in->feed_mode != feed_mode_) add(function_of(in->feed_mode));
   feed_mode_ = in->feed_mode;
   add(Function::return_to_r);
@@ -196,6 +200,8 @@ void BlockWriter::center(const ir::Motion& motion) {
 
 void BlockWriter::move(const ir::Motion& motion) {
   const Function function = function_of(motion);
+  restate(motion);
+  has_moved_ = true;
   // Controls refuse a thread while the feed is a time.
   if (motion.kind == MotionKind::thread && feed_mode_ == ir::FeedMode::inverse_time) {
     feed_mode_ = motion.feed_mode;
@@ -223,35 +229,65 @@ void BlockWriter::move(const ir::Motion& motion) {
 void BlockWriter::tool(const ir::Motion& motion) {
   constexpr std::uint32_t kNoName = 0xFFFFFFFFU;
   const bool same = motion.number == tool_number_ && motion.text == tool_name_;
+  const bool changes = (motion.axes_commanded & ir::kOrdersChange) != 0;
+  const bool with_offset = control_.semantics.tool_word == ir::ToolWord::number_and_offset;
+  const bool by_t = with_offset || control_.kind == ir::MachineKind::lathe;
+  const bool ordered = (motion.axes_commanded & ir::kOrdersTool) != 0 || (changes && !by_t);
+  const bool states = !same || ordered;
+  const bool edge = (motion.axes_commanded & ir::kOrdersEdge) != 0;
+  restates_ = restates_ || (has_moved_ && (!same || changes));
+  restates_speed_ = restates_;
   tool_number_ = motion.number;
   tool_name_ = motion.text;
-  const bool with_offset = control_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (motion.text != kNoName) {
     ir::Expression name;
     name.op = ir::Operator::string;
     name.string = program_.strings.add(names_.strings[motion.text]);
-    if (!same) words_.push_back({Address::t, program_.add(name)});
-  } else if (with_offset) {
+    if (states) words_.push_back({Address::t, program_.add(name)});
+  } else if (with_offset && (states || motion.tool_offset != tool_offset_)) {
     add(Address::t, motion.number * 100.0 + motion.tool_offset);
-  } else if (!same) {
+  } else if (!with_offset && states) {
     add(Address::t, motion.number);
   }
-  if (control_.semantics.d_selects_edge && (motion.tool_offset != tool_offset_ || !same)) {
+  // Without a D the control takes the edge that it usually does (MD20270): D0 would leave the tool's length out.
+  if (control_.semantics.d_selects_edge &&
+      (edge || (motion.tool_offset != 0 && (states || motion.tool_offset != tool_offset_))))
     add(Address::d, motion.tool_offset);
-  }
   tool_offset_ = motion.tool_offset;
-  if (!same && control_.kind != ir::MachineKind::lathe && !with_offset) add(Function::tool_change);
+  if (changes) add(Function::tool_change);
   if (!codes_.empty() || !words_.empty()) block();
 }
 
 void BlockWriter::spindle(const ir::Motion& motion) {
-  if (motion.spindle == ir::SpindleState::stopped) return event_block(Function::spindle_stop);
-  const bool surface = motion.surface_speed_m_min > 0.0;
-  if (surface || surface_speed_ || control_.kind != ir::MachineKind::mill) {
-    add(surface ? Function::surface_speed_on : Function::surface_speed_off);
+  const std::uint16_t orders = motion.axes_commanded;
+  const bool stands = motion.spindle == ir::SpindleState::stopped;
+  if (orders == ir::kOrdersLimit) return speed_limit(motion.spindle_rpm);
+  const bool goes_on = motion.spindle == spindle_ && surface_speed_ == (motion.surface_speed_m_min > 0.0);
+  if (orders == ir::kOrdersSpeed && (stands || goes_on)) {
+    speed(motion);
+  } else if (!stands) {
+    speed(motion);
+    add(motion.spindle == ir::SpindleState::clockwise ? Function::spindle_cw : Function::spindle_ccw);
+  } else {
+    add((orders & ir::kOrdersOrientation) != 0 ? Function::spindle_orient : Function::spindle_stop);
   }
+  spindle_ = motion.spindle;
+  restates_speed_ = false;
+  if (!codes_.empty() || !words_.empty()) block();
+}
+
+void BlockWriter::speed_limit(double limit_rpm) {
+  if (!(limit_rpm > 0.0)) return;
+  limit_rpm_ = limit_rpm;
+  add(Address::spindle_limit, limit_rpm);
+  block();
+}
+
+void BlockWriter::speed(const ir::Motion& motion) {
+  const bool surface = motion.surface_speed_m_min > 0.0;
+  if (surface || surface_speed_ || control_.kind != ir::MachineKind::mill)
+    add(surface ? Function::surface_speed_on : Function::surface_speed_off);
   const bool was_surface = std::exchange(surface_speed_, surface);
-  add(motion.spindle == ir::SpindleState::clockwise ? Function::spindle_cw : Function::spindle_ccw);
   constexpr double kFoot_m = 0.3048;
   const double speed_unit_m = unit_mm_ == 1.0 ? 1.0 : kFoot_m;
   // A speed that a surface speed left is left by it here, too, and is no whole number.
@@ -259,8 +295,31 @@ void BlockWriter::spindle(const ir::Motion& motion) {
     add(Address::s, motion.surface_speed_m_min / speed_unit_m);
   else if (motion.spindle_rpm > 0.0 && (!was_surface || motion.spindle_rpm == std::round(motion.spindle_rpm)))
     add(Address::s, motion.spindle_rpm);
-  if (surface && motion.spindle_rpm > 0.0) add(Address::spindle_limit, motion.spindle_rpm);
-  block();
+  if (!surface || !(motion.spindle_rpm > 0.0) || motion.spindle_rpm == limit_rpm_) return;
+  limit_rpm_ = motion.spindle_rpm;
+  add(Address::spindle_limit, motion.spindle_rpm);
+}
+
+// What waits for a block goes into the move's.
+void BlockWriter::restate(const ir::Motion& motion) {
+  if (!restates_ || motion.machine_coordinates) return;
+  if (restates_speed_ && motion.spindle != ir::SpindleState::stopped) {
+    CarriedWords waiting = std::exchange(carried_, {});
+    ir::Motion turning = motion;
+    turning.axes_commanded = ir::kOrdersSpindle;
+    limit_rpm_ = 0.0;
+    spindle(turning);
+    carried_ = std::move(waiting);
+  }
+  restates_ = restates_speed_ = false;
+  add(Function::absolute);
+  add(function_of(motion.plane));
+  add(function_of(motion.feed_mode));
+  if (work_offset_ >= 0) add(Function::work_offset, static_cast<std::int16_t>(work_offset_));
+  plane_ = motion.plane;
+  feed_mode_ = motion.feed_mode;
+  motion_ = Function::none;
+  feed_ = 0.0;
 }
 
 void BlockWriter::message(const ir::Motion& motion) {

@@ -44,6 +44,10 @@ class BlockWriter {
   void move(const ir::Motion& motion);
   void tool(const ir::Motion& motion);
   void spindle(const ir::Motion& motion);
+  void speed_limit(double limit_rpm);
+  void speed(const ir::Motion& motion);
+  // After a tool change: all that a program which is entered there needs, with the first move.
+  void restate(const ir::Motion& motion);
   void event_block(ir::Function function);
   void message(const ir::Motion& motion);
   void plane(const ir::Motion& motion);
@@ -71,10 +75,16 @@ class BlockWriter {
   ir::Plane plane_ = ir::Plane::xy;
   ir::FeedMode feed_mode_ = ir::FeedMode::per_min;
   double feed_ = 0.0;
+  ir::SpindleState spindle_ = ir::SpindleState::stopped;
   bool surface_speed_ = false;
+  double limit_rpm_ = 0.0;
+  std::int32_t work_offset_ = -1;  // none so far
   std::int32_t tool_number_ = -1;
   std::uint32_t tool_name_ = 0xFFFFFFFFU;
   std::int32_t tool_offset_ = 0;
+  bool has_moved_ = false;
+  bool restates_ = false;        // the next move does
+  bool restates_speed_ = false;  // … and no block has started the spindle since
 };
 
 }  // namespace dripfeed::compile

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "dialects/ir/offset_words.h"
+
 namespace dripfeed::compile {
 
 namespace {
@@ -54,8 +56,45 @@ void add_number(const ir::Program& program, const ir::Word& word, CarriedBlock& 
   if (value.op == ir::Operator::constant) {
     out.attached.words.push_back({word.address, value.value, ir::WordMode::as_modal});
   } else {
-    out.computed.emplace_back(word.span.in(program.source.text()));
+    out.lost.push_back(passes::computed(std::string(word.span.in(program.source.text()))));
   }
+}
+
+// Words that a builder's M function may take: M150 P3, M19 R90.
+constexpr std::array kOwnWords = {Address::e, Address::i, Address::j, Address::k,
+                                  Address::l, Address::p, Address::q, Address::r};
+
+bool may_take_words(const ir::Code& c) {
+  return c.function == Function::machine_function || c.function == Function::spindle_orient;
+}
+
+bool stands_for_itself(const ir::Code& c) {
+  return c.group == ir::ModalGroup::spindle || c.group == ir::ModalGroup::coolant || may_take_words(c);
+}
+
+// Whose words are they? Those of a block that moves, or has another code, may be that code's; P and Q of a move are
+// not.
+enum class Owner : std::uint8_t { none, function, not_known };
+Owner owner_of(const ir::Program& program, const ir::Block& block, Address address) {
+  const auto codes = program.codes_of(block);
+  const auto words = program.words_of(block);
+  if (std::ranges::find(kOwnWords, address) == kOwnWords.end() || std::ranges::none_of(codes, may_take_words))
+    return Owner::none;
+  if (std::ranges::all_of(codes, stands_for_itself) && std::ranges::none_of(words, ir::is_axis, &ir::Word::address))
+    return Owner::function;
+  const bool one_takes_words = std::ranges::any_of(codes, [](const ir::Code& c) {
+    return !may_take_words(c) && (ir::takes_p(c.function) || c.function == Function::extended_offset ||
+                                  c.function == Function::work_offset || c.function == Function::measure_tool ||
+                                  c.function == Function::turning_cycle || c.function == Function::rotate);
+  });
+  return one_takes_words || (address != Address::p && address != Address::q) ? Owner::none : Owner::not_known;
+}
+
+// Plain blocks write lengths with a point; what the builder's function makes of one without it is not known.
+bool counts_increments(const ir::Program& program, const ir::Word& word) {
+  constexpr std::array kLengths = {Address::i, Address::j, Address::k, Address::q, Address::r};
+  return std::ranges::find(kLengths, word.address) != kLengths.end() && word.value != ir::ExpressionId::none &&
+         !program.at(word.value).has_point;
 }
 
 void add_axes(const ir::Program& program, const ir::Block& block, CarriedWords& out) {
@@ -101,7 +140,7 @@ CarriedBlocks::ByLine CarriedBlocks::collect(const ir::Program& program) const {
     if (carried.empty()) continue;
     const auto [entry, is_new] = out.try_emplace(statement.line, std::move(carried));
     // Places are lines: with G43 H1;G41 D2; it is not known which block is executed.
-    if (!is_new) entry->second.computed.emplace_back("numbers of several blocks in one line");
+    if (!is_new) entry->second.lost.push_back(passes::computed("numbers of several blocks in one line"));
   }
   return out;
 }
@@ -126,6 +165,17 @@ CarriedBlock CarriedBlocks::carried_by(const ir::Program& program, const ir::Blo
   for (const ir::Word& word : program.words_of(block))
     if (prepares && (word.address == Address::t || (semantics_.d_selects_edge && word.address == Address::d)))
       add_number(program, word, carried);
+  for (const ir::Word& word : program.words_of(block)) {
+    const Owner owner = owner_of(program, block, word.address);
+    if (owner == Owner::function && counts_increments(program, word))
+      carried.lost.push_back(passes::of_value(std::string(word.span.in(program.source.text())) +
+                                              ", a value without a point that an M function takes,"));
+    else if (owner == Owner::function)
+      add_number(program, word, carried);
+    if (owner == Owner::not_known)
+      carried.lost.push_back(
+          passes::not_known("whether the M function takes " + std::string(word.span.in(program.source.text()))));
+  }
   if (semantics_.d_selects_edge || other_words) return carried;
   for (const ir::Word& word : program.words_of(block)) {
     const bool length = word.address == Address::h && !semantics_.incremental_letters_uvw;

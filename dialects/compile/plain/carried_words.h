@@ -12,6 +12,7 @@
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/passes/refusal.h"
 
 namespace dripfeed::compile {
 
@@ -31,9 +32,9 @@ struct CarriedWords {
 struct CarriedBlock {
   CarriedWords attached;              // goes into the block of what the source's block does
   CarriedWords alone;                 // stands in a block of its own, after that
-  std::vector<std::string> computed;  // words that would have to be carried and have a computed value: "H#1"
+  std::vector<passes::Refusal> lost;  // words that would have to be carried and cannot be: "H#1"
 
-  [[nodiscard]] bool empty() const { return attached.empty() && alone.empty() && computed.empty(); }
+  [[nodiscard]] bool empty() const { return attached.empty() && alone.empty() && lost.empty(); }
 };
 
 // Functions that are carried, so that nothing is lost when the interpreter does not carry them out.

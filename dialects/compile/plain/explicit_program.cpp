@@ -75,7 +75,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
       calls_.push_back({main_line_, place.ordinal});
     }
     if (const CarriedBlock* carried = carried_.at(place.program, names_.programs, place.line)) {
-      for (const std::string& word : carried->computed) lose(passes::computed(word));
+      for (const passes::Refusal& word : carried->lost) lose(word);
       pending_.push_back({place.ordinal, main_line_, carried});
     }
     if (!source_.source.text().empty())
@@ -374,6 +374,7 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   run.initial_values = options.initial_values;
   run.observer = &recorder;
   run.names = &names;
+  run.every_order = true;
   out.run = interpreter::run(program, control, finder, recorder, run);
   recorder.finish(out.run);
   const Taps taps = taps_of_all(program, control, out.run.programs, finder);

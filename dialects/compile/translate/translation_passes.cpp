@@ -281,12 +281,11 @@ bool Converter::print_run(ir::Program& program) {
   add(passes::unstated_modes(program, request_.from, false).diagnostics);
   if (text::has_error(result_.diagnostics)) return false;
   number_blocks(program, made);
+  // Writers name lines in what they refuse.
+  for (ir::Statement& s : made.program.statements)
+    if (s.line != 0) s.line = made.origins[s.line - 1].line;
   print(made.program, made.control);
-  if (text::has_error(result_.diagnostics)) return false;
-  for (std::uint32_t& line : result_.origin_lines) {
-    if (line != 0) line = made.origins[line - 1].line;
-  }
-  return carry_all_comments(program);
+  return !text::has_error(result_.diagnostics) && carry_all_comments(program);
 }
 
 }  // namespace dripfeed::compile

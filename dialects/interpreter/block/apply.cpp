@@ -76,11 +76,14 @@ void set_block_feed(const PlainBlock& block, ModalState& state) {
 void set_speed(const PlainBlock& block, ModalState& state, Effects& effects) {
   const auto given = [&](Address address) { return ((block.present | block.unknown) & bit_of(address)) != 0; };
   const auto value_of = [&](Address address) { return block.has(address) ? block.at(address) : 0.0; };
+  const bool limits = effects.one_shot == Function::set_coordinates;
   if (given(Address::spindle_limit)) state.spindle_limit_rpm = value_of(Address::spindle_limit);
+  if (given(Address::spindle_limit) || (limits && given(Address::s))) effects.orders |= ir::kOrdersLimit;
   if (given(Address::s)) {
     const double value = value_of(Address::s);
-    if (effects.one_shot != Function::set_coordinates) state.speed_unknown = !block.has(Address::s);
-    if (effects.one_shot == Function::set_coordinates)
+    if (!limits) effects.orders |= ir::kOrdersSpeed;
+    if (!limits) state.speed_unknown = !block.has(Address::s);
+    if (limits)
       state.spindle_limit_rpm = value;
     else if (state.modes.surface_speed)
       state.surface_speed_m_min = state.modes.inch_feed ? value * kFootPerMinute : value;
@@ -122,18 +125,23 @@ void set_tool(const PlainBlock& block, const BlockRules& rules, ModalState& stat
     else
       state.selected = {.number = static_cast<std::int32_t>(std::min(std::abs(value), 99999999.0))};
     if (rules.tool_at_once) {
+      effects.orders |= ir::kOrdersTool;
       state.tool = state.selected;
       take_length(rules, state);
     }
   }
   if (effects.tool_change) {
+    effects.orders |= ir::kOrdersChange;
     state.tool = state.selected;
     take_length(rules, state);
   }
   if (rules.semantics.d_selects_edge && block.has(Address::d)) {
     const auto edge = static_cast<std::int32_t>(std::min(std::abs(block.at(Address::d)), 99999999.0));
     state.selected.offset = edge;
-    if (state.tool != Tool{}) state.tool.offset = edge;
+    if (state.tool != Tool{}) {
+      state.tool.offset = edge;
+      effects.orders |= ir::kOrdersEdge;
+    }
     state.length_offset = edge == 0 ? ir::LengthOffset::off : ir::LengthOffset::plus;
     state.length_offset_number = offset_number(edge);
   }
@@ -262,13 +270,15 @@ bool has_move(const PlainBlock& block, const BlockRules& rules, const ModalState
 }
 
 void finish(const Effects& effects, ModalState& state, MotionBuffer& out) {
-  if (effects.coolant_off && state.coolant != ir::CoolantState::off) {
+  const bool every_order = state.announced.every_order;
+  if (effects.coolant_off && (every_order || state.coolant != ir::CoolantState::off)) {
     state.coolant = ir::CoolantState::off;
-    announce(state, out);
+    announce(state, out, ir::kOrdersFlood);
   }
-  if (effects.spindle_stop && state.spindle != ir::SpindleState::stopped) {
+  if (effects.spindle_stop && (every_order || state.spindle != ir::SpindleState::stopped)) {
     state.spindle = ir::SpindleState::stopped;
-    announce(state, out);
+    const bool orients = (effects.orders & ir::kOrdersOrientation) != 0;
+    announce(state, out, orients ? ir::kOrdersOrientation : ir::kOrdersSpindle);
   }
   if (effects.stop >= 0) emit_event(MotionKind::stop, state, out).number = effects.stop;
 }
@@ -331,7 +341,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     set_numbers(block, rules, state);
   if (block.has(Address::modal_rounding))
     state.modal_rounding_mm = rules.length_mm(block, Address::modal_rounding, state.modes.inch);
-  if (effects.announces) announce(state, out);
+  if (effects.announces) announce(state, out, effects.orders);
   const std::pair modal_feed(state.feed, state.feed_unknown);
   const bool own_feed = ((block.present | block.unknown) & kBlockFeedWord) != 0;
   if (own_feed) [[unlikely]]

@@ -86,10 +86,12 @@ void comp(CodeContext& c, ir::CompSide side) {
 void spindle(CodeContext& c, ir::SpindleState state) {
   c.state.spindle = state;
   c.effects.announces = true;
+  c.effects.orders |= ir::kOrdersSpindle;
 }
 void coolant(CodeContext& c, ir::CoolantState state) {
   c.state.coolant = state;
   c.effects.announces = true;
+  c.effects.orders |= state == ir::CoolantState::mist ? ir::kOrdersMist : ir::kOrdersFlood;
 }
 void one_shot(CodeContext& c) {
   c.effects.one_shot = c.code.function;
@@ -213,7 +215,11 @@ constexpr CodeRow kCodeRows[] = {
     {Function::spindle_cw, [](CodeContext& c) { spindle(c, ir::SpindleState::clockwise); }},
     {Function::spindle_ccw, [](CodeContext& c) { spindle(c, ir::SpindleState::counterclockwise); }},
     {Function::spindle_stop, [](CodeContext& c) { c.effects.spindle_stop = true; }},
-    {Function::spindle_orient, [](CodeContext& c) { c.effects.spindle_stop = true; }},
+    {Function::spindle_orient,
+     [](CodeContext& c) {
+       c.effects.spindle_stop = true;
+       c.effects.orders |= ir::kOrdersOrientation;
+     }},
     {Function::coolant_mist, [](CodeContext& c) { coolant(c, ir::CoolantState::mist); }},
     {Function::coolant_flood, [](CodeContext& c) { coolant(c, ir::CoolantState::flood); }},
     {Function::coolant_off, [](CodeContext& c) { c.effects.coolant_off = true; }},

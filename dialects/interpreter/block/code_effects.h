@@ -24,6 +24,7 @@ struct Effects {
   bool spindle_stop = false;
   bool surface_code = false;                    // this block switches the surface speed
   bool announces = false;                       // something that events report may have changed
+  std::uint16_t orders = 0;                     // ir::kOrders…
   std::int16_t stop = -1;                       // 0 program, 1 optional
   ir::Function move_once = ir::Function::none;  // instead of the modal motion
   Flow flow = Flow::next;

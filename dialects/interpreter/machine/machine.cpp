@@ -63,6 +63,7 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       shared_access_(control, storage_, access_, shared_, frames_, state_, report_),
       finder_(finder) {
   names_ = {};
+  state_.announced.every_order = options.every_order;
 }
 
 RunResult Machine::run(const ir::Program& program) {

@@ -84,6 +84,7 @@ struct Announced {
   Spindle spindle;
   ir::CompSide comp = ir::CompSide::off;
   ir::CoolantState coolant = ir::CoolantState::off;
+  bool every_order = false;  // also where nothing differs: RunOptions::every_order
 };
 
 // The drilling cycle in effect and the words that it keeps from block to block. Levels are as ModalState::position, of

@@ -192,7 +192,10 @@ void BlockRaiser::code(const ir::Code& code) {
   if (f == Function::diameter_absolute_only) diameter_ = DiameterMode::diameter_absolute_only;
   if (f == Function::diameter_on || f == Function::diameter_off || f == Function::diameter_absolute_only) return;
   if (same_) return draft_.codes.push_back(code);
-  if (f == Function::tool_change && to_.semantics.tool_word == ir::ToolWord::number_and_offset) return;
+  // T0606 is T6 M6 of the others; where both have T0606, an M6 next to it is an order of its own.
+  if (f == Function::tool_change && to_.semantics.tool_word == ir::ToolWord::number_and_offset &&
+      from_.semantics.tool_word != to_.semantics.tool_word)
+    return;
   if (code.number != ExpressionId::none)
     return cannot(*statement_, passes::computed("a code with a calculated number"));
   if (f == Function::machine_function) return draft_.codes.push_back(code);

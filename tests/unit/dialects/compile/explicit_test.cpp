@@ -118,6 +118,76 @@ TEST(Explicit, CarriesNumbersOfOffsetsOrSaysThatItCannot) {
   }
 }
 
+// The text without its frame of % and program number, a line a block.
+std::string blocks_of(const std::string& text) {
+  const std::size_t first = text.find('\n', text.find("O0001"));
+  return text.substr(first + 1, text.rfind('%') - first - 1);
+}
+
+// The machine's own program hears of each M6, M8 and M9, whether or not it changes what is modelled.
+TEST(Explicit, KeepsOrdersThatChangeNothing) {
+  const ir::Control mill = control("fanuc", ir::MachineKind::mill);
+  const std::string made = explicit_text(
+      "%\nO1\nG21 G17 G90 G94\nM6 T0\nT1 M6\nT1 M6\nM9\nM7 M8\nM8\nS500\nM3\nM3\nS600\nM19\nM5\nM9\nM9\nM30\n%\n",
+      mill);
+  EXPECT_EQ(blocks_of(made),
+            "G21 G17 G90 G94 G40\nT0 M06\nT1 M06\nT1 M06\nM09\nM07\nM08\nM08\nS500\nS500 M03\nS500 M03\nS600\nM19\n"
+            "M05\nM09\nM09\nM30\n");
+}
+
+TEST(Explicit, KeepsTheOrdersOfALathe) {
+  const ir::Control lathe = control("fanuc", ir::MachineKind::lathe);
+  const std::string made = explicit_text(
+      "%\nO1\nG21 G18 G99\nT0200 M6\nT0202\nT0202\nG50 S2000\nG97 S300\nM3\nG0 X50. Z5.\nT0200\nM30\n%\n", lathe);
+  EXPECT_EQ(blocks_of(made),
+            "G21 G18 G99 G40\nT0200 M06\nT0202\nT0202\nG50 S2000\nG97 S300\nG97 S300 M03\nG00 X50. Z5.\nT0200\nM30\n");
+}
+
+// What an M function of the builder's is given goes with it; where it may be a cycle's, that is reported.
+TEST(Explicit, KeepsTheWordsOfMFunctions) {
+  const ir::Control mill = control("fanuc", ir::MachineKind::mill);
+  const std::string head = "%\nO1\nG21 G17 G90 G94\n";
+  const std::string made = explicit_text(head + "M150 P3 Q2.\nM19 R90.\nM151 R5.\nM30\n%\n", mill);
+  EXPECT_EQ(blocks_of(made), "G21 G17 G90 G94 G40\nP3 Q2. M150\nR90. M19\nR5. M151\nM30\n");
+  for (const char* unclear : {"G0 X1. P3 M150", "Q2 M150"}) {
+    const text::Source source("program", head + unclear + "\nM30\n%\n");
+    const ir::ReadResult read = find_dialect(mill.dialect)->read(source, mill);
+    const ExplicitProgram plain = explicit_program(read.program, mill, interpreter::no_programs(), {});
+    EXPECT_TRUE(text::has_error(faults_of(plain, read.program, mill))) << unclear;
+  }
+}
+
+// Where an operator enters at a tool, nothing from before is needed: with the first move, not with one to the machine's
+// zero.
+TEST(Explicit, StatesTheModesAgainAfterAToolChange) {
+  const ir::Control mill = control("fanuc", ir::MachineKind::mill);
+  const std::string made = explicit_text(
+      "%\nO1\nG21 G17 G90 G94\nT1 M6\nG55 G0 X0 Y0 S1000 M3\nG43 H1 Z5.\nT2 M6\nG0 G53 Z0\nX5.\nG1 X6. F100.\nT3 M6\n"
+      "M3\nX7.\nM5\nT4 M6\nX8.\nM30\n%\n",
+      mill);
+  EXPECT_EQ(blocks_of(made),
+            "G21 G17 G90 G94 G40\nT1 M06\nG55\nS1000 M03\nG00 X0. Y0.\nG43 Z5. H1\nT2 M06\nG53 Z0.\nS1000 M03\n"
+            "G90 G17 G94 G55 G00 X5.\nG01 X6. F100.\nT3 M06\nS1000 M03\nG90 G17 G94 G55 G01 X7. F100.\nM05\nT4 M06\n"
+            "G90 G17 G94 G55 G01 X8. F100.\nM30\n");
+}
+
+// D0 would leave the length out, which a tool change without D turns on; a D0 of the program does so.
+TEST(Explicit, WritesNoEdgeThatTheProgramDoesNotState) {
+  const ir::Control mill = control("sinumerik-840d", ir::MachineKind::mill);
+  const std::string source = "G17 G90 G94 G710 G40\nG54\nT1 M6\nG0 Z5\nD0\nZ6\nT1 M6\nZ7\nT2 D2 M6\nZ8\nD2\nM30\n";
+  EXPECT_EQ(explicit_text(source, mill),
+            "G710 G17 G90 G94 G40\nG54\nT1 M6\nG0 Z5.\nD0\nZ6.\nT1 M6\nG90 G17 G94 G54 G0 Z7.\nT2 D2 M6\n"
+            "G90 G17 G94 G54 G0 Z8.\nD2\nM30\n");
+  ConvertRequest request;
+  request.from = mill;
+  request.to = control("fanuc", ir::MachineKind::mill);
+  request.mode = ConvertMode::explicit_blocks;
+  request.source = text::Source("program", "G17 G90 G94 G710 G40\nG54\nT1 M6\nG0 Z5\nM30\n");
+  const ConvertResult made = convert(request);
+  EXPECT_THAT(made.text, ::testing::HasSubstr("G43 H1"));
+  EXPECT_THAT(made.text, ::testing::Not(::testing::HasSubstr("G49")));
+}
+
 // X100 counts least increments, X[100] is calculated like X#1 and counts millimetres; so do arguments of macros.
 TEST(Explicit, BracketsCountWholeUnits) {
   const ir::Control on = control("fanuc", ir::MachineKind::mill);
