@@ -287,7 +287,7 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
   {translation_value, "translation-value", error, "{} has no counterpart on {}",
    "The control has no such value or function. Rewrite the expression, or render explicitly, where only its result remains."},
   {translation_tool, "translation-tool", error, "{} has no counterpart on {}",
-   "Tools and their offsets are named differently there. Write the tool and its offset as numbers before the move that needs them."},
+   "Tools and their offsets are named differently there. Write the tool and its offset as numbers before the move that needs them, or give a tool in the profile of the machine (`--machine`) the name."},
   {translation_call, "translation-call", error, "{} has no counterpart on {}",
    "Programs are named, called and ended differently there. Put what is called into the text, or translate each program by itself."},
   {translation_axis, "translation-axis", error, "{} has no counterpart on {}",

@@ -180,8 +180,8 @@ class StatementRaiser {
     const ir::Native& native = program_.natives[s.payload];
     if (same_dialect_ && s.tokens.first != s.tokens.last) return out_.keep();
     const std::string name(program_.strings.at(native.name));
-    if (native.smooths) return blocks_.leave_out(s, name);
-    if (!native.effects_known || native.writes) blocks_.cannot(s, name);
+    if (native.smooths || (native.effects_known && !native.writes)) return blocks_.leave_out(s, name);
+    blocks_.cannot(s, name);
   }
 
   // The end's statement has a block that holds its code alone.
@@ -288,12 +288,29 @@ void warn_of_outside_values(std::span<const passes::OutsideValue> outside,
 
 }  // namespace
 
+namespace {
+
+// T="DRILL" is the number of the tool that the machine's profile has under that name. Others stay, and are refused.
+void number_named_tools(ir::Program& program, const ir::Control& to) {
+  if (!to.from_profile || to.tool_names.empty()) return;
+  for (ir::Word& word : program.words) {
+    if (word.address != ir::Address::t || word.value == ExpressionId::none) continue;
+    const ir::Expression name = program.at(word.value);
+    if (name.op != ir::Operator::string) continue;
+    const std::int32_t number = ir::tool_of_name(to, program.strings.at(name.string));
+    if (number != 0) word.value = program.add_constant(number, name.span);
+  }
+}
+
+}  // namespace
+
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to,
                       const Grammar& grammar) {
   ir::RaiseResult result{program, {}};
   ir::Program& p = result.program;
   PlacedGlobals globals;
   if (from.dialect != to.dialect) {
+    number_named_tools(p, to);
     globals = place_globals(p, to);
     append(result.diagnostics, std::move(globals.diagnostics));
     state_power_on_modes(p, from, to, result.diagnostics);

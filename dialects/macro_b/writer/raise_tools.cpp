@@ -38,8 +38,11 @@ void BlockRaiser::tool_words(const Traits& traits) {
     if (!as_it_is) return cannot(*statement_, passes::of_tool("a tool word with an offset number"));
     return draft_.words.push_back(*traits.tool);
   }
-  if (traits.tool != nullptr && program_.at(traits.tool->value).op == Operator::string)
-    return cannot(*statement_, passes::of_tool("a tool with a name"));
+  if (traits.tool != nullptr && program_.at(traits.tool->value).op == Operator::string) {
+    const std::string_view name = program_.strings.at(program_.at(traits.tool->value).string);
+    return cannot(*statement_,
+                  passes::of_tool(fmt::format("T=\"{}\", a name that no tool in the machine's profile has,", name)));
+  }
   const bool on_lathe = to_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (!on_lathe && traits.tool != nullptr) draft_.words.push_back(*traits.tool);
   if (traits.tool != nullptr && !traits.tool_change && !tools_->tool_comes_by_t()) return prepare(traits);

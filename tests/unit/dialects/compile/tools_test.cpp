@@ -57,6 +57,32 @@ TEST(Tools, DWithThePreparedToolActsAtOnce) {
   expect_not(made_of(kHead + "T5 M6\nD1\nG0 Z50\nT6 D1\nG0 X10\nM6\nZ20\nM30\n"), "T6\nG43");
 }
 
+// The profile of the machine that the text is for names its tools; what it does not name is refused by its word.
+TEST(Tools, ANameIsTheNumberOfTheTargetsTool) {
+  for (const ConvertMode mode : {ConvertMode::macro, ConvertMode::explicit_blocks}) {
+    ConvertRequest request;
+    request.source = text::Source("program", kHead + "G54\nT=\"DRILL\" M6\nD1\nG0 Z50\nG1 Z0\nM30\n");
+    request.from = control("sinumerik-840d", MachineKind::mill);
+    request.to = control("fanuc", MachineKind::mill);
+    request.mode = mode;
+    EXPECT_NE(messages_of(convert(request).diagnostics, request.source).find("T=\"DRILL\""), std::string::npos);
+    request.to.from_profile = true;
+    request.to.tool_names = {{"DRILL", 7}};
+    const ConvertResult made = convert(request);
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << messages_of(made.diagnostics, request.source);
+    expect_has(made.text, "T7 M06\nG43 H7\n");
+  }
+}
+
+// A form of DPRNT that is not read, and BPRNT: their text is the source control's own.
+TEST(Tools, AnOutputThatIsNotReadIsNotLeftOutSilently) {
+  const std::string text = "%\nO1\nG21 G17 G90\n#1=2.\nDPRNT[X#1[44]*Y#1[3]]\nBPRNT[A#1[3]]\nM30\n%\n";
+  const ConvertResult made = translated(text, "fanuc", "haas");
+  const std::string messages = messages_of(made.diagnostics, text::Source("program", text));
+  expect_has(messages, "DPRNT has no counterpart");
+  expect_has(messages, "BPRNT has no counterpart");
+}
+
 // T2 T3 M6 of Mazak: T2 is put in and T3 made ready; T0 there: none is.
 TEST(Tools, MazakNamesTheNextToolWithTheChange) {
   const std::string text = "%\nO1\nG21 G17 G90 G94\nT2 T3 M6\nG0 X0.\nT4 M6\nX1.\nN5 T05 T0 M06\nX2.\nM30\n%\n";
