@@ -73,8 +73,11 @@ void check_symbol(const Check& check, const ir::Symbol& symbol) {
   }
 }
 
+// A name that is not defined here may be a macro for a variable of the system: DEFINE POS AS $AA_IW, then POS[X].
 void check_index(const Check& check, const ir::Variable& v) {
-  if (v.bank != ir::Bank::named && v.bank != ir::Bank::r) return;
+  const bool is_defined =
+      v.bank == ir::Bank::named && v.symbol != ir::SymbolId::none && !check.program.at(v.symbol).span.empty();
+  if (!is_defined && v.bank != ir::Bank::r) return;
   for (const ir::ExpressionId id : {v.index, v.index2, v.index3}) {
     if (id == ir::ExpressionId::none || check.program.at(id).op != ir::Operator::string) continue;
     const text::Span span = check.program.at(id).span;

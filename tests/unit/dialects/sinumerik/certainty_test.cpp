@@ -56,6 +56,12 @@ TEST(Certainty, AMacroMayStandForAVariableThatIsWritten) {
   EXPECT_EQ(faults("DEFINE COUNTED AS R5\nCOUNTED=COUNTED+1\nM17\n", "A.MPF"), "");
 }
 
+// … and POS[X] for $AA_IW[X]; an index of a name that is defined here is a number for certain.
+TEST(Certainty, ANameFromElsewhereMayTakeAnAxis) {
+  EXPECT_EQ(faults("R1=WHERE[X]\nM17\n"), "warning unknown-name");
+  EXPECT_TRUE(faults("DEF REAL WHERE[3]\nR1=WHERE[X]\nM17\n", "A.MPF").contains("error wrong-type"));
+}
+
 TEST(Certainty, WhatControlsInUseTakeIsNoError) {
   EXPECT_EQ(faults("M3 G4 F2\nM17\n"), "warning statement-not-alone");
   EXPECT_EQ(faults("MSG\nM17\n"), "warning missing-bracket");
