@@ -236,7 +236,9 @@ void BlockWriter::tool(const ir::Motion& motion) {
   const bool states = !same || ordered;
   const bool edge = (motion.axes_commanded & ir::kOrdersEdge) != 0;
   restates_ = restates_ || (has_moved_ && (!same || changes));
-  restates_speed_ = restates_;
+  // A changer stops the spindle (M6), whatever a run takes it for: only the program orders it to turn with the next
+  // tool, which may be a probe. A turret leaves it turning.
+  restates_speed_ = restates_ && !changes && control_.kind == ir::MachineKind::lathe;
   tool_number_ = motion.number;
   tool_name_ = motion.text;
   if (motion.text != kNoName) {

@@ -157,8 +157,8 @@ TEST(Explicit, KeepsTheWordsOfMFunctions) {
   }
 }
 
-// Where an operator enters at a tool, nothing from before is needed: with the first move, not with one to the machine's
-// zero.
+// Where an operator enters at a tool, no mode from before is needed: with the first move, not with one to the machine's
+// zero. The spindle turns with a tool where the program orders it, and not otherwise: T2 may be a probe.
 TEST(Explicit, StatesTheModesAgainAfterAToolChange) {
   const ir::Control mill = control("fanuc", ir::MachineKind::mill);
   const std::string made = explicit_text(
@@ -166,9 +166,18 @@ TEST(Explicit, StatesTheModesAgainAfterAToolChange) {
       "M3\nX7.\nM5\nT4 M6\nX8.\nM30\n%\n",
       mill);
   EXPECT_EQ(blocks_of(made),
-            "G21 G17 G90 G94 G40\nT1 M06\nG55\nS1000 M03\nG00 X0. Y0.\nG43 Z5. H1\nT2 M06\nG53 Z0.\nS1000 M03\n"
+            "G21 G17 G90 G94 G40\nT1 M06\nG55\nS1000 M03\nG00 X0. Y0.\nG43 Z5. H1\nT2 M06\nG53 Z0.\n"
             "G90 G17 G94 G55 G00 X5.\nG01 X6. F100.\nT3 M06\nS1000 M03\nG90 G17 G94 G55 G01 X7. F100.\nM05\nT4 M06\n"
             "G90 G17 G94 G55 G01 X8. F100.\nM30\n");
+}
+
+// A turret leaves the spindle turning.
+TEST(Explicit, StatesTheSpindleAgainAfterATurret) {
+  const ir::Control lathe = control("fanuc", ir::MachineKind::lathe);
+  const std::string made = explicit_text(
+      "%\nO1\nG21 G18 G99\nT0101\nG97 S300 M3\nG0 X50. Z5.\nT0202\nX40.\nT0303 M6\nX30.\nM30\n%\n", lathe);
+  EXPECT_THAT(made, ::testing::HasSubstr("T0202\nG97 S300 M03\n"));
+  EXPECT_THAT(made, ::testing::Not(::testing::HasSubstr("T0303 M06\nG97")));
 }
 
 // D0 would leave the length out, which a tool change without D turns on; a D0 of the program does so.
