@@ -202,6 +202,15 @@ def a_full_disk(folder):
         subprocess.run(["umount", "-l", str(data)], check=False)
 
 
+def waits_for_disk(pid):
+    """Whether the thread of uploads is in a system call that is no wait for work."""
+    futex = "202 "  # on x86-64
+    for task in pathlib.Path(f"/proc/{pid}/task").iterdir():
+        if (task / "comm").read_text().strip() == "http spool":
+            return not (task / "syscall").read_text().startswith((futex, "running"))
+    return False
+
+
 def a_disk_that_hangs(folder):
     """The folder of the uploads stops answering: they wait and fail, and no other request notices."""
     if missing := why_not():
@@ -230,7 +239,7 @@ def a_disk_that_hangs(folder):
         expect(client.call("POST", "/programs", body, headers=JSON).status == 201, "after")
         share.freeze()
         link = begin_upload(client, body, 3_000_000)
-        time.sleep(0.5)
+        shop.wait_for("the server to wait for the disk", lambda: waits_for_disk(client.server.process.pid))
         # The server gives the upload up and ends. What the file system has read and does not answer holds its process in the kernel all the same.
         client.server.process.send_signal(signal.SIGTERM)
         log = client.server.data / "server.log"
