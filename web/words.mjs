@@ -1,7 +1,7 @@
 // The texts of the page in two parts: what the page may show at once, and the rest, which comes with the first view that
 // is loaded on demand. No list says which text is which: a file that the page loads first and names a group of ids
-// ("order" of "order.title") keeps that whole group in the first part. Sentences of the server come later in any case:
-// until then each is shown as the server wrote it, in the same language.
+// ("order" of "order.title") keeps that whole group in the first part. Sentences of the server without values come later in any
+// case: until then each is shown as the server wrote it, in the same words.
 import { readFile } from 'node:fs/promises';
 import { existsSync } from 'node:fs';
 import path from 'node:path';
@@ -34,8 +34,8 @@ async function textsOf(entry) {
 export async function partsOf(entry, words) {
   const named = new Set();
   for (const text of await textsOf(entry)) for (const [, group] of text.matchAll(kQuoted)) named.add(group);
-  named.delete('said');
-  const isFirst = ([id]) => named.has(id.split('.', 1)[0]);
+  const isPlain = ([id, text]) => id.startsWith('said.') && !text.includes('{');
+  const isFirst = (one) => named.has(one[0].split('.', 1)[0]) && !isPlain(one);
   const all = Object.entries(words);
   return { first: Object.fromEntries(all.filter(isFirst)), rest: Object.fromEntries(all.filter((one) => !isFirst(one))) };
 }
