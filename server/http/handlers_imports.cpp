@@ -1,5 +1,6 @@
 // Files of a shop's own folders, one a request: whoever has many sends one after the other, and each is reported.
 #include <algorithm>
+#include <expected>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "server/app/library/import_file.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
+#include "server/http/spool.h"
 #include "server/json/shop_manifest.h"
 
 namespace dripfeed::http {
@@ -31,27 +33,14 @@ std::string why_wrong(const Request& request) {
   return {};
 }
 
-app::Result<std::string> read_whole(const Request& request) {
-  std::string bytes(body_bytes(request), '\0');
-  const BodyPieces pieces = pieces_of(request);
-  std::size_t length = 0;
-  while (length < bytes.size()) {
-    const auto count = pieces(std::span(bytes).subspan(length));
-    if (!count) return app::fail(app::ErrorCode::unavailable, count.error());
-    if (*count == 0) break;
-    length += *count;
-  }
-  bytes.resize(length);
-  return bytes;
-}
-
 }  // namespace
 
 // What is wrong with the request refuses it; what becomes of each program of the file is in the report.
 Response import_programs(const Call& call) {
   if (std::string why = why_wrong(call.request); !why.empty()) return problem_response(422, std::move(why));
-  const auto bytes = read_whole(call.request);
-  if (!bytes) return problem_response(bytes.error());
+  std::expected<std::string, std::string> spooled;
+  if (call.request.spooled) spooled = call.request.spooled->read();
+  if (!spooled) return problem_response(app::Error{app::ErrorCode::unavailable, spooled.error(), {}});
   app::Application& application = call.api.application();
   const bool only_look = !query_text(call.request, "only_look").empty();
   app::Importer importer(
@@ -64,7 +53,7 @@ Response import_programs(const Call& call) {
   app::import_file(importer,
                    {.path = query_text(call.request, "path"),
                     .under = query_text(call.request, "folder"),
-                    .bytes = *bytes,
+                    .bytes = call.request.spooled ? *spooled : call.request.body,
                     .keeps_ending = !query_text(call.request, "keep_ending").empty()},
                    [&](const app::ImportRow& row) { rows.push_back(row); });
   return json_response(200, json::import_report(rows, only_look));

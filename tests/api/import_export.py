@@ -107,6 +107,9 @@ def a_tree_over_the_wire(folder, tree):
     expect(library(by_request) == library(by_command), "another library")
     again = by_request.must("POST", "/imports?path=top.nc&known=skip", b"%\nO10\nM30\n%\n", role="programmer")
     expect(sums(again) == {"skipped": 1} and again["items"][0]["program"], f"{again}")
+    long = b"%\nO0099\n" + b"G01 X1.5 Y2.25 F100.\n" * 100_000 + b"M30\n%\n"  # a body that lies in a file
+    done = by_request.must("POST", "/imports?path=long.nc", long, role="programmer")["items"][0]
+    expect((done["outcome"], done["sha256"], done["bytes"]) == ("added", hashlib.sha256(long).hexdigest(), len(long)), f"{done}")
     below = by_request.must("POST", "/imports?path=a/b.nc&folder=old/works&dialect=mazak", PLAIN, role="programmer")["items"][0]
     expect((below["folder"], below["name"], below["dialect"]) == ("old/works/a", "b", "mazak"), f"{below}")
     outside = by_request.must("POST", "/imports?path=../../etc/b.nc", PLAIN, role="programmer")

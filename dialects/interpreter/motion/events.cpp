@@ -16,12 +16,6 @@ Spindle spindle_of(const ModalState& state) {
       .state = state.spindle, .surface_speed_m_min = state.surface_speed_m_min, .limit_rpm = state.spindle_limit_rpm};
 }
 
-}  // namespace
-
-ir::Motion& emit_event(MotionKind kind, const ModalState& state, MotionBuffer& out);
-
-namespace {
-
 void announce_spindle(ModalState& state, MotionBuffer& out, std::uint16_t orders) {
   Announced& announced = state.announced;
   constexpr std::uint16_t kTurning = ir::kOrdersSpindle | ir::kOrdersOrientation;

@@ -286,10 +286,6 @@ void warn_of_outside_values(std::span<const passes::OutsideValue> outside,
   }
 }
 
-}  // namespace
-
-namespace {
-
 // T="DRILL" is the number of the tool that the machine's profile has under that name. Others stay, and are refused.
 void number_named_tools(ir::Program& program, const ir::Control& to) {
   if (!to.from_profile || to.tool_names.empty()) return;

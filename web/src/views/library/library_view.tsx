@@ -52,8 +52,8 @@ export function LibraryView() {
     <div class={drop.isOver ? 'library drop-here' : 'library'} {...drop.handlers}>
       <div class="floor-head">
         <h1 tabIndex={-1}>{t('nav.library')}</h1>
-        {may && <UploadButton upload={upload} />}
-        {may && <ImportButton take={importFolder} />}
+        {may && <FilesButton label={t('library.upload')} take={upload} main />}
+        {may && <FilesButton label={t('import.folder')} take={importFolder} folder />}
       </div>
       <SearchLine words={words} filter={filter} items={found.shown?.items ?? []} />
       {drop.isOver && (
@@ -103,7 +103,7 @@ function FoundPrograms({ found, words, may, nothing }: FoundProgramsProps) {
 }
 
 const NoProgram = ({ may, upload }: { may: boolean; upload: (files: readonly File[]) => void }) => (
-  <Empty action={may && <UploadButton upload={upload} main />}>{t(may ? 'library.empty' : 'library.empty_viewer')}</Empty>
+  <Empty action={may && <FilesButton label={t('library.upload')} take={upload} main />}>{t(may ? 'library.empty' : 'library.empty_viewer')}</Empty>
 );
 
 const NothingFound = () => (
@@ -118,39 +118,26 @@ const NothingFound = () => (
   </Empty>
 );
 
-function UploadButton({ upload, main = true }: { upload: (files: readonly File[]) => void; main?: boolean }) {
+interface FilesButtonProps {
+  label: string;
+  take: (files: readonly File[]) => void;
+  main?: boolean;
+  folder?: boolean; // with all that is in it
+}
+
+function FilesButton({ label, take, main = false, folder = false }: FilesButtonProps) {
   const input = useRef<HTMLInputElement>(null);
+  // What all browsers call it.
+  useEffect(() => void input.current?.toggleAttribute('webkitdirectory', folder), [folder]);
   return (
     <>
       <button type="button" class={main ? 'button button-main' : 'button'} onClick={() => input.current?.click()}>
-        {t('library.upload')}
+        {label}
       </button>
       <input
         ref={input}
         type="file"
         multiple
-        hidden
-        onChange={(event) => {
-          upload([...(event.currentTarget.files ?? [])]);
-          event.currentTarget.value = '';
-        }}
-      />
-    </>
-  );
-}
-
-// `webkitdirectory` is what all browsers call it.
-function ImportButton({ take }: { take: (files: readonly File[]) => void }) {
-  const input = useRef<HTMLInputElement>(null);
-  useEffect(() => input.current?.setAttribute('webkitdirectory', ''), []);
-  return (
-    <>
-      <button type="button" class="button" onClick={() => input.current?.click()}>
-        {t('import.folder')}
-      </button>
-      <input
-        ref={input}
-        type="file"
         hidden
         onChange={(event) => {
           take([...(event.currentTarget.files ?? [])]);
