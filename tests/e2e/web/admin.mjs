@@ -1,6 +1,6 @@
 // An administrator's day: people and tokens, a machine's profile as a form with the test of its line, and the store with its
 // verification and backups.
-import { accessible, expect, fits, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -53,14 +53,14 @@ async function people(page) {
   await page.keyboard.press('Escape');
   await dialog(page).waitFor({ state: 'detached' });
   await page.getByRole('row').filter({ hasText: 'MES' }).getByRole('cell', { name: 'orders and the queue' }).waitFor();
-  expect(!(await page.content()).includes(secret), 'and not again');
+  await soon(async () => !(await page.content()).includes(secret), 'and not again');
   await accessible(page, 'tokens');
   await shot(page, 'tokens');
   await page.getByRole('link', { name: 'Audit' }).click();
   await page.getByLabel('About').fill('user/olga');
   await page.getByRole('button', { name: 'Filter' }).click();
   await page.getByRole('cell', { name: 'pin set' }).waitFor();
-  expect((await page.getByRole('row').count()) === 3, 'the audit has what was done to olga');
+  await soon(async () => (await page.getByRole('row').count()) === 3, 'the audit has what was done to olga');
   await accessible(page, 'the audit');
   await shot(page, 'audit');
   await page.setViewportSize(kPhone.viewport);
@@ -76,9 +76,9 @@ async function profile(page) {
   await page.goto(`${url}/#/people/machines`);
   await page.getByRole('link', { name: 'bench', exact: true }).click();
   await page.getByRole('heading', { name: 'Profile of bench' }).waitFor();
-  expect(await field(page, '/name').isDisabled(), 'a name stays');
+  await soon(() => field(page, '/name').isDisabled(), 'a name stays');
   const save = page.getByRole('button', { name: /^Save as revision/ });
-  expect(await save.isDisabled(), 'nothing is changed yet');
+  await soon(() => save.isDisabled(), 'nothing is changed yet');
   await accessible(page, 'a profile');
   await field(page, '/title').fill('The bench lathe');
   await unfold(page, 'buffer');
@@ -92,12 +92,12 @@ async function profile(page) {
   await save.click();
   await page.getByRole('alert').getByText('see the marked fields').waitFor();
   for (const pointer of ['/buffer/bytes', `/tools/${tools}/number`])
-    expect((await field(page, pointer).getAttribute('aria-invalid')) === 'true', `${pointer} is marked`);
+    await soon(async () => (await field(page, pointer).getAttribute('aria-invalid')) === 'true', `${pointer} is marked`);
   await accessible(page, 'a profile with faults');
   await shot(page, 'profile-faults');
-  expect((await profileOf('bench')).revision === 1, 'a refused profile changes nothing');
+  await soon(async () => (await profileOf('bench')).revision === 1, 'a refused profile changes nothing');
   await page.getByRole('button', { name: `tools.${tools}.number` }).click();
-  expect((await page.evaluate(() => document.activeElement.dataset.pointer)) === `/tools/${tools}/number`, 'a fault leads to its field');
+  await soon(async () => (await page.evaluate(() => document.activeElement.dataset.pointer)) === `/tools/${tools}/number`, 'a fault leads to its field');
   await page.keyboard.type('77');
   await field(page, '/buffer/bytes').fill('2048');
   await save.click();
@@ -109,7 +109,7 @@ async function profile(page) {
   await field(page, '/title').fill('Mine');
   await save.click();
   await page.getByText(/another change came first|another revision/i).waitFor();
-  expect((await profileOf('bench')).profile.title === 'Changed by another', 'their change stays');
+  await soon(async () => (await profileOf('bench')).profile.title === 'Changed by another', 'their change stays');
 }
 
 // As the file has it: out of the page, and into it, for another machine.
@@ -126,12 +126,12 @@ async function files(page) {
   await field(page, '/link/url').fill('tcp://127.0.0.1:9');
   await page.getByRole('button', { name: 'Add the machine' }).click();
   await page.getByRole('heading', { name: 'Profile of second' }).waitFor();
-  expect((await profileOf('second')).profile.link.url === 'tcp://127.0.0.1:9', 'the second machine has its own line');
+  await soon(async () => (await profileOf('second')).profile.link.url === 'tcp://127.0.0.1:9', 'the second machine has its own line');
   await page.getByLabel('Profile of the machine (JSON)').setInputFiles({ name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"name": ') });
   await page.getByText('This file is not JSON').waitFor();
   await page.getByLabel('Profile of the machine (JSON)').setInputFiles(await saved.path());
   await page.getByText(/The form has what is in/).waitFor();
-  expect((await field(page, '/name').inputValue()) === 'second', 'a file never renames a machine');
+  await soon(async () => (await field(page, '/name').inputValue()) === 'second', 'a file never renames a machine');
 }
 
 async function lineTest(page) {
@@ -141,7 +141,7 @@ async function lineTest(page) {
   const button = page.getByRole('button', { name: 'The plug is in place: test' });
   await field(page, '/title').fill('x');
   await field(page, '/title').blur();
-  expect(await button.isDisabled(), 'what is not saved is not tested');
+  await soon(() => button.isDisabled(), 'what is not saved is not tested');
   await page.reload();
   await page.getByText('Save first').waitFor({ state: 'detached' });
   await rig.bridge('looped');
@@ -166,11 +166,11 @@ async function store(page) {
   await made.waitFor({ timeout: 30_000 });
   const name = /dripfeed-\S+\.backup/.exec(await made.innerText())[0];
   await page.getByRole('cell', { name, exact: true }).waitFor();
-  expect((await rig.job(job)).state === 'feeding', 'the line went on');
+  await soon(async () => (await rig.job(job)).state === 'feeding', 'the line went on');
   await accessible(page, 'the store');
   await page.getByRole('link', { name: 'Licences of what is shipped' }).click();
   await page.getByText('Permission is hereby granted').first().waitFor();
-  expect((await page.locator('body').innerText()).includes('three'), 'the licences of what is shipped, with their texts');
+  await soon(async () => (await page.locator('body').innerText()).includes('three'), 'the licences of what is shipped, with their texts');
   await page.goBack();
   await page.getByText('The store is sound').or(page.getByRole('button', { name: 'Verify the store' })).first().waitFor();
   await shot(page, 'store');
@@ -200,7 +200,7 @@ async function others(page) {
   await signIn(page, url, tokens.approver);
   await page.goto(`${url}/#/people/store`);
   await page.getByRole('heading', { name: 'Administration' }).waitFor();
-  expect((await page.getByRole('button', { name: 'Make a backup' }).count()) === 0, 'an approver makes no backup');
+  await soon(async () => (await page.getByRole('button', { name: 'Make a backup' }).count()) === 0, 'an approver makes no backup');
   await page.goto(`${url}/#/people/audit`);
   await page.getByRole('table', { name: 'Audit' }).waitFor();
 }

@@ -106,6 +106,17 @@ export async function until(check, what, timeout_ms = 20_000) {
   }
 }
 
+// What the page shows as soon as its answers are there: it is drawn in several steps, and a first look may come between two of them.
+export async function soon(check, text, timeout_ms = 5_000) {
+  const end = Date.now() + timeout_ms;
+  let holds = await check();
+  while (!holds && Date.now() < end) {
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    holds = await check();
+  }
+  expect(holds, text);
+}
+
 // Names what is wider than the screen.
 export async function fits(page, what) {
   const wide = await page.evaluate(() => {

@@ -1,7 +1,7 @@
 // A programmer's day against the real server: programs are dropped into the library, found, written and mended, compared,
 // checked and handed in; a colleague saves meanwhile; a part gets its values.
 import { fileURLToPath } from 'node:url';
-import { accessible, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 800 } };
@@ -54,15 +54,15 @@ async function upload(page) {
     ['empty.nc', ''],
   ]);
   await dialog(page).getByText('O0700.nc').waitFor();
-  expect((await dialog(page).getByLabel('Dialect').first().inputValue()) === 'fanuc', 'the server says in which dialect a file is');
+  await soon(async () => (await dialog(page).getByLabel('Dialect').first().inputValue()) === 'fanuc', 'the server says in which dialect a file is');
   await dialog(page).getByLabel('Folder of new programs').fill('acme/pumps');
   await dialog(page).getByLabel('Dialect').nth(2).selectOption('fanuc');
   await accessible(page, 'the upload');
   await shot(page, 'desk-upload');
   await dialog(page).getByRole('button', { name: 'Upload 3 programs' }).click();
   await dialog(page).getByRole('alert').waitFor();
-  expect((await dialog(page).getByRole('alert').count()) === 1, 'the file that the server refuses says why, and no other');
-  expect((await dialog(page).getByRole('link').count()) === 2, 'the others are there');
+  await soon(async () => (await dialog(page).getByRole('alert').count()) === 1, 'the file that the server refuses says why, and no other');
+  await soon(async () => (await dialog(page).getByRole('link').count()) === 2, 'the others are there');
   await dialog(page).getByRole('button', { name: 'Back' }).click();
   await row(page, 'O0700').getByRole('link', { name: 'acme/pumps' }).waitFor();
 }
@@ -75,7 +75,7 @@ async function uploadAgain(page) {
   await page.getByRole('button', { name: 'Upload…' }).first().click();
   await (await chosen).setFiles({ name: 'O0701.nc', mimeType: 'text/plain', buffer: Buffer.from(kFlange.replace('S500', 'S600')) });
   await dialog(page).getByText('There is a program O0701 already').waitFor();
-  expect(await dialog(page).getByLabel(/^as revision 2 of program/).isChecked(), 'it proposes the next revision');
+  await soon(() => dialog(page).getByLabel(/^as revision 2 of program/).isChecked(), 'it proposes the next revision');
   await dialog(page).getByRole('button', { name: 'Upload 1 program' }).click();
   await dialog(page).getByRole('link', { name: 'O0701' }).waitFor();
   await dialog(page).getByRole('button', { name: 'Back' }).click();
@@ -88,13 +88,13 @@ async function find(page) {
   await page.getByLabel('Search', { exact: true }).pressSequentially('housing');
   await page.locator('.snippet mark').first().waitFor();
   console.log(`  found ${Date.now() - started} ms after the first key`);
-  expect((await page.getByRole('row').count()) === 2, 'one program is found');
+  await soon(async () => (await page.getByRole('row').count()) === 2, 'one program is found');
   await at(page, '#/library?q=housing');
   await shot(page, 'desk-found');
   await page.reload();
   await live(page);
   await page.locator('.snippet mark').first().waitFor();
-  expect((await page.getByLabel('Search', { exact: true }).inputValue()) === 'housing', 'a reload looks for the same');
+  await soon(async () => (await page.getByLabel('Search', { exact: true }).inputValue()) === 'housing', 'a reload looks for the same');
   await page.getByLabel('Search', { exact: true }).fill('nothing like it anywhere');
   await page.getByRole('button', { name: 'Show all programs' }).click();
   await row(page, 'O0701').waitFor();
@@ -140,12 +140,12 @@ async function mend(page) {
   await editor(page).waitFor();
   await read(page);
   await until(async () => (await page.title()).startsWith('O0700'), 'the tab is named after the program');
-  expect((await faults(page).locator('.outline-go').allInnerTexts()).join(' ').includes('T0606'), 'the outline has the tool');
+  await soon(async () => (await faults(page).locator('.outline-go').allInnerTexts()).join(' ').includes('T0606'), 'the outline has the tool');
   await write(page, kPump.replace('X110.', 'x110.'));
   await faults(page).getByText('Line 9').waitFor();
   await accessible(page, 'a text with a fault');
   await shot(page, 'desk-fault');
-  expect(await page.locator('.cm-lint-marker').first().isVisible(), 'the margin shows it');
+  await soon(() => page.locator('.cm-lint-marker').first().isVisible(), 'the margin shows it');
   await faults(page).getByText('What helps').first().click();
   await faults(page).getByRole('button', { name: /^Write X/ }).click();
   await until(async () => (await faults(page).locator('.fault.tone-bad').count()) === 0, 'the fix mends it');
@@ -171,7 +171,7 @@ async function mend(page) {
   await page.goto(`${page.url()}?revision=1`);
   await page.getByText('Revision 1; the newest is 2.').waitFor();
   await editor(page).getByText('X110.').waitFor();
-  expect((await editor(page).getAttribute('contenteditable')) === 'false', 'an older revision is to read');
+  await soon(async () => (await editor(page).getAttribute('contenteditable')) === 'false', 'an older revision is to read');
   await page.getByRole('link', { name: 'To the newest' }).click();
   await editor(page).getByText('X111.').waitFor();
   const { body } = await rig.call('GET', '/programs?name=O0700');
@@ -185,7 +185,7 @@ async function conflict(page, program) {
   await rig.call('POST', `/programs/${program}/revisions`, { text: kPump.replace('X110.', 'X113.') }, 'admin', { 'If-Match': '"2"' });
   await page.getByRole('button', { name: 'Save as revision 3' }).click();
   await page.getByText(/saved revision 3 while you wrote on revision 2/).waitFor();
-  expect(await editor(page).getByText('X112.').isVisible(), 'the own text is not lost');
+  await soon(() => editor(page).getByText('X112.').isVisible(), 'the own text is not lost');
   await accessible(page, 'a conflict');
   await shot(page, 'desk-conflict');
   await page.getByRole('button', { name: 'Go on with my text on top of revision 3' }).click();
@@ -200,7 +200,7 @@ async function compare(page) {
   await page.getByRole('radio', { name: 'Revision 1 as: First' }).check();
   await page.getByRole('button', { name: 'Compare revisions 1 and 4' }).click();
   await page.getByRole('list', { name: 'O0700, revision 1' }).getByText('X110.').waitFor();
-  expect(await page.getByRole('list', { name: 'O0700, revision 4' }).getByText('X112.').isVisible(), 'side by side');
+  await soon(() => page.getByRole('list', { name: 'O0700, revision 4' }).getByText('X112.').isVisible(), 'side by side');
   await accessible(page, 'a comparison');
   await shot(page, 'desk-compare');
   const address = new URL(page.url()).hash;
@@ -321,7 +321,7 @@ async function judged(page) {
 // What the variables of a macro mean stands beside its text. Plain blocks have none.
 async function legend(page) {
   const title = page.locator('.preview summary', { hasText: /Variables \(\d+\)/ });
-  expect((await title.count()) === 0, 'plain blocks have no variables');
+  await soon(async () => (await title.count()) === 0, 'plain blocks have no variables');
   await page.locator('.preview').getByLabel('Delivery').selectOption('memory');
   await title.click();
   const order = { family: 'hyperbolic-roll', values: { speed_rpm: '777 rpm' }, machine: await page.locator('.preview').getByLabel('Machine').inputValue(), delivery: 'memory' };
@@ -364,13 +364,13 @@ async function part(page) {
   await page.getByLabel(/step of the angle/).fill('1');
   await page.getByRole('button', { name: 'Make the part' }).click();
   await at(page, '#/parts/R-7');
-  expect((await rig.call('GET', '/parts/R-7')).body.values.angle_step === '1 deg', 'a plain number is in the unit of its field');
+  await soon(async () => (await rig.call('GET', '/parts/R-7')).body.values.angle_step === '1 deg', 'a plain number is in the unit of its field');
   await page.getByRole('button', { name: 'Add an order for this part…' }).click();
-  expect((await dialog(page).getByLabel('Part', { exact: true }).inputValue()) === 'R-7', 'an order of the part');
+  await soon(async () => (await dialog(page).getByLabel('Part', { exact: true }).inputValue()) === 'R-7', 'an order of the part');
   await dialog(page).getByLabel('Number of the planner').fill('A-R7');
   await dialog(page).getByRole('button', { name: 'Add an order' }).click();
   await page.getByRole('heading', { name: 'Order A-R7' }).waitFor();
-  expect((await rig.call('GET', '/orders?number=A-R7')).body.items[0].part === 'R-7', 'is there');
+  await soon(async () => (await rig.call('GET', '/orders?number=A-R7')).body.items[0].part === 'R-7', 'is there');
   await page.goBack();
   await at(page, '#/parts/R-7');
   const region = page.getByRole('region', { name: 'Feasible region' });
@@ -504,15 +504,15 @@ async function viewer(page) {
   const [, id] = /#\/programs\/(\d+)/.exec(page.url());
   await editor(page).waitFor();
   await page.locator('.nc-code').first().waitFor();
-  expect((await editor(page).getAttribute('contenteditable')) === 'false', 'the text is to read');
+  await soon(async () => (await editor(page).getAttribute('contenteditable')) === 'false', 'the text is to read');
   await page.locator('.nc-code').first().hover();
   await page.waitForTimeout(700);
-  expect((await page.locator('.nc-help').count()) === 0, 'nothing is explained while the control is not known');
+  await soon(async () => (await page.locator('.nc-help').count()) === 0, 'nothing is explained while the control is not known');
   for (const place of ['Text', 'Revisions', 'Checks', 'Release']) {
     await page.getByRole('link', { name: place, exact: true }).click();
     await at(page, `#/programs/${id}${place === 'Text' ? '' : `/${place.toLowerCase()}`}`);
     await page.getByRole('main').locator('.editor, .table, .empty').first().waitFor();
-    expect((await page.getByRole('button', { name: /Save|Check revision|Draft|Hand|Archive|Upload|Change/ }).count()) === 0, `${place}: no order for a viewer`);
+    await soon(async () => (await page.getByRole('button', { name: /Save|Check revision|Draft|Hand|Archive|Upload|Change/ }).count()) === 0, `${place}: no order for a viewer`);
   }
 }
 

@@ -1,6 +1,6 @@
 // The search of the documentation under /docs, in the server's own pages: by keys alone, on a desk and a phone, light and dark, within the
 // strict policy and without an outside host; and a reader without scripts has no field that does nothing.
-import { accessible, expect, fits, main, shot, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, main, shot, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const { url } = await rig.base();
@@ -25,12 +25,12 @@ async function byKeys(page) {
   await page.keyboard.type('G84 fanuc');
   await first(page).waitFor();
   await until(async () => /^\d+ places/.test(await status(page).textContent()), 'the hits are counted');
-  expect((await first(page).textContent()).includes('G84'), 'the row of the word comes first');
+  await soon(async () => (await first(page).textContent()).includes('G84'), 'the row of the word comes first');
   await shot(page, 'docs-search');
   await page.keyboard.press('Enter');
   await page.waitForURL(/\/docs\/words-fanuc#row-G84$/);
   await page.locator('tr:target').waitFor();
-  expect((await page.locator('tr:target').textContent()).startsWith('G84'), 'the row that was found is the one that is shown');
+  await soon(async () => (await page.locator('tr:target').textContent()).startsWith('G84'), 'the row that was found is the one that is shown');
   await shot(page, 'docs-row');
 
   await page.keyboard.press('/');
@@ -41,7 +41,7 @@ async function byKeys(page) {
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('ArrowDown');
-  expect(await page.evaluate(() => document.activeElement.getAttribute('href')) === wanted, 'arrows lead along the hits');
+  await soon(async () => await page.evaluate(() => document.activeElement.getAttribute('href')) === wanted, 'arrows lead along the hits');
   await page.keyboard.press('Enter');
   await page.waitForURL((address) => `${address.pathname}${address.hash}` === wanted);
 
@@ -50,7 +50,7 @@ async function byKeys(page) {
   await until(async () => /^Nothing found/.test(await status(page).textContent()), 'it states that nothing is found');
   await page.keyboard.press('Escape');
   await status(page).waitFor({ state: 'hidden' });
-  expect((await page.getByLabel(kField).inputValue()) === '', 'Escape clears the field');
+  await soon(async () => (await page.getByLabel(kField).inputValue()) === '', 'Escape clears the field');
   expect(requests.others.length === 0, `no outside host is asked (${requests.others.join(', ') || 'none'})`);
 }
 
@@ -113,13 +113,13 @@ async function drawings(page) {
   await page.goto(`${url}/docs/architecture#the-state-machines`);
   await shot(page, 'docs-drawing');
   const present = page.locator('.docs-list [aria-current]');
-  expect(await present.evaluate((one) => one.getBoundingClientRect().bottom <= window.innerHeight), 'the list of pages shows the present one');
+  await soon(() => present.evaluate((one) => one.getBoundingClientRect().bottom <= window.innerHeight), 'the list of pages shows the present one');
 }
 
 async function withoutScripts(page) {
   await page.goto(`${url}/docs/safety`);
-  expect(!(await page.locator('.docs-search').isVisible()), 'there is no field');
-  expect(await page.getByRole('link', { name: 'Profiles' }).or(page.getByRole('link', { name: 'Machine profiles' })).first().isVisible(), 'the list of pages is there');
+  await soon(async () => !(await page.locator('.docs-search').isVisible()), 'there is no field');
+  await soon(() => page.getByRole('link', { name: 'Profiles' }).or(page.getByRole('link', { name: 'Machine profiles' })).first().isVisible(), 'the list of pages is there');
 }
 
 await main([

@@ -1,7 +1,7 @@
 // A family's drawing on the page: a parameter and its dimension light each other, a value that is dragged moves the drawing, and no text of any
 // shipped family covers another one.
 import { readdir, readFile } from 'node:fs/promises';
-import { expect, fits, main, shot, signIn, until, withPage } from './browser.mjs';
+import { expect, fits, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 1000 } };
@@ -28,15 +28,15 @@ async function lights(page) {
   await signIn(page, url, tokens.programmer);
   await page.goto(`${url}/#/families/${name}`);
   await dimension(page, 'roll_length').waitFor();
-  expect(!(await isLit(page, 'roll_length')), 'nothing is lit at first');
+  await soon(async () => !(await isLit(page, 'roll_length')), 'nothing is lit at first');
   await field(page, 'roll_length').hover();
   await until(() => isLit(page, 'roll_length'), 'the field lights its dimension');
-  expect(!(await isLit(page, 'clearance')), 'and no other one');
+  await soon(async () => !(await isLit(page, 'clearance')), 'and no other one');
   await shot(page, 'drawing-lit-by-field');
   await dimension(page, 'clearance').locator('text').hover();
   await until(() => isLit(page, 'clearance'), 'a dimension is lit by itself');
   await until(async () => /parameter-lit/.test(await field(page, 'clearance').getAttribute('class')), 'and lights its field');
-  expect(!(await isLit(page, 'roll_length')), 'the one before is dark again');
+  await soon(async () => !(await isLit(page, 'roll_length')), 'the one before is dark again');
   await dimension(page, 'half_axis_x').locator('text').click();
   await until(() => field(page, 'half_axis_x').locator('input').first().evaluate((one) => one === document.activeElement), 'a click on a dimension leads to its field');
 }

@@ -1,5 +1,5 @@
 // What a programmer does to a text in the editor beyond typing it: new numbers, blanks, letters, each one step that can be undone.
-import { accessible, expect, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 800 } };
@@ -39,17 +39,17 @@ async function laysOut() {
     await dialog(page).getByRole('button', { name: 'Change the text' }).click();
     await gone(page);
     await until(async () => /N140 G1 X10\. F100\./.test(await written(page)), 'blocks have numbers');
-    expect(/GOTO 140/.test(await written(page)), 'the jump follows its block');
+    await soon(async () => /GOTO 140/.test(await written(page)), 'the jump follows its block');
     await shot(page, 'editor-numbered');
     await editor(page).click();
     await page.keyboard.press('Control+z');
-    expect((await written(page)) === before, 'it is one step, and undone');
+    await soon(async () => (await written(page)) === before, 'it is one step, and undone');
     await rewrite(page, 'Remove blanks');
     await gone(page);
-    expect(/\nN20G1X10\.F100\.\n/.test(await written(page)) && /\(SLOT one\)/.test(await written(page)), 'blanks are gone, but in the comment');
+    await soon(async () => /\nN20G1X10\.F100\.\n/.test(await written(page)) && /\(SLOT one\)/.test(await written(page)), 'blanks are gone, but in the comment');
     await rewrite(page, 'Add blanks between words');
     await gone(page);
-    expect(/\nN20 G1 X10\. F100\.\n/.test(await written(page)), 'and come back');
+    await soon(async () => /\nN20 G1 X10\. F100\.\n/.test(await written(page)), 'and come back');
     await rewrite(page, 'Capital letters');
     await dialog(page).getByText('There is nothing to change.').waitFor();
     await dialog(page).getByRole('button', { name: 'Back' }).click();
@@ -69,13 +69,13 @@ async function refuses() {
     await dialog(page).getByRole('alert').getByText(/N30/).waitFor();
     await accessible(page, 'a refused change');
     await shot(page, 'editor-refused');
-    expect((await written(page)) === before, 'the text is as it was');
+    await soon(async () => (await written(page)) === before, 'the text is as it was');
     await dialog(page).getByRole('button', { name: 'Line 9' }).click();
     await page.getByText('Line 9', { exact: false }).first().waitFor();
     await gone(page);
     await rewrite(page, 'Small letters');
     await dialog(page).getByRole('alert').waitFor();
-    expect((await written(page)) === before, 'a control without small letters gets none');
+    await soon(async () => (await written(page)) === before, 'a control without small letters gets none');
   });
 }
 

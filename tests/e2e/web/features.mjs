@@ -1,7 +1,7 @@
 // What shops look for in such a page (docs/features.md), each with a picture, in the demo shop. It is walked by hand:
 //   SCREENSHOTS=dir python3 tests/e2e/round.py build/dev/dripfeed features.mjs
 // Only the feature itself is shown here; the other tests in this folder try each one thoroughly.
-import { expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { expect, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 
 const url = process.env.DRIPFEED_URL;
 const token = process.env.DRIPFEED_TOKEN;
@@ -66,7 +66,7 @@ const kRows = [
   ['03-long-program', async (page) => {
     await at(page, `programs/${made.long}?path=1`, editor);
     await drawn(page);
-    expect((await page.getByRole('region', { name: 'Toolpath' }).innerText()).includes('100'), 'its segments are stated');
+    await soon(async () => (await page.getByRole('region', { name: 'Toolpath' }).innerText()).includes('100'), 'its segments are stated');
   }],
   ['04-sent-and-known', async (page) => {
     const job = await feed();

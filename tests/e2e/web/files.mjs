@@ -2,7 +2,7 @@
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { accessible, expect, fits, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -41,26 +41,26 @@ async function drawingsAndColumns(page) {
   await until(async () => (await drawn('STILL').innerText()) === 'no move', 'a program without a move has no drawing');
   await until(async () => (await drawn('BROKEN').innerText()) === 'no picture', 'one that cannot be run has none, and does not pass for one without a move');
   await until(async () => (await drawn('LONG').innerText()) === 'no picture', 'nor has a very long one');
-  expect((await drawn('LONG').locator('span').getAttribute('title')).includes('at most 1048576 bytes'), 'and the reason is there');
-  expect((await drawn('TURNED').getByRole('img').getAttribute('aria-label')).startsWith('Toolpath of TURNED'), 'it has a name');
-  expect((await page.locator('.thumbnail-part').count()) === 0, 'no cut is left out');
+  await soon(async () => (await drawn('LONG').locator('span').getAttribute('title')).includes('at most 1048576 bytes'), 'and the reason is there');
+  await soon(async () => (await drawn('TURNED').getByRole('img').getAttribute('aria-label')).startsWith('Toolpath of TURNED'), 'it has a name');
+  await soon(async () => (await page.locator('.thumbnail-part').count()) === 0, 'no cut is left out');
   await accessible(page, 'the library with its drawings');
   await shot(page, 'files-library');
 
   // The columns of a person.
   const head = (name) => page.getByRole('columnheader', { name, exact: true });
-  expect((await head('Dialect').count()) === 0 && (await head('Path').count()) === 1, 'the columns that all have');
+  await soon(async () => (await head('Dialect').count()) === 0 && (await head('Path').count()) === 1, 'the columns that all have');
   await page.getByText('Columns', { exact: true }).click();
   await page.getByLabel('Dialect').check();
   await page.getByLabel('Path', { exact: true }).uncheck();
-  expect((await head('Dialect').count()) === 1 && (await head('Path').count()) === 0, 'are chosen');
-  expect((await page.getByRole('checkbox', { name: 'Program', exact: true }).count()) === 0, 'the name is always there');
+  await soon(async () => (await head('Dialect').count()) === 1 && (await head('Path').count()) === 0, 'are chosen');
+  await soon(async () => (await page.getByRole('checkbox', { name: 'Program', exact: true }).count()) === 0, 'the name is always there');
   await accessible(page, 'the choice of columns');
   const before = asked.length;
   await page.reload();
   await live(page);
   await row(page, 'MILLED').waitFor();
-  expect((await head('Dialect').count()) === 1 && (await head('Path').count()) === 0, 'the choice outlives a reload');
+  await soon(async () => (await head('Dialect').count()) === 1 && (await head('Path').count()) === 0, 'the choice outlives a reload');
   expect(asked.length === before, 'and no drawing is asked for that is not shown');
   await page.getByText('Columns', { exact: true }).click();
   await page.getByLabel('Path', { exact: true }).check();
@@ -109,10 +109,10 @@ async function ofAProgram(page) {
   ]);
   await files(page).getByRole('link', { name: 'sheet.pdf' }).waitFor();
   await page.getByRole('alert').waitFor();
-  expect((await page.getByRole('alert').innerText()).startsWith('empty.txt:'), 'an empty file is refused, the others are there');
+  await soon(async () => (await page.getByRole('alert').innerText()).startsWith('empty.txt:'), 'an empty file is refused, the others are there');
   const picture = files(page).getByRole('img', { name: 'Picture clamping.png' });
   await until(() => picture.evaluate((one) => one.complete && one.naturalWidth === 1), 'the picture is shown');
-  expect((await files(page).getByRole('img').count()) === 1, 'a PDF is not');
+  await soon(async () => (await files(page).getByRole('img').count()) === 1, 'a PDF is not');
   const download = page.waitForEvent('download');
   await files(page).getByRole('link', { name: 'sheet.pdf' }).click();
   expect((await download).suggestedFilename() === 'sheet.pdf', 'it is saved under its name');
@@ -127,7 +127,7 @@ async function ofAProgram(page) {
   });
   for (const event of ['dragover', 'drop']) await files(page).dispatchEvent(event, { dataTransfer: data });
   await files(page).getByRole('link', { name: 'drawing.svg' }).waitFor();
-  expect((await files(page).getByRole('img').count()) === 1, 'what could run is never shown');
+  await soon(async () => (await files(page).getByRole('img').count()) === 1, 'what could run is never shown');
 
   await files(page).getByRole('button', { name: 'Remove sheet.pdf' }).click();
   await dialog(page).getByLabel('Reason for the removal').fill('of another part');
@@ -172,10 +172,10 @@ async function aFolder(page) {
   };
   await choose();
   await dialog(page).getByRole('button', { name: 'Import 5 programs' }).waitFor();
-  expect((await dialog(page).getByRole('row').filter({ hasText: 'sheet.pdf' }).innerText()).includes('is not a text of a program'), 'the drawing is left alone');
-  expect((await rig.call('GET', '/programs?limit=200')).body.items.length === before, 'a look stores nothing');
+  await soon(async () => (await dialog(page).getByRole('row').filter({ hasText: 'sheet.pdf' }).innerText()).includes('is not a text of a program'), 'the drawing is left alone');
+  await soon(async () => (await rig.call('GET', '/programs?limit=200')).body.items.length === before, 'a look stores nothing');
   await accessible(page, 'the import');
-  expect(await dialog(page).evaluate((one) => one.scrollWidth <= one.clientWidth), 'nothing of the dialog is cut off');
+  await soon(() => dialog(page).evaluate((one) => one.scrollWidth <= one.clientWidth), 'nothing of the dialog is cut off');
   await shot(page, 'files-import');
   await dialog(page).getByLabel('Into the library’s folder').fill('old');
   await dialog(page).getByRole('button', { name: 'Look again' }).click();
@@ -201,7 +201,7 @@ async function viewer(page) {
   await signIn(page, url, tokens.viewer);
   await page.goto(`${url}#/orders/${body.items[0].order}`);
   await files(page).getByRole('link', { name: 'order.pdf' }).waitFor();
-  expect((await files(page).getByRole('button').count()) === 0, 'a viewer reads them and changes none');
+  await soon(async () => (await files(page).getByRole('button').count()) === 0, 'a viewer reads them and changes none');
 }
 
 await main([

@@ -1,6 +1,6 @@
 // The floor against the real server, with controls that are played by hand: what an operator, a shift leader and a
 // newcomer do, and each fault that was once seen there.
-import { accessible, card, expect, focused, live, main, Person, shot, signIn, until, withPage } from './browser.mjs';
+import { Person, accessible, card, expect, focused, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 800 } };
@@ -26,8 +26,8 @@ async function operator(page) {
   const person = new Person();
   await arm(page, 'operator', job, person);
   await standing(page, 'operator', 'armed');
-  expect((await focused(page)) !== 'BODY', 'after arming the focus is somewhere');
-  expect(await card(page, 'operator').getByText(/press START at the control/).isVisible(), 'it says who acts next');
+  await soon(async () => (await focused(page)) !== 'BODY', 'after arming the focus is somewhere');
+  await soon(() => card(page, 'operator').getByText(/press START at the control/).isVisible(), 'it says who acts next');
   await card(page, 'operator').getByText(/9:\d\d left|10:00 left/).waitFor();
   await shot(page, 'operator-armed');
   await accessible(page, 'an armed machine');
@@ -40,10 +40,10 @@ async function operator(page) {
   await person.click(order(page, 'operator', `Stop at block end, job ${job}`));
   await standing(page, 'operator', 'stopped');
   const at = await rig.got('operator');
-  expect(await isOff(order(page, 'operator', 'Stop')), 'stopped: there is nothing more to stop');
+  await soon(() => isOff(order(page, 'operator', 'Stop')), 'stopped: there is nothing more to stop');
   await accessible(page, 'a stopped machine');
   await person.click(order(page, 'operator', `Resume, job ${job}`));
-  expect((await rig.got('operator')) === at, 'an open dialog resumes nothing');
+  await soon(async () => (await rig.got('operator')) === at, 'an open dialog resumes nothing');
   await person.click(dialog(page).getByRole('button', { name: 'Resume' }));
   await standing(page, 'operator', 'feeding');
   await until(async () => (await rig.got('operator')) > at + 200, 'the feed goes on at the line');
@@ -117,7 +117,7 @@ async function expiry(page) {
   expect(armed.status === 200, `armed by the API: ${JSON.stringify(armed.body)}`);
   await card(page, 'expiry').getByText(/0:0\d left/).waitFor();
   await card(page, 'expiry').getByText(/the arming expired/).waitFor({ timeout: 20_000 });
-  expect((await rig.got('expiry')) === 0, 'nothing was sent');
+  await soon(async () => (await rig.got('expiry')) === 0, 'nothing was sent');
 }
 
 // A control that asks with nothing armed is a state of its card, not a flood of alarms.
@@ -126,7 +126,7 @@ async function asks(page) {
   await signIn(page, url, tokens.operator);
   for (let i = 0; i < 20; ++i) await rig.say('asks', 'dc1');
   await standing(page, 'asks', 'asks');
-  expect(await card(page, 'asks').getByText(`The control asks for a program: arm job ${job}?`).isVisible(), 'the card asks for the job');
+  await soon(() => card(page, 'asks').getByText(`The control asks for a program: arm job ${job}?`).isVisible(), 'the card asks for the job');
   const open = await rig.call('GET', '/alarms?state=open&machine=asks');
   expect(open.body.items.length === 0, 'and no alarm was raised');
   await page.getByRole('navigation', { name: 'Needs a person' }).getByText('asks', { exact: true }).waitFor();
@@ -149,16 +149,16 @@ async function torn(page) {
   await item.waitFor();
   await shot(page, 'torn-tray');
   await accessible(page, 'the tray');
-  expect((await item.getByRole('button', { name: /^Shelve/ }).count()) === 0, 'a torn block cannot be shelved');
+  await soon(async () => (await item.getByRole('button', { name: /^Shelve/ }).count()) === 0, 'a torn block cannot be shelved');
   await item.getByRole('button', { name: /^Acknowledge/ }).click();
   await item.waitFor({ state: 'detached' });
-  expect((await focused(page)) !== 'BODY', 'after acknowledging the focus is somewhere');
+  await soon(async () => (await focused(page)) !== 'BODY', 'after acknowledging the focus is somewhere');
   await page.keyboard.press('Escape');
   await page.getByRole('link', { name: 'Floor' }).click();
   await shot(page, 'torn-card');
   await order(page, 'torn', 'I have reset the control of torn').click();
   const confirm = dialog(page).getByRole('button', { name: 'I have reset the control' });
-  expect(await confirm.isDisabled(), 'no confirmation without a reason');
+  await soon(() => confirm.isDisabled(), 'no confirmation without a reason');
   await dialog(page).getByRole('textbox').fill('RESET pressed, tool retracted by hand');
   await confirm.click();
   await until(async () => (await card(page, 'torn').getAttribute('data-line')) !== 'torn', 'the line is whole');
@@ -179,10 +179,10 @@ async function dialogStays(page) {
   await dialog(page).waitFor();
   await rig.call('POST', `/jobs/${job}/cancel`, {}, 'admin');
   await dialog(page).getByText(/Not now: job \d+ is cancelled/).waitFor();
-  expect(await dialog(page).getByRole('button', { name: /^Arm for/ }).isDisabled(), 'it arms nothing');
+  await soon(() => dialog(page).getByRole('button', { name: /^Arm for/ }).isDisabled(), 'it arms nothing');
   await page.keyboard.press('Escape');
   await dialog(page).waitFor({ state: 'detached' });
-  expect((await focused(page)) === 'BUTTON', 'the focus goes back to the button');
+  await soon(async () => (await focused(page)) === 'BUTTON', 'the focus goes back to the button');
 }
 
 async function sessions(page, context) {
@@ -193,7 +193,7 @@ async function sessions(page, context) {
   const other = await context.newPage();
   await other.goto(url);
   await live(other);
-  expect(await other.getByText('anna').first().isVisible(), 'a second tab is signed in as the first');
+  await soon(() => other.getByText('anna').first().isVisible(), 'a second tab is signed in as the first');
   await other.locator('.who summary').click();
   await other.getByRole('button', { name: 'Sign out' }).click();
   await page.getByLabel('Token').waitFor();
@@ -201,7 +201,7 @@ async function sessions(page, context) {
   await other.getByLabel('Token').fill(ben);
   await other.keyboard.press('Enter');
   await live(page);
-  expect(await page.locator('.who').getByText('ben').isVisible(), 'the first tab shows who signed in in the second');
+  await soon(() => page.locator('.who').getByText('ben').isVisible(), 'the first tab shows who signed in in the second');
   await rig.restart();
   await live(page);
   await card(page, 'sessions').waitFor();
@@ -229,9 +229,9 @@ async function signsInByPin(page) {
   await page.getByLabel('Your PIN').fill('2903');
   await page.keyboard.press('Enter');
   await live(page);
-  expect(await page.locator('.who').getByText('petra').isVisible(), 'a PIN signs a person in');
+  await soon(() => page.locator('.who').getByText('petra').isVisible(), 'a PIN signs a person in');
   await order(page, 'pin-own', `Arm, job ${job}`).waitFor();
-  expect((await order(page, 'pin-other', `Arm, job ${other}`).count()) === 0, 'no order on a machine of another group');
+  await soon(async () => (await order(page, 'pin-other', `Arm, job ${other}`).count()) === 0, 'no order on a machine of another group');
 }
 
 async function addresses(page) {
@@ -264,7 +264,7 @@ async function shiftLeader(page) {
   await queue(0, 1, 2, 3);
   await person.click(row(jobs[3]).getByRole('button', { name: `Move job ${jobs[3]} up` }));
   await queue(0, 1, 3, 2);
-  expect((await focused(page)) === 'BUTTON', 'the focus stays at the button that moved the row');
+  await soon(async () => (await focused(page)) === 'BUTTON', 'the focus stays at the button that moved the row');
   await row(jobs[2]).dragTo(row(jobs[0]));
   await queue(2, 0, 1, 3);
   await page.reload();
@@ -294,7 +294,7 @@ async function runningBlock(page) {
   await list.locator('[aria-current="true"]').waitFor();
   const before = Number(await list.locator('[aria-current="true"] .block-line').innerText());
   await until(async () => Number(await list.locator('[aria-current="true"] .block-line').innerText().catch(() => '0')) > before + 20, 'the block moves on', 20_000);
-  expect((await list.getByRole('listitem').count()) >= 10, 'it stands within its neighbours');
+  await soon(async () => (await list.getByRole('listitem').count()) >= 10, 'it stands within its neighbours');
   await shot(page, 'machine-blocks');
   await page.getByRole('button', { name: `Stop at block end, job ${job}` }).click();
   await until(async () => (await page.locator('.machine-view').getAttribute('data-standing')) === 'stopped', 'stopped from the machine’s view');
@@ -325,7 +325,7 @@ async function viewer(page) {
   const [job] = await rig.machine('viewer');
   await signIn(page, url, tokens.viewer);
   const buttons = card(page, 'viewer').locator('.order');
-  expect((await buttons.count()) === 3, 'the places of the orders are there');
+  await soon(async () => (await buttons.count()) === 3, 'the places of the orders are there');
   for (const button of await buttons.all()) expect(await isOff(button), `a viewer cannot: ${await button.innerText()}`);
   for (const view of ['machines/viewer', 'jobs', `jobs/${job}`, 'releases', 'received', 'alarms']) {
     await page.goto(`${url}/#/${view}`);
@@ -356,7 +356,7 @@ async function lost(page) {
   await rig.killServer();
   await page.getByText(/connection to the server is lost/).waitFor();
   await shot(page, 'lost');
-  expect(await card(page, 'lost').getByText('last known: feeding').isVisible(), 'a state is named as the last known');
+  await soon(() => card(page, 'lost').getByText('last known: feeding').isVisible(), 'a state is named as the last known');
   await order(page, 'lost', /^Stop/).click();
   await card(page, 'lost').getByText(/Whether the order took effect is not known/).waitFor({ state: 'attached' });
   expect(true, 'an order without an answer says that its effect is not known');
@@ -390,7 +390,7 @@ async function keyboard(page) {
   await reach(order(page, 'keys', `Stop at block end, job ${job}`), 'Stop');
   await page.keyboard.press('Enter');
   await standing(page, 'keys', 'stopped');
-  expect((await focused(page)) === 'BUTTON', 'after the stop the focus is at its button');
+  await soon(async () => (await focused(page)) === 'BUTTON', 'after the stop the focus is at its button');
   await reach(order(page, 'keys', `Resume, job ${job}`), 'Resume');
   await page.keyboard.press('Enter');
   await reach(dialog(page).getByRole('button', { name: 'Resume' }), 'the dialog’s Resume');
@@ -420,7 +420,7 @@ async function german(page) {
   await page.locator('.who summary').click();
   await page.getByLabel('Language').selectOption('de');
   await page.getByRole('heading', { level: 1, name: 'Halle' }).waitFor();
-  expect((await page.locator('html').getAttribute('lang')) === 'de', 'the page names its language');
+  await soon(async () => (await page.locator('html').getAttribute('lang')) === 'de', 'the page names its language');
   await shot(page, 'german');
   await page.reload();
   await page.getByRole('heading', { level: 1, name: 'Halle' }).waitFor();
@@ -437,11 +437,11 @@ async function badgeAndStation(page) {
   expect(!page.url().includes(tokens.operator), 'and from the history');
   await page.goto(`${url}/#/machines/station`);
   await page.getByLabel(/This screen belongs to this machine/).check();
-  expect(!(await page.getByRole('navigation', { name: 'Views' }).isVisible()), 'the rest of the page steps back');
+  await soon(async () => !(await page.getByRole('navigation', { name: 'Views' }).isVisible()), 'the rest of the page steps back');
   await page.reload();
   await live(page);
   expect(page.url().endsWith('#/machines/station?station=1'), `it stays so: ${page.url()}`);
-  expect(!(await page.getByRole('navigation', { name: 'Views' }).isVisible()), 'also after a reload');
+  await soon(async () => !(await page.getByRole('navigation', { name: 'Views' }).isVisible()), 'also after a reload');
   await page.getByRole('button', { name: `Arm, job ${job}` }).click();
   await dialog(page).getByRole('button', { name: /^Arm for/ }).click();
   await dialog(page).waitFor({ state: 'detached' });
@@ -452,7 +452,7 @@ async function badgeAndStation(page) {
   await page.goto(`${url}/#/badge/wrong-token`);
   await dialog(page).getByText('this token is not valid').waitFor();
   await page.keyboard.press('Escape');
-  expect(await page.locator('.who').getByText('the operator').isVisible(), 'a wrong badge changes nothing');
+  await soon(() => page.locator('.who').getByText('the operator').isVisible(), 'a wrong badge changes nothing');
   await page.goto(`${url}/#/badge/${encodeURIComponent(tokens.programmer)}`);
   await page.locator('.who').getByText('the programmer').waitFor();
   await live(page);
@@ -481,7 +481,7 @@ async function restartAtLine(page) {
   await place.getByRole('button', { name: 'Show the restart' }).click();
   await place.getByText('(RESTART AT LINE 12)').first().waitFor();
   const make = place.getByRole('button', { name: 'Make it a release' });
-  expect(await isOff(make), 'what was not read is not made');
+  await soon(() => isOff(make), 'what was not read is not made');
   await accessible(page, 'a restart');
   await shot(page, 'restart');
   await place.getByLabel(/I have read the new lines/).check();
@@ -494,9 +494,9 @@ async function restartAtLine(page) {
     await place.getByText(/Queued as job/).waitFor();
     await shot(page, 'restart-queued');
   } else {
-    expect(await place.getByText(/Its verdict does not clear it yet/).isVisible(), 'it says what is to be done');
+    await soon(() => place.getByText(/Its verdict does not clear it yet/).isVisible(), 'it says what is to be done');
   }
-  expect((await rig.got('restart')) === got, 'nothing of it was sent');
+  await soon(async () => (await rig.got('restart')) === got, 'nothing of it was sent');
 }
 
 // A person's own arrangement of a machine's view; a tablet at the machine has none to change.
@@ -508,7 +508,7 @@ async function arrange(page) {
   await page.getByText('Arrange this view').waitFor();
   expect((await order()).join(' | ') === 'on_line,stops,queue,line,history | alarms,use,calibration', `at first: ${await order()}`);
   await page.getByText('Arrange this view').click();
-  expect(await page.getByRole('checkbox', { name: 'Alarms' }).isDisabled(), 'alarms cannot be hidden');
+  await soon(() => page.getByRole('checkbox', { name: 'Alarms' }).isDisabled(), 'alarms cannot be hidden');
   await page.getByRole('button', { name: 'Queue up' }).click();
   await page.getByRole('button', { name: 'Other column Use', exact: false }).first().click();
   await page.getByRole('checkbox', { name: 'Calibration' }).uncheck();
@@ -519,14 +519,14 @@ async function arrange(page) {
   await page.reload();
   await live(page);
   await page.locator('[data-part="history"]').waitFor({ state: 'attached' });
-  expect((await order()).join(' | ') === own, 'it outlives a reload');
+  await soon(async () => (await order()).join(' | ') === own, 'it outlives a reload');
   await page.goto(`${url}/#/machines/arranged?station=1`);
   await page.getByLabel(/This screen belongs to this machine/).waitFor();
-  expect((await page.getByText('Arrange this view').count()) === 0, 'a tablet at the machine changes none of it');
+  await soon(async () => (await page.getByText('Arrange this view').count()) === 0, 'a tablet at the machine changes none of it');
   await page.goto(`${url}/#/machines/arranged`);
   await page.getByText('Arrange this view').click();
   await page.getByRole('button', { name: 'Reset the arrangement' }).click();
-  expect((await order()).join(' | ') === 'on_line,stops,queue,line,history | alarms,use,calibration', 'and back');
+  await soon(async () => (await order()).join(' | ') === 'on_line,stops,queue,line,history | alarms,use,calibration', 'and back');
 }
 
 await main([

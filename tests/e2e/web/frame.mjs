@@ -1,5 +1,5 @@
 // What stands around every view: lists that are empty, the sheet of keys, and the manifest by which a browser installs the page.
-import { accessible, expect, fits, focused, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, focused, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -23,7 +23,7 @@ async function keySheet(page) {
   await search.fill('M30');
   await search.press('?');
   await page.waitForTimeout(500); // the sheet would come at once, its code is here
-  expect((await search.inputValue()) === 'M30?' && (await sheet(page).count()) === 0, 'in a field ? is a character');
+  await soon(async () => (await search.inputValue()) === 'M30?' && (await sheet(page).count()) === 0, 'in a field ? is a character');
   await search.fill('');
   // A person may turn the key off; the menu has the sheet still.
   await page.getByRole('heading', { level: 1 }).focus();
@@ -37,11 +37,11 @@ async function keySheet(page) {
   await page.keyboard.press('?');
   await page.waitForTimeout(500);
   await page.locator('.who summary').click();
-  expect((await sheet(page).count()) === 0, 'the key is off, after a reload too');
+  await soon(async () => (await sheet(page).count()) === 0, 'the key is off, after a reload too');
   await page.getByRole('button', { name: 'Keys', exact: true }).click();
   await sheet(page).getByRole('button', { name: 'Back' }).click();
   await sheet(page).waitFor({ state: 'detached' });
-  expect((await focused(page)) === 'BUTTON', 'the focus goes back to the button of the menu');
+  await soon(async () => (await focused(page)) === 'BUTTON', 'the focus goes back to the button of the menu');
 }
 
 async function keySheetInGerman(page) {
@@ -68,7 +68,7 @@ async function keysOfTheText(page) {
   await page.keyboard.type('?');
   await until(async () => (await text.innerText()).includes('?'), 'it is there');
   await page.waitForTimeout(500); // the sheet would come with its code
-  expect((await sheet(page).count()) === 0, 'in the text ? is a character');
+  await soon(async () => (await sheet(page).count()) === 0, 'in the text ? is a character');
   await page.keyboard.press('Control+z');
   await until(async () => !(await text.innerText()).includes('?'), 'Ctrl+Z takes it back');
   await page.keyboard.press('Control+y');

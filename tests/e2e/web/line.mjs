@@ -1,6 +1,6 @@
 // A machine's line on the page: what passes on it, its test with a loopback plug, what is ahead of a feed, and where the
 // machine's times are from.
-import { accessible, expect, fits, focused, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, focused, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -38,7 +38,7 @@ async function wire(page, context) {
   await rows(page).filter({ hasText: 'from the control' }).getByText('DC1', { exact: true }).first().waitFor();
   await until(async () => (await rows(page).filter({ hasText: 'to the control' }).count()) > 40, 'the blocks pass', 30_000);
   await rows(page).filter({ hasText: 'M30' }).getByText('LF', { exact: true }).first().waitFor();
-  expect(/^\d\d:\d\d:\d\d\.\d{3}$/.test(await rows(page).first().locator('time').innerText()), 'each row has its time');
+  await soon(async () => /^\d\d:\d\d:\d\d\.\d{3}$/.test(await rows(page).first().locator('time').innerText()), 'each row has its time');
   await accessible(page, 'the wire terminal');
   await terminal(page).scrollIntoViewIfNeeded();
   await shot(page, 'wire-desk');
@@ -48,10 +48,10 @@ async function wire(page, context) {
   const held = await rows(page).count();
   await rig.say('wire', 'dc3');
   await page.waitForTimeout(800);
-  expect((await rows(page).count()) === held, 'a held display stays as it is');
+  await soon(async () => (await rows(page).count()) === held, 'a held display stays as it is');
   await page.getByRole('button', { name: 'Close the wire terminal' }).click();
   await until(async () => streams.ended === streams.open, 'closing it ends the stream');
-  expect((await focused(page)) === 'BUTTON', 'the focus stays at the button');
+  await soon(async () => (await focused(page)) === 'BUTTON', 'the focus stays at the button');
 }
 
 // Rows are bounded, however much passes.
@@ -92,7 +92,7 @@ async function lineTest(page) {
   await shot(page, 'line-test-dialog');
   await page.keyboard.press('Escape');
   await dialog(page).waitFor({ state: 'detached' });
-  expect((await rig.got('plug')) === 0, 'an open dialog sends nothing');
+  await soon(async () => (await rig.got('plug')) === 0, 'an open dialog sends nothing');
   await page.getByRole('button', { name: 'Test the line…' }).click();
   await dialog(page).getByRole('button', { name: 'The plug is in place: test' }).click();
   const result = page.getByRole('region', { name: 'Result of the line test' });
@@ -118,7 +118,7 @@ async function testIsBlocked(page) {
   await until(async () => (await page.locator('.machine-view').getAttribute('data-standing')) === 'asks', 'the control asks');
   await page.getByRole('button', { name: 'Test the line…' }).click();
   await dialog(page).getByText(/still on the line/).waitFor();
-  expect(await dialog(page).getByRole('button', { name: 'The plug is in place: test' }).isDisabled(), 'and the test cannot be started');
+  await soon(() => dialog(page).getByRole('button', { name: 'The plug is in place: test' }).isDisabled(), 'and the test cannot be started');
 }
 
 // What is ahead: by the prediction first, corrected once enough was seen, never for a feed that a person stopped.
@@ -139,7 +139,7 @@ async function outlook(page) {
   await shot(page, 'outlook-pace');
   await page.getByRole('button', { name: `Stop at block end, job ${job}` }).click();
   await until(async () => (await page.locator('.machine-view').getAttribute('data-standing')) === 'stopped', 'stopped');
-  expect((await part.getByText(/left/).count()) === 0, 'a feed that a person stopped has no time to go');
+  await soon(async () => (await part.getByText(/left/).count()) === 0, 'a feed that a person stopped has no time to go');
 }
 
 async function calibration(page) {
@@ -174,7 +174,7 @@ async function german(page) {
   const alarms = page.getByRole('region', { name: 'Alarme' });
   await alarms.getByText(/zwischen Byte \d+ und \d+ von \d+ können bei der Steuerung angekommen sein/).first().waitFor();
   await alarms.getByText(/ein Satz ist zerrissen: die Steuerung zurücksetzen und das bestätigen/).first().waitFor();
-  expect((await page.getByText(/may have reached the control/).count()) === 0, 'no English sentence beside it');
+  await soon(async () => (await page.getByText(/may have reached the control/).count()) === 0, 'no English sentence beside it');
   await shot(page, 'german-torn');
   await page.locator('.who summary').click();
   await page.getByRole('button', { name: 'Abmelden' }).click();

@@ -1,7 +1,7 @@
 // A planner's work against the real server: orders are added, found, sorted, exported, held and opened; jobs of an
 // approved release are queued for them; parts are reported. And the transfers of the past, with their sums.
 import { readFile } from 'node:fs/promises';
-import { accessible, card, expect, fits, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, card, expect, fits, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -25,8 +25,8 @@ async function planner(page) {
   await signIn(page, url, tokens.operator);
   await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'Orders' }).click();
   await page.locator('[data-order]').first().waitFor();
-  expect((await page.locator('[data-order]').first().innerText()).includes('B-1'), 'the soonest comes first');
-  expect(await page.locator('[data-order]').first().getByText('late').isVisible(), 'and says that it is late');
+  await soon(async () => (await page.locator('[data-order]').first().innerText()).includes('B-1'), 'the soonest comes first');
+  await soon(() => page.locator('[data-order]').first().getByText('late').isVisible(), 'and says that it is late');
 
   await page.getByRole('button', { name: 'Add an order' }).click();
   await dialog(page).getByLabel('Number of the planner').fill('A-77');
@@ -57,7 +57,7 @@ async function planner(page) {
 
   // Parts, hold, open.
   await page.getByRole('button', { name: 'Report parts…' }).click();
-  expect(await dialog(page).getByRole('button', { name: 'Report them' }).isDisabled(), 'nothing is no report');
+  await soon(() => dialog(page).getByRole('button', { name: 'Report them' }).isDisabled(), 'nothing is no report');
   await dialog(page).getByLabel('Good parts').fill('4');
   await dialog(page).getByLabel('Scrap').fill('1');
   await dialog(page).getByRole('button', { name: 'Report them' }).click();
@@ -66,8 +66,8 @@ async function planner(page) {
   await dialog(page).getByRole('textbox').fill('no material');
   await dialog(page).getByRole('button', { name: 'Hold it' }).click();
   await page.getByText('no material').waitFor();
-  expect((await only('A-77')).state === 'held', 'it is held');
-  expect((await page.getByRole('button', { name: 'Queue a job…' }).count()) === 0, 'and takes no job');
+  await soon(async () => (await only('A-77')).state === 'held', 'it is held');
+  await soon(async () => (await page.getByRole('button', { name: 'Queue a job…' }).count()) === 0, 'and takes no job');
   await page.getByRole('button', { name: 'Change the plan…' }).click();
   await dialog(page).getByLabel('Good parts that are wanted').fill('30');
   await dialog(page).getByRole('button', { name: 'Save the plan' }).click();
@@ -82,9 +82,9 @@ async function planner(page) {
   await page.getByRole('link', { name: 'All orders' }).click();
   await page.getByRole('button', { name: 'Part', exact: true }).click();
   const parts = () => page.locator('[data-order] td:nth-child(2)').allInnerTexts();
-  expect(JSON.stringify(await parts()) === JSON.stringify([...(await parts())].sort((a, b) => a.localeCompare(b))), 'sorted by part');
+  await soon(async () => JSON.stringify(await parts()) === JSON.stringify([...(await parts())].sort((a, b) => a.localeCompare(b))), 'sorted by part');
   await page.getByRole('button', { name: 'Part', exact: true }).click();
-  expect((await page.locator('th[aria-sort="descending"]').count()) === 1, 'and downwards, said to a screen reader');
+  await soon(async () => (await page.locator('th[aria-sort="descending"]').count()) === 1, 'and downwards, said to a screen reader');
   await page.getByLabel('Number or part').fill('b-');
   await until(async () => (await page.locator('[data-order]').count()) === 3, 'three of them');
   await page.getByLabel('Number or part').fill('');
@@ -124,9 +124,9 @@ async function history(page) {
   await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'Jobs', exact: true }).click();
   await page.getByRole('link', { name: /History of transfers/ }).click();
   await page.locator('[data-job]').first().waitFor();
-  expect((await page.locator('[data-job]').count()) === 2, 'what waits is no history');
+  await soon(async () => (await page.locator('[data-job]').count()) === 2, 'what waits is no history');
   const sums = page.getByRole('region', { name: 'Sums' });
-  expect(/Jobs\s+2/.test(await sums.innerText()) && /cancelled\s+2/i.test(await sums.innerText()), 'sums');
+  await soon(async () => /Jobs\s+2/.test(await sums.innerText()) && /cancelled\s+2/i.test(await sums.innerText()), 'sums');
   const { lines } = await saved(page, () => page.getByRole('button', { name: 'Export as CSV' }).click());
   expect(lines.length === 3 && lines[1].includes(',cancelled,'), 'and the file');
   await sums.getByRole('combobox', { name: 'Sums by' }).selectOption({ label: 'Machine' });
@@ -189,15 +189,15 @@ async function plans(page) {
   await page.goto(`${url}/#/floor`);
   const plans = card(page, 'plans');
   await plans.getByText('end to confirm').waitFor();
-  expect(await plans.getByText(`Job ${checked} has ended; to be confirmed: part taken out, chuck closed`).isVisible(), 'the card states what is to be confirmed');
-  expect((await plans.getByRole('button', { name: /^Arm/ }).count()) === 0, 'and offers no arming');
+  await soon(() => plans.getByText(`Job ${checked} has ended; to be confirmed: part taken out, chuck closed`).isVisible(), 'the card states what is to be confirmed');
+  await soon(async () => (await plans.getByRole('button', { name: /^Arm/ }).count()) === 0, 'and offers no arming');
   await shot(page, 'plans-floor');
   await plans.getByRole('button', { name: `Confirm the end of job ${checked}` }).click();
   await dialog(page).getByText('part taken out, chuck closed').waitFor();
   await dialog(page).getByLabel(/Note/).fill('on the table');
   await dialog(page).getByRole('button', { name: 'I have seen it' }).click();
   await plans.getByRole('button', { name: /^Arm/ }).waitFor();
-  expect((await rig.job(checked)).end_note === 'on the table', 'the note is kept');
+  await soon(async () => (await rig.job(checked)).end_note === 'on the table', 'the note is kept');
   await page.goto(`${url}/#/jobs/${checked}`);
   await page.getByText(/part taken out, chuck closed: confirmed by/).waitFor();
 }
@@ -234,7 +234,7 @@ async function filtered(page) {
   await page.reload();
   await live(page);
   await page.locator('[data-job]').first().waitFor();
-  expect((await states()).join() === 'cancelled', 'the choice is in the address');
+  await soon(async () => (await states()).join() === 'cancelled', 'the choice is in the address');
   await page.getByRole('search').getByLabel('State').selectOption('armed');
   await page.getByText('No job like this among those that are loaded.').waitFor();
   await accessible(page, 'jobs of a state that none has');
@@ -250,7 +250,7 @@ async function stops(page) {
   await page.goto(`${url}/#/machines/stops`);
   const reasons = page.getByRole('region', { name: `Why job ${job} stopped` });
   await page.locator('[data-part="queue"]').waitFor();
-  expect((await reasons.count()) === 0, 'while it is fed it asks for no reason');
+  await soon(async () => (await reasons.count()) === 0, 'while it is fed it asks for no reason');
   await page.getByRole('button', { name: `Stop at block end, job ${job}` }).click();
   await reasons.getByText('Nothing is stated yet.').waitFor();
   await reasons.getByLabel(/^Note/).fill('insert of T3');
@@ -258,7 +258,7 @@ async function stops(page) {
   await reasons.getByRole('button', { name: 'tool broken' }).click();
   await reasons.getByRole('listitem').getByText('tool broken').waitFor();
   await shot(page, 'stops-machine');
-  expect((await rig.job(job)).state === 'held', 'it goes on being held');
+  await soon(async () => (await rig.job(job)).state === 'held', 'it goes on being held');
   await reasons.getByRole('button', { name: 'measuring' }).click();
   await reasons.getByRole('listitem').getByText('measuring').waitFor();
   await rig.call('POST', `/jobs/${job}/cancel`);
@@ -268,7 +268,7 @@ async function stops(page) {
   await page.goto(`${url}/#/history`);
   const row = page.getByRole('region', { name: 'Stops by reason' }).getByRole('row').filter({ hasText: 'tool broken' });
   await row.waitFor();
-  expect((await row.innerText()).includes('stops'), 'the history counts it for its machine');
+  await soon(async () => (await row.innerText()).includes('stops'), 'the history counts it for its machine');
   await accessible(page, 'the history with reasons');
   await shot(page, 'stops-history');
   await page.setViewportSize(kPhone);

@@ -1,7 +1,7 @@
 // The toolpath beside its text, against the real server: a picture that one turns, points at and goes along, the
 // same in words, what is not known of it, and a path of a million segments.
 import { fileURLToPath } from 'node:url';
-import { accessible, expect, kSoftwarePictures, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, kSoftwarePictures, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1360, height: 900 }, args: kSoftwarePictures };
@@ -94,15 +94,15 @@ async function shaft(page) {
   // The cursor leads the tool, and the other direction.
   await editor(page).getByText('G32').click();
   await until(async () => (await place(page).innerText()).startsWith('Line 15: thread'), 'the line of the cursor is where the tool is');
-  expect((await place(page).innerText()).includes('2 mm/rev'), 'with its lead');
+  await soon(async () => (await place(page).innerText()).includes('2 mm/rev'), 'with its lead');
   await slider(page).focus();
   await page.keyboard.press('Home');
   await until(async () => (await hereLine(page)) < 8, 'the slider leads the cursor');
   const before = await hereLine(page);
   for (let i = 0; i < 3; i += 1) await page.keyboard.press('ArrowRight');
   await until(async () => (await hereLine(page)) > before, 'step by step');
-  expect(await slider(page).evaluate((one) => one === document.activeElement), 'the keyboard stays at the slider');
-  expect(/^Line \d+: /.test(await slider(page).getAttribute('aria-valuetext')), 'which says the place in words');
+  await soon(async () => await slider(page).evaluate((one) => one === document.activeElement), 'the keyboard stays at the slider');
+  await soon(async () => /^Line \d+: /.test(await slider(page).getAttribute('aria-valuetext')), 'which says the place in words');
 
   // A click on a segment: the cone from X60 Z-30 to X80 Z-50 is looked for along a line of the picture.
   await page.keyboard.press('End');
@@ -122,7 +122,7 @@ async function shaft(page) {
   const from = await canvas(page).screenshot();
   for (const key of ['ArrowRight', 'ArrowUp', '+', 'Shift+ArrowLeft', '4']) await page.keyboard.press(key);
   await page.waitForTimeout(500);
-  expect(!from.equals(await canvas(page).screenshot()), 'keys turn, move and zoom');
+  await soon(async () => !from.equals(await canvas(page).screenshot()), 'keys turn, move and zoom');
   await shot(page, 'path-shaft-oblique');
   await page.getByRole('button', { name: 'Programmed feed', exact: true }).click();
   await page.getByRole('list', { name: 'Legend' }).getByText('mm/rev').first().waitFor();
@@ -135,7 +135,7 @@ async function shaft(page) {
   await page.keyboard.press('End');
   await page.keyboard.insertText('\nX150.');
   await until(async () => /X ⌀\s+60 … 150 mm/.test(await panel(page).innerText()), 'the path follows what is written');
-  expect((await rig.call('GET', `/programs/${id}`)).body.revision === 1, 'and nothing is stored');
+  await soon(async () => (await rig.call('GET', `/programs/${id}`)).body.revision === 1, 'and nothing is stored');
   await page.reload();
   await live(page);
   await canvas(page).waitFor();
@@ -149,7 +149,7 @@ async function pocket(page) {
   await canvas(page).waitFor();
   await until(async () => (await drawn(page)) > 300, 'a viewer sees it, too');
   await panel(page).getByText('The toolpath is not all that the program may do').waitFor();
-  expect(/#500/.test(await panel(page).getByRole('status').innerText()), "what decides is not known: in the verdict's words");
+  await soon(async () => /#500/.test(await panel(page).getByRole('status').innerText()), "what decides is not known: in the verdict's words");
   await shot(page, 'path-pocket');
   await page.getByRole('button', { name: 'Top', exact: true }).click();
   await shot(page, 'path-pocket-top');

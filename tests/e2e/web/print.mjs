@@ -1,7 +1,7 @@
 // A job with its ledger, and a verdict, on paper: without navigation and orders, in light colours, with nothing cut off.
 import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
-import { expect, main, shot, signIn, until, withPage } from './browser.mjs';
+import { expect, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDark = { viewport: { width: 1280, height: 900 }, colorScheme: 'dark' };
@@ -51,7 +51,7 @@ async function jobAndLedger(page) {
   await page.goto(`${url}/#/jobs/${job}`);
   await page.getByRole('table', { name: 'Ledger' }).getByRole('row').nth(20).waitFor();
   await onPaper(page, 'job');
-  expect(await page.getByText((await rig.job(job)).sha256).count().then((n) => n > 0), 'the whole hash is there');
+  await soon(async () => await page.getByText((await rig.job(job)).sha256).count().then((n) => n > 0), 'the whole hash is there');
 }
 
 async function verdict(page) {

@@ -1,6 +1,6 @@
 // The reference of the API: all routes and documents of the description, without an outside host and within the strict policy; a link
 // opens what it names; fit for a phone.
-import { accessible, expect, main, shot, withPage } from './browser.mjs';
+import { accessible, expect, main, shot, soon, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const { url } = await rig.base();
@@ -20,7 +20,7 @@ async function reference(page) {
   await page.locator('#post_jobs summary').click();
   await page.locator('#post_jobs').getByRole('link', { name: 'NewJob' }).click();
   await page.locator('#schema-NewJob').getByText('"release": 17').waitFor();
-  expect(await page.locator('#schema-NewJob').evaluate((one) => one.open), 'a link opens the document that it names');
+  await soon(() => page.locator('#schema-NewJob').evaluate((one) => one.open), 'a link opens the document that it names');
   await shot(page, 'reference-document');
   await page.locator('#post_jobs').scrollIntoViewIfNeeded();
   await shot(page, 'reference-route');

@@ -1,6 +1,6 @@
 // An approver's work against the real server: what waits, the verdict with its findings and pictures, a waiver with a
 // reason, what has changed, four eyes, and the decision: to the proving, back, approved, withdrawn.
-import { accessible, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -50,7 +50,7 @@ async function approve(page) {
   await page.getByRole('button', { name: 'Speed over time' }).click();
   const picture = page.getByRole('img', { name: 'Speed over time' });
   await picture.waitFor();
-  expect(await picture.evaluate((one) => one.complete && one.naturalWidth > 100), "the check's picture is drawn");
+  await soon(async () => await picture.evaluate((one) => one.complete && one.naturalWidth > 100), "the check's picture is drawn");
   await accessible(page, 'a review');
   await shot(page, 'review');
   await decide(page, 'Let it be proved…', 'first piece at half rapid');
@@ -59,12 +59,12 @@ async function approve(page) {
   await shot(page, 'review-decision');
   await dialog(page).getByRole('button', { name: 'Let it be proved' }).click();
   await decision(page).getByRole('button', { name: 'Approve it…' }).waitFor();
-  expect((await state(release)) === 'proving', 'it is proved');
+  await soon(async () => (await state(release)) === 'proving', 'it is proved');
   await page.getByText('first piece at half rapid').waitFor();
   await decide(page, 'Approve it…', 'measured, 12 parts');
   await dialog(page).getByRole('button', { name: 'Approve it' }).click();
   await decision(page).getByRole('button', { name: 'Withdraw it…' }).waitFor();
-  expect((await state(release)) === 'approved', 'it is approved');
+  await soon(async () => (await state(release)) === 'approved', 'it is approved');
 
   // The next revision: what has changed since is there, and it is returned with a comment.
   await rig.call('POST', `/programs/${program}/revisions`, { text: kText.replace('X110.', 'X112.') }, 'programmer', { 'If-Match': '"1"' });
@@ -94,7 +94,7 @@ async function waiveAndFourEyes(page) {
   await page.getByRole('link', { name: String(release), exact: true }).click();
   await page.getByText(/needs a person who waives it/).first().waitFor().catch(() => undefined);
   await page.getByRole('button', { name: 'Waive this verdict…' }).click();
-  expect(await dialog(page).getByRole('button', { name: /^Waive as/ }).isDisabled(), 'without a reason nothing is waived');
+  await soon(() => dialog(page).getByRole('button', { name: /^Waive as/ }).isDisabled(), 'without a reason nothing is waived');
   await dialog(page).getByRole('textbox', { name: /^Why this may go/ }).fill('#500 is set by the probe before');
   await accessible(page, 'a waiver');
   await shot(page, 'review-waive');

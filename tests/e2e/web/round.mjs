@@ -4,7 +4,7 @@
 //   DRIPFEED_WAIT_S=120            how long the transfer may take
 // There must be a machine whose line is idle, with a queued job or an approved release, and a control (or a simulated
 // one) that asks for the program once it is armed.
-import { card, expect, main, Person, recordLine, shot, signIn, until, withPage } from './browser.mjs';
+import { Person, card, expect, main, recordLine, shot, signIn, soon, until, withPage } from './browser.mjs';
 
 const url = process.env.DRIPFEED_URL;
 const token = process.env.DRIPFEED_TOKEN;
@@ -19,7 +19,7 @@ async function refusesAWrongToken(page) {
   await page.getByLabel('Token').fill('no-such-token');
   await page.getByRole('button', { name: 'Sign in' }).click();
   await page.getByRole('alert').waitFor();
-  expect(await page.getByLabel('Token').isVisible(), 'a wrong token is refused with a sentence');
+  await soon(() => page.getByLabel('Token').isVisible(), 'a wrong token is refused with a sentence');
   await shot(page, '01-refused');
 }
 
@@ -50,7 +50,7 @@ async function armThroughDialog(page, job, person) {
   await shot(page, '04-arm-dialog');
   await page.keyboard.press('Escape');
   await dialog.waitFor({ state: 'detached' });
-  expect(await job.arm.isVisible(), 'Escape closes the dialog and arms nothing');
+  await soon(() => job.arm.isVisible(), 'Escape closes the dialog and arms nothing');
   await person.click(job.arm);
   await person.click(dialog.getByRole('button', { name: /^Arm for/ }));
   await dialog.waitFor({ state: 'detached' });

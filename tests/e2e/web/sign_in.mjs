@@ -1,6 +1,6 @@
 // A person signs in at the shop's provider: by its own page and password, with the rights that its groups give, and in
 // words where it does not work. Tokens and passwords go on while the provider is away.
-import { accessible, expect, live, main, shot, signIn, withPage } from './browser.mjs';
+import { accessible, expect, live, main, shot, signIn, soon, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1280, height: 900 } };
@@ -33,7 +33,7 @@ async function signsIn(page) {
   await shot(page, 'signed-in-by-provider');
   await page.reload();
   await live(page);
-  expect((await session(page)).name === 'olga', 'the session stays');
+  await soon(async () => (await session(page)).name === 'olga', 'the session stays');
 }
 
 const users = async () => (await rig.call('GET', '/users')).body.items.map(({ name }) => name);
@@ -44,7 +44,7 @@ async function withoutAGroup(page) {
   await atProvider(page, 'carl');
   await page.getByText('no group of carl at the provider gives a role here').waitFor();
   await shot(page, 'no-role');
-  expect(!(await users()).includes('carl'), 'no one is added without a role');
+  await soon(async () => !(await users()).includes('carl'), 'no one is added without a role');
   await page.getByRole('button', { name: 'Badge or token' }).waitFor();
 }
 
@@ -54,7 +54,7 @@ async function losesAGroup(page) {
   await button(page).click();
   await atProvider(page, 'olga');
   await live(page);
-  expect((await session(page)).role === 'operator', 'the groups count at each sign-in');
+  await soon(async () => (await session(page)).role === 'operator', 'the groups count at each sign-in');
 }
 
 async function isShownToAdministrators(page) {
@@ -78,7 +78,7 @@ async function isAway(page) {
   await page.getByText('provider gives no answer').waitFor();
   await shot(page, 'provider-away');
   await signIn(page, url, tokens.operator);
-  expect((await session(page)).by === 'token', 'a token goes on');
+  await soon(async () => (await session(page)).by === 'token', 'a token goes on');
 }
 
 const at = (test) => () => withPage(kDesk, test);

@@ -2,7 +2,7 @@
 // a pocket on a mill from the shipped families, and programs of which less is known.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { accessible, expect, kSoftwarePictures, live, shot, main, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, kSoftwarePictures, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
 const kDesk = { viewport: { width: 1360, height: 1000 }, args: kSoftwarePictures };
@@ -96,7 +96,7 @@ async function time(page) {
     await page.getByRole('list', { name: 'Legend' }).getByText('not known').waitFor();
     await shot(page, `time-by-${by.replaceAll(' ', '-').toLowerCase()}`);
   }
-  expect(/T0?6: the insert with its nose of 0\.8 mm/.test(await page.locator('.path-tool').innerText()), "the tool's insert and nose are its profile's");
+  await soon(async () => /T0?6: the insert with its nose of 0\.8 mm/.test(await page.locator('.path-tool').innerText()), "the tool's insert and nose are its profile's");
   // A slider along time leads tool and text.
   await timeSlider(page).focus();
   await page.keyboard.press('Home');
@@ -117,7 +117,7 @@ async function time(page) {
   await button(page, 'Pause').click();
   const paused = await timeNow(page);
   await page.waitForTimeout(400);
-  expect((await timeNow(page)) === paused, 'and it stands still when it is paused');
+  await soon(async () => (await timeNow(page)) === paused, 'and it stands still when it is paused');
   await shot(page, 'time-played');
 }
 
@@ -130,7 +130,7 @@ async function plots(page) {
   await button(page, 'Plots').click();
   const region = page.getByRole('region', { name: 'Plots over time' });
   await region.locator('canvas').nth(2).waitFor();
-  expect((await region.locator('figcaption').allInnerTexts()).join() === 'Feed along the path, mm/min; rapids run off the top,Buffer of the control, bytes,Deviation from the nominal, µm', 'feed, buffer and deviation');
+  await soon(async () => (await region.locator('figcaption').allInnerTexts()).join() === 'Feed along the path, mm/min; rapids run off the top,Buffer of the control, bytes,Deviation from the nominal, µm', 'feed, buffer and deviation');
   await region.scrollIntoViewIfNeeded();
   await shot(page, 'plots');
   await accessible(page, 'plots');
@@ -167,7 +167,7 @@ async function pocket(page) {
   await shot(page, 'stock-pocket');
   await button(page, 'Against the nominal').click();
   const legend = page.getByRole('list', { name: 'Stock in the end' });
-  expect(/within the tolerance/.test(await legend.innerText()), 'against the nominal');
+  await soon(async () => /within the tolerance/.test(await legend.innerText()), 'against the nominal');
   await shot(page, 'stock-pocket-nominal');
   await page.getByRole('group', { name: 'Cut open along' }).getByRole('button', { name: 'Y', exact: true }).click();
   await until(async () => (await dots(page, [138, 90, 60])) > 500, 'the section is open');
@@ -243,7 +243,7 @@ async function plain(page) {
   await page.goto(`${url}/#/programs/${id}?path=1`);
   await page.reload();
   await panel(page).getByText('Times along the toolpath are of a machine').waitFor();
-  expect((await timeSlider(page).count()) === 0, 'without a machine there is no time');
+  await soon(async () => (await timeSlider(page).count()) === 0, 'without a machine there is no time');
 }
 
 // From a change of a value to the new text and to the new path on the screen. What it costs is printed; that it follows is
@@ -289,7 +289,7 @@ async function preview(page) {
   await page.locator('.path-facts').waitFor();
   const paths = await times('.path-facts', ['150', '152', '163', '174', '185', '196', '141', '132', '123', '114']);
   console.log(`  toolpath and time after a change of a value: ${shown(paths)}`);
-  expect(/Time on the machine/.test(await page.locator('.path-facts').innerText()), 'with the time on the machine');
+  await soon(async () => /Time on the machine/.test(await page.locator('.path-facts').innerText()), 'with the time on the machine');
   expect(paths.at(-1) < 15_000, 'it follows');
 }
 

@@ -1,6 +1,6 @@
 // The guided tour of the demo shop, to its end: each of the five steps shows something that is there, in both languages, and
 // nothing is covered or wider than the screen. DRIPFEED_URL and DRIPFEED_TOKEN as for round.mjs.
-import { accessible, expect, fits, main, shot, signIn, until, withPage } from './browser.mjs';
+import { accessible, expect, fits, main, shot, signIn, soon, until, withPage } from './browser.mjs';
 
 const url = process.env.DRIPFEED_URL;
 const token = process.env.DRIPFEED_TOKEN;
@@ -28,7 +28,7 @@ async function walk(page, look) {
     await tour(page).getByText(words).waitFor();
     await tour(page).getByText(`step ${index + 1} of 5`).waitFor();
     await page.locator(`${mark}.tour-mark`).first().waitFor();
-    expect((await tour(page).getByText('nothing to show').count()) === 0, `the demo has something for: ${title}`);
+    await soon(async () => (await tour(page).getByText('nothing to show').count()) === 0, `the demo has something for: ${title}`);
     await fits(page, `${title} on a ${look}`);
     await accessible(page, `${title} on a ${look}`);
     await shot(page, `tour-${index + 1}-${look}`);
