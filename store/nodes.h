@@ -57,6 +57,9 @@ class Nodes : public Repository {
   virtual void wait_for_news(std::chrono::milliseconds patience) = 0;
   // What other nodes did after this row of the log, at most 200, oldest first.
   virtual Result<std::vector<NodeNews>> news(std::uint64_t after) = 0;
+  // Rows of the log after this one that this node wrote, or that no node did (a command), oldest first, at most so
+  // many.
+  virtual Result<std::vector<LoggedEvent>> own_events(std::uint64_t after, std::uint32_t most) = 0;
   // By name.
   virtual Result<std::vector<Node>> list() = 0;
   // By machine. One that no node ever had has none.

@@ -79,7 +79,10 @@ Application::Application(const Environment& environment)
     nodes_.emplace(store_, *nodes, lines_, catalog_, events_, clock_, environment.version);
   if (environment.sender != nullptr) {
     WebhookSettings settings = environment.webhooks;
-    if (nodes_) settings.leads = [this] { return nodes_->leads(); };
+    if (nodes_) {
+      settings.leads = [this] { return nodes_->leads(); };
+      settings.is_ours = [this](std::string_view machine) { return nodes_->is_ours(machine); };
+    }
     webhooks_.emplace(store_, events_, clock_, *environment.sender, std::move(settings));
   }
 }
@@ -226,6 +229,12 @@ std::map<std::string, LineReport> Application::reports() {
     for (const store::Machine& machine : machines->items) all[machine.name] = facts(machine.name).report;
     page.after = machines->next;
   } while (!page.after.empty());
+  return all;
+}
+
+std::map<std::string, LineReport> Application::own_reports() {
+  std::map<std::string, LineReport> all = reports();
+  if (nodes_) std::erase_if(all, [&](const auto& row) { return !nodes_->is_ours(row.first); });
   return all;
 }
 

@@ -89,6 +89,8 @@ class Application {
 
   // What the line of each machine reports, also of one that has none.
   [[nodiscard]] std::map<std::string, LineReport> reports();
+  // Those of machines whose line is this server's: of another one's machine it knows no more than whose it is.
+  [[nodiscard]] std::map<std::string, LineReport> own_reports();
   [[nodiscard]] MachineStatus status(const std::string& machine) { return status(machine, facts(machine)); }
   // In two steps, for who keeps what the second one said: it says the same of the same facts as long as the store is
   // the same.

@@ -159,7 +159,7 @@ void Sparkplug::bear() {
 
 void Sparkplug::show() {
   next_show_ = clock_.now() + kShowEvery;
-  const auto reports = application_.reports();
+  const auto reports = application_.own_reports();
   bury_all_but(reports);
   for (const auto& [machine, report] : reports) {
     Metrics now = sparkplug_metrics(application_.status(machine));

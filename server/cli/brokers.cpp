@@ -22,13 +22,18 @@ namespace dripfeed::cli {
 
 namespace {
 
+// A computer may run several servers of one store.
+std::string own_name(const json::ServerOptions& options) {
+  return options.node.empty() ? host_name() : fmt::format("{}-{}", host_name(), options.node);
+}
+
 // `ending` of the client's name: a broker knows each connection by a name of its own.
 app::Result<std::unique_ptr<app::Broker>> connect_broker(const json::ServerOptions& options, std::string_view ending,
                                                          std::function<app::BrokerMessage()> will,
                                                          std::vector<std::string> subscriptions = {}) {
   auto password = password_in(options.mqtt_password_file);
   if (!password) return app::fail(app::ErrorCode::invalid, "--mqtt-password-file: " + password.error().text);
-  const std::string id = options.mqtt_client_id.empty() ? "dripfeed-" + host_name() : options.mqtt_client_id;
+  const std::string id = options.mqtt_client_id.empty() ? "dripfeed-" + own_name(options) : options.mqtt_client_id;
   auto broker = io::connect_mqtt({.url = options.mqtt,
                                   .user = options.mqtt_user,
                                   .password = std::move(*password),
@@ -53,13 +58,16 @@ std::uint8_t last_session(const std::string& path) {
 app::Result<void> Brokers::start(app::Application& application, const json::ServerOptions& options,
                                  app::WriteEvent write_event) {
   if (options.mqtt.empty()) return {};
-  auto broker =
-      connect_broker(options, "", [prefix = options.mqtt_prefix] { return app::mqtt_connection(prefix, false); });
+  auto broker = connect_broker(options, "", [prefix = options.mqtt_prefix, node = options.node] {
+    return app::mqtt_connection(prefix, node, false);
+  });
   if (!broker) return std::unexpected(broker.error());
   broker_ = std::move(*broker);
   auto state = [&application](const std::string& machine) { return json::machine_status(application.status(machine)); };
-  mqtt_.emplace(application, *broker_,
-                app::MqttSettings{.prefix = options.mqtt_prefix, .write = std::move(write_event), .state = state});
+  mqtt_.emplace(
+      application, *broker_,
+      app::MqttSettings{
+          .prefix = options.mqtt_prefix, .node = options.node, .write = std::move(write_event), .state = state});
   return options.sparkplug_group.empty() ? app::Result<void>() : start_sparkplug(application, options);
 }
 
@@ -71,7 +79,7 @@ void Brokers::stop() {
 app::Result<void> Brokers::start_sparkplug(app::Application& application, const json::ServerOptions& options) {
   const app::Clock& clock = application.clock();
   const std::string sessions = (std::filesystem::path(options.data) / "sparkplug-session").string();
-  node_.emplace(options.sparkplug_group, options.sparkplug_node.empty() ? host_name() : options.sparkplug_node,
+  node_.emplace(options.sparkplug_group, options.sparkplug_node.empty() ? own_name(options) : options.sparkplug_node,
                 last_session(sessions), io::write_sparkplug);
   const auto next_will = [this, &clock, sessions] {
     app::BrokerMessage will = node_->next_will(clock.wall_ms());

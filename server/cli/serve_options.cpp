@@ -61,12 +61,14 @@ constexpr Row<std::string> kTexts[] = {
     {"--mqtt-user", &ServerOptions::mqtt_user, "who the broker knows us as"},
     {"--mqtt-password-file", &ServerOptions::mqtt_password_file,
      "file whose first line is the password for the broker"},
-    {"--mqtt-client-id", &ServerOptions::mqtt_client_id, "dripfeed-HOSTNAME by default"},
+    {"--mqtt-client-id", &ServerOptions::mqtt_client_id,
+     "dripfeed-HOSTNAME by default; with --node dripfeed-HOSTNAME-NODE"},
     {"--mqtt-prefix", &ServerOptions::mqtt_prefix, "what all topics begin with, as enterprise/site/area"},
     {"--mqtt-ca", &ServerOptions::mqtt_ca, "certificates that the broker is believed by, PEM; the system's by default"},
     {"--sparkplug-group", &ServerOptions::sparkplug_group,
      "id of a group of Sparkplug B: the broker gets the states of machines as Sparkplug, too"},
-    {"--sparkplug-node", &ServerOptions::sparkplug_node, "id of this server as its edge node; HOSTNAME by default"},
+    {"--sparkplug-node", &ServerOptions::sparkplug_node,
+     "id of this server as its edge node; HOSTNAME by default, with --node HOSTNAME-NODE"},
     {"--oidc", &ServerOptions::oidc,
      "issuer of an OpenID Connect provider, https://…: people sign in there, by authorization code with PKCE"},
     {"--oidc-client-id", &ServerOptions::oidc_client_id, "what the provider knows this server as"},
@@ -230,7 +232,12 @@ app::Result<void> check_sparkplug(const ServerOptions& options) {
   }
   if (options.sparkplug_group.empty() && !options.sparkplug_node.empty())
     return app::fail(app::ErrorCode::invalid, "--sparkplug-node: give --sparkplug-group, too");
-  return {};
+  if (options.sparkplug_group.empty() || options.node.empty() || !options.sparkplug_node.empty()) return {};
+  const std::string why = app::why_no_sparkplug_id(options.node);
+  if (why.empty()) return {};
+  return app::fail(
+      app::ErrorCode::invalid,
+      fmt::format("the name of --node is a part of the edge node's id, which {}: give --sparkplug-node", why));
 }
 
 app::Result<void> check_mqtt(const ServerOptions& options) {

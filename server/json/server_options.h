@@ -31,11 +31,11 @@ struct ServerOptions {
   std::string mqtt{};                       // URL of the broker; "": none
   std::string mqtt_user{};
   std::string mqtt_password_file{};
-  std::string mqtt_client_id{};  // "": by the computer's name
+  std::string mqtt_client_id{};  // "": by the computer's name and `node`
   std::string mqtt_prefix = "dripfeed";
   std::string mqtt_ca{};                   // PEM; "": whom the system believes
   std::string sparkplug_group{};           // "": no Sparkplug
-  std::string sparkplug_node{};            // "": the computer's name
+  std::string sparkplug_node{};            // "": the computer's name, and `node`
   std::vector<std::string> shift{};        // "06:00"; empty: 06:00, 14:00 and 22:00
   std::vector<std::string> stop_reason{};  // empty: the usual ones
   std::string arming_hook{};               // URL that is asked before an arming; "": none

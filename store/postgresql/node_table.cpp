@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "store/sql/audit_table.h"
+#include "store/sql/event_table.h"
 
 namespace dripfeed::postgresql {
 namespace {
@@ -128,6 +129,17 @@ Result<std::vector<store::NodeNews>> NodeTable::news(std::uint64_t after) {
       news.machine = query.text();
       found.push_back(std::move(news));
     }
+    return found;
+  });
+}
+
+Result<std::vector<store::LoggedEvent>> NodeTable::own_events(std::uint64_t after, std::uint32_t most) {
+  return database_.read("events", [&](Session& session) -> Result<std::vector<store::LoggedEvent>> {
+    static const std::string kSql = fmt::format(
+        "SELECT {} FROM event e WHERE e.seq > ? AND e.node IN (?, '') ORDER BY e.seq LIMIT ?", sql::kEventColumns);
+    std::vector<store::LoggedEvent> found;
+    Query query(session, kSql, after, own_, most);
+    while (query.next()) found.push_back(sql::read_event(query));
     return found;
   });
 }

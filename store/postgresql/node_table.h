@@ -25,6 +25,7 @@ class NodeTable final : public store::Nodes {
   store::Result<store::Beat> beat(std::string_view url, std::string_view version) override;
   void wait_for_news(std::chrono::milliseconds patience) override;
   store::Result<std::vector<store::NodeNews>> news(std::uint64_t after) override;
+  store::Result<std::vector<store::LoggedEvent>> own_events(std::uint64_t after, std::uint32_t most) override;
   store::Result<std::vector<store::Node>> list() override;
   store::Result<std::vector<store::Lease>> leases() override;
   store::Result<store::Lease> claim(std::string_view machine, const store::Stamp& by) override;

@@ -14,9 +14,9 @@ from postgresql import Database, serve
 class Node(Client):
     """A server with its own folder of records of lines."""
 
-    def __init__(self, folder, url, name, of=None):
+    def __init__(self, folder, url, name, of=None, more=()):
         os.environ["DRIPFEED_LINES"] = str(folder / f"lines-{name}")
-        super().__init__(folder / name, "--store", url, "--node", name)
+        super().__init__(folder / name, "--store", url, "--node", name, *more)
         self.name, self.lines = name, os.environ["DRIPFEED_LINES"]
         if of:
             self.tokens = dict(of.tokens)
@@ -36,12 +36,12 @@ class Node(Client):
 class Shop:
     """Nodes a and b; a has the lathe, b the mill."""
 
-    def __init__(self, folder, database, name):
+    def __init__(self, folder, database, name, more=()):
         self.url, self.folder = database.add(name), folder
         self.lathe, self.mill = HandControl(), HandControl()
-        self.a = Node(folder, self.url, "a")
+        self.a = Node(folder, self.url, "a", more=more)
         self.a.post("/machines", hand_profile(self.lathe))
-        self.b = Node(folder, self.url, "b", self.a)
+        self.b = Node(folder, self.url, "b", self.a, more)
         self.b.post("/machines", hand_profile(self.mill, "mill"))
         shop.wait_for("a to know of the mill", lambda: "node b" in (self.a.machine("mill")["link_error"] or ""))
 

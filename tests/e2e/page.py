@@ -23,8 +23,7 @@ class Shop:
 
     def __init__(self, folder, client=None):
         self.folder = folder
-        self.client = client or Client(folder)
-        self.client.start()
+        self.client = client or Client(folder).start()
         self.controls = {}
         self.releases = {}
         self.simulated = []

@@ -23,7 +23,7 @@ class ShopWithProvider(Shop):
         client = Client(folder, "--oidc", self.provider.issuer, "--oidc-client-id", CLIENT, "--oidc-client-secret-file", str(folder / "secret"), "--oidc-page", page,
                         "--oidc-scope", "", "--oidc-title", "the shop's login", "--oidc-local", "--oidc-group", "dnc=operator", "--oidc-group", "heads=approver")
         client.server.given_port = port
-        super().__init__(folder, client)
+        super().__init__(folder, client.start())
 
     def login(self):
         """A password that is right for all at the provider."""

@@ -3,6 +3,10 @@
 import { signal } from '@preact/signals';
 
 export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'badge' | 'sign_in' | DeskView | 'not_found';
+
+export const kPeoplePlaces = ['users', 'groups', 'tokens', 'machines', 'servers', 'store', 'audit'] as const;
+export type PeoplePlace = (typeof kPeoplePlaces)[number];
+
 // The half of the page for who does not stand at a machine; its code is loaded when it is asked for.
 export const kDeskViews = ['received', 'orders', 'order', 'history', 'review', 'reviewed', 'library', 'program', 'families', 'family', 'part', 'people', 'profile'] as const;
 export type DeskView = (typeof kDeskViews)[number];
@@ -39,7 +43,7 @@ const kRows: Row[] = [
   { view: 'families', pattern: /^\/(?:families|parts)$/ },
   { view: 'family', pattern: /^\/families\/([^/]+)$/ },
   { view: 'part', pattern: /^\/parts\/([^/]+)$/ },
-  { view: 'people', pattern: /^\/people(?:\/(users|groups|tokens|audit|machines|store))?$/ },
+  { view: 'people', pattern: new RegExp(`^/people(?:/(${kPeoplePlaces.join('|')}))?$`) },
   { view: 'profile', pattern: /^\/machines\/([^/]+)\/profile$/ },
   { view: 'profile', pattern: /^\/new-machine$/ },
   { view: 'badge', pattern: /^\/badge\/([^/]+)$/ },
@@ -94,9 +98,6 @@ export const hrefs = {
   newProfile: (of?: string) => `#/new-machine${of === undefined ? '' : `?of=${encodeURIComponent(of)}`}`,
   part: (number: string) => `#/parts/${encodeURIComponent(number)}`,
 };
-
-export const kPeoplePlaces = ['users', 'groups', 'tokens', 'machines', 'store', 'audit'] as const;
-export type PeoplePlace = (typeof kPeoplePlaces)[number];
 
 export const kProgramPlaces = ['text', 'revisions', 'compare', 'uses', 'files', 'checks', 'release'] as const;
 export type ProgramPlace = (typeof kProgramPlaces)[number];

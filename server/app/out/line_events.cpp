@@ -8,15 +8,24 @@ namespace dripfeed::app {
 void LineEvents::look() {
   const feed::Time now = clock_.now();
   for (const Progress& shown : events_.snapshot()) {
-    Seen& seen = seen_.try_emplace(shown.machine, Seen{.state = shown.report.state, .since = now}).first->second;
-    if (seen.state != shown.report.state) seen = {.state = shown.report.state, .since = now};
-    if (seen.is_logged || now - seen.since < kStands) continue;
-    const auto logged = logged_.find(shown.machine);
-    const bool is_known =
-        logged != logged_.end() && logged->second == seen.state;  // it went and came back within the second
-    seen.is_logged = is_known || publish(shown);
-    if (seen.is_logged) logged_[shown.machine] = seen.state;
+    if (!is_ours_ || is_ours_(shown.machine)) {
+      look_at(shown, now);
+    } else {  // its next holder goes on; here it begins again when the line comes back
+      seen_.erase(shown.machine);
+      logged_.erase(shown.machine);
+    }
   }
+}
+
+void LineEvents::look_at(const Progress& shown, feed::Time now) {
+  Seen& seen = seen_.try_emplace(shown.machine, Seen{.state = shown.report.state, .since = now}).first->second;
+  if (seen.state != shown.report.state) seen = {.state = shown.report.state, .since = now};
+  if (seen.is_logged || now - seen.since < kStands) return;
+  const auto logged = logged_.find(shown.machine);
+  const bool is_known =
+      logged != logged_.end() && logged->second == seen.state;  // it went and came back within the second
+  seen.is_logged = is_known || publish(shown);
+  if (seen.is_logged) logged_[shown.machine] = seen.state;
 }
 
 bool LineEvents::publish(const Progress& shown) {

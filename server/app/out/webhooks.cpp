@@ -38,7 +38,7 @@ Webhooks::Webhooks(store::Store& store, const Events& events, const Clock& clock
       clock_(clock),
       sender_(sender),
       settings_(std::move(settings)),
-      line_events_(store, events, clock),
+      line_events_(store, events, clock, settings.is_ours),
       thread_("webhooks", kAtOnce, Urgency::usual, [this] { round(); }) {}
 
 void Webhooks::stop() {

@@ -9,6 +9,7 @@
 #include <random>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "server/app/base/error.h"
@@ -28,6 +29,7 @@ struct WebhookSettings {
   WriteEvent write;
   std::vector<double> retries_s = kWebhookRetries_s;
   std::function<bool()> leads{};  // whether this server posts for all nodes of its store; empty: it does
+  std::function<bool(std::string_view machine)> is_ours{};  // whether this server has the machine's line; empty: it has
 };
 
 class Webhooks {

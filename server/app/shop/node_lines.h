@@ -33,6 +33,8 @@ class NodeLines {
   // Machines that no node has become this one's. Before any line opens.
   Result<void> start();
   [[nodiscard]] bool is_ours(std::string_view machine) const;
+  // This node's name.
+  [[nodiscard]] const std::string& own() const { return nodes_.own(); }
   // After the lines are open.
   void follow();
   // Where people and programs reach this node.

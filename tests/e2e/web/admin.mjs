@@ -195,6 +195,14 @@ async function everyLook(page, look) {
   }
 }
 
+async function alone(page) {
+  await signIn(page, url, tokens.admin);
+  await page.goto(`${url}/#/people`);
+  await page.getByRole('link', { name: 'Servers' }).click();
+  await page.getByText('This server is the only one of its store.').waitFor();
+  await accessible(page, 'one server');
+}
+
 // Who is no administrator sees none of it.
 async function others(page) {
   await signIn(page, url, tokens.approver);
@@ -211,6 +219,7 @@ await main([
   ['files of profiles', () => withPage(kDesk, files)],
   ['a line test', () => withPage(kDesk, lineTest)],
   ['the store', () => withPage(kDesk, store)],
+  ['one server', () => withPage(kDesk, alone)],
   ['an approver', () => withPage(kDesk, others)],
   ['on a tablet', () => withPage(kTablet, (page) => everyLook(page, 'tablet'))],
   ['on a phone', () => withPage(kPhone, (page) => everyLook(page, 'phone'))],

@@ -214,7 +214,7 @@ async function planned(page) {
   await accessible(page, 'a job that is planned');
   await shot(page, 'plans-new');
   await dialog(page).getByRole('button', { name: 'Queue' }).click();
-  await page.getByText('A person arms one of them').waitFor();
+  await page.getByText('A person arms one of them; the others then leave').waitFor(); // the dialog's hint names the first half, too
   await shot(page, 'plans-queued');
   const { body } = await rig.call('GET', '/jobs?state=queued&limit=200');
   const made = body.items.filter(({ end_check }) => end_check === 'part measured');

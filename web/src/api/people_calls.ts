@@ -2,7 +2,7 @@
 import { everything } from './calls';
 import { request, requestRoot } from './client';
 import type { SchemaNode } from '../rules/profile_form';
-import type { AuditRow, Backup, BackupMade, MachineGroup, MachineWhole, Page, Role, StoreRoom, StoreVerification, Token, TokenMade, User } from './types';
+import type { AuditRow, Backup, BackupMade, MachineGroup, MachineWhole, Page, Role, ServerNode, StoreRoom, StoreVerification, Token, TokenMade, User } from './types';
 
 const enc = encodeURIComponent;
 
@@ -54,6 +54,11 @@ export const peopleCalls = {
   backups: () => request<Page<Backup>>('GET', '/backups').then((page) => page.items),
   addBackup: (key: string) => request<BackupMade>('POST', '/backups', { key, timeoutMs: kLong_ms }),
   removeBackup: (name: string, key: string) => request<null>('DELETE', `/backups/${enc(name)}`, { key }),
+
+  servers: () => request<Page<ServerNode>>('GET', '/nodes').then((page) => page.items),
+  handOver: (machine: string, node: string, reason: string, key: string) =>
+    request<unknown>('POST', `/machines/${enc(machine)}/hand-over`, { body: { node, reason }, key }),
+  takeOver: (machine: string, reason: string, key: string) => request<unknown>('POST', `/machines/${enc(machine)}/take-over`, { body: { reason }, key }),
 
   audit: (filter: Record<string, string>, after: string | null) => {
     const query = new URLSearchParams({ limit: '50' });

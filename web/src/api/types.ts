@@ -63,6 +63,7 @@ export type StoreRoom = Schemas['StoreRoom'];
 export type StoreVerification = Schemas['StoreVerification'];
 export type Backup = Schemas['Backup'];
 export type BackupMade = Schemas['BackupMade'];
+export type ServerNode = Schemas['Node'];
 
 export type Problem = Schemas['Problem'];
 export type Said = Schemas['Said'];

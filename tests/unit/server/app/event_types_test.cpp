@@ -56,7 +56,9 @@ TEST(WallTime, IsAsRfc3339HasIt) {
 
 class LineEventsTest : public ::testing::Test {
  protected:
-  LineEventsTest() : store_(must(sqlite::open(folder_.file("d.db")))), line_(*store_, events_, clock_) {
+  LineEventsTest()
+      : store_(must(sqlite::open(folder_.file("d.db")))),
+        line_(*store_, events_, clock_, [this](std::string_view) { return is_ours_; }) {
     must(store_->machines().add("mill", "mill", by("anna")));
   }
   // The line has this state for so long; the server looks every 200 ms.
@@ -80,9 +82,19 @@ class LineEventsTest : public ::testing::Test {
   std::unique_ptr<store::Store> store_;
   dripfeed::test::VirtualClock clock_;
   Events events_;
+  bool is_ours_ = true;
   LineEvents line_;
   std::uint64_t changes_ = 0;
 };
+
+TEST_F(LineEventsTest, ALineOfAnotherServerIsReportedByThatOne) {
+  stands(LineState::idle, 1200ms);
+  is_ours_ = false;
+  stands(LineState::disconnected, 2000ms);
+  is_ours_ = true;
+  stands(LineState::idle, 1200ms);
+  EXPECT_EQ(published(), (std::vector<std::string>{"idle", "idle"}));
+}
 
 TEST_F(LineEventsTest, AStateThatStandsIsReportedOnce) {
   using std::chrono::milliseconds;

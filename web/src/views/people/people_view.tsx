@@ -1,4 +1,4 @@
-// What an administrator looks after: people, groups of machines, tokens, profiles, the store, and what everybody did.
+// What an administrator looks after: people, groups of machines, tokens, profiles, the servers, the store, and what everybody did.
 // Approvers see the audit.
 import { t } from '../../i18n/i18n';
 import { hrefs, kPeoplePlaces, type PeoplePlace } from '../../router';
@@ -7,6 +7,7 @@ import { person } from '../../state/shop';
 import { Audit } from './audit';
 import { Groups } from './groups';
 import { Machines } from './machines';
+import { Servers } from './servers';
 import { Store } from './store';
 import { Tokens } from './tokens';
 import { Users } from './users';
@@ -30,6 +31,7 @@ export function PeopleView({ place }: { place: PeoplePlace }) {
       {here === 'groups' && <Groups />}
       {here === 'tokens' && <Tokens />}
       {here === 'machines' && <Machines />}
+      {here === 'servers' && <Servers />}
       {here === 'store' && <Store />}
       {here === 'audit' && <Audit />}
     </>
