@@ -8,6 +8,7 @@
 
 #include "store/basics.h"
 #include "store/error.h"
+#include "store/event_log.h"
 
 namespace dripfeed::store {
 
@@ -43,6 +44,8 @@ struct AuditCheck {
 class Audit : public Repository {
  public:
   virtual Result<AuditRow> append(const AuditEntry& entry, const Stamp& by) = 0;
+  // With what other systems hear of it, in one transaction.
+  virtual Result<AuditRow> append(const AuditEntry& entry, const NewEvent& event, const Stamp& by) = 0;
   // Newest first.
   virtual Result<Page<AuditRow>> list(const PageRequest& page, const AuditFilter& filter = {}) = 0;
   // Walks the whole chain.

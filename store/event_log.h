@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 5> kAlarmEvents{"raised", "cleared
 inline constexpr std::array<std::string_view, 5> kProgramEvents{"added", "revised", "archived", "fetched_back",
                                                                 "deleted"};
 // Of a job and of an order, besides their states.
-inline constexpr std::array<std::string_view, 2> kJobEvents{"scheduled", "end_confirmed"};
+inline constexpr std::array<std::string_view, 3> kJobEvents{"scheduled", "end_confirmed", "stop_reason"};
 inline constexpr std::array<std::string_view, 3> kOrderEvents{"added", "changed", "parts"};
 inline constexpr std::string_view kPing = "ping";  // of a webhook, to be tried
 
@@ -34,7 +34,7 @@ struct NewEvent {
   Id job = 0;  // that an alarm is about or that has the line; 0: none
   Id program = 0;
   Revision revision = 0;
-  std::string cause{};  // a word: the kind of an alarm, the reason of a job
+  std::string cause{};  // a word: the kind of an alarm, the reason of a job; why a person says that it stood
   std::string text{};   // one sentence, a note, or a name
 };
 

@@ -37,7 +37,14 @@ Document job_plan_data(const LoggedEvent& event) {
           {"note", text_or_null(shortened(event.of.text))}};
 }
 
+Document job_stop_data(const LoggedEvent& event) {
+  Document data = job_plan_data(event);
+  data["reason"] = event.of.cause;
+  return data;
+}
+
 Document job_data(const LoggedEvent& event) {
+  if (event.of.word == store::kJobEvents[2]) return job_stop_data(event);
   if (std::ranges::find(store::kJobEvents, event.of.word) != store::kJobEvents.end()) return job_plan_data(event);
   return {{"job", event.of.subject},
           {"state", event.of.word},

@@ -56,6 +56,13 @@ Schema job_plan_event() {
                          Members{{"note", or_null(text("of the person, or the time that was planned; null: none"))}});
 }
 
+Schema job_stop_event() {
+  return cloud_event(
+      "JobStopEvent", "a person stated why a transfer stood still or broke off; the job's state stays",
+      Members{{"job", integer("its id")}, {"machine", text("to which it is sent")}} + program_and_revision() +
+          Members{{"reason", text("one of the shop's list")}, {"note", or_null(text("of the person; null: none"))}});
+}
+
 Schema line_event() {
   return cloud_event("LineEvent", "a machine's line has had another state for a second",
                      {{"machine", text("its name")},
@@ -151,6 +158,7 @@ Schemas webhook_schemas() {
                                                                {"schema", text("of the event, in this description")}})},
       {"JobEvent", job_event()},
       {"JobPlanEvent", job_plan_event()},
+      {"JobStopEvent", job_stop_event()},
       {"LineEvent", line_event()},
       {"AlarmEvent", alarm_event()},
       {"ReleaseEvent", release_event()},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "store/sql/audit_chain.h"
+#include "store/sql/event_table.h"
 #include "store/sql/paging.h"
 
 namespace dripfeed::sql {
@@ -63,6 +64,15 @@ AuditRow add_audit_row(Session& session, const store::AuditEntry& entry, const s
 Result<AuditRow> AuditTable::append(const store::AuditEntry& entry, const store::Stamp& by) {
   return database_.write("audit",
                          [&](Session& session) -> Result<AuditRow> { return add_audit_row(session, entry, by); });
+}
+
+Result<AuditRow> AuditTable::append(const store::AuditEntry& entry, const store::NewEvent& event,
+                                    const store::Stamp& by) {
+  return database_.write("audit", [&](Session& session) -> Result<AuditRow> {
+    if (event.word.empty()) return session.refuse(store::ErrorCode::invalid_value, "an event has a word");
+    add_event_row(session, event, by);
+    return add_audit_row(session, entry, by);
+  });
 }
 
 Result<store::Page<AuditRow>> AuditTable::list(const store::PageRequest& page, const store::AuditFilter& filter) {

@@ -13,6 +13,8 @@ class AuditTable final : public store::Audit {
  public:
   explicit AuditTable(Database& database) : database_(database) {}
   store::Result<store::AuditRow> append(const store::AuditEntry& entry, const store::Stamp& by) override;
+  store::Result<store::AuditRow> append(const store::AuditEntry& entry, const store::NewEvent& event,
+                                        const store::Stamp& by) override;
   store::Result<store::Page<store::AuditRow>> list(const store::PageRequest& page,
                                                    const store::AuditFilter& filter) override;
   store::Result<store::AuditCheck> verify() override;

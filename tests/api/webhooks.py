@@ -13,7 +13,7 @@ from receiver import Receiver, types_of_the_docs, verify
 ALL = ["*"]
 SCHEMAS = {"job": "JobEvent", "line": "LineEvent", "alarm": "AlarmEvent", "release": "ReleaseEvent", "program": "ProgramEvent", "receipt": "ReceiptEvent",
            "webhook": "WebhookEvent"}
-PLANS = {"job.scheduled": "JobPlanEvent", "job.end_confirmed": "JobPlanEvent"}
+PLANS = {"job.scheduled": "JobPlanEvent", "job.end_confirmed": "JobPlanEvent", "job.stop_reason": "JobStopEvent"}
 MOST_BYTES = 20_000
 
 
@@ -66,7 +66,7 @@ def hold(message, secret):
 def a_plan_and_the_confirmation_of_an_end_come(folder):
     client, control = bench(folder)
     receiver = Receiver()
-    hook = add(client, receiver.url, ["job.scheduled", "job.end_confirmed"])
+    hook = add(client, receiver.url, ["job.scheduled", "job.end_confirmed", "job.stop_reason"])
     release = client.release(client.add_program(10)["id"])["id"]
     job = client.post("/jobs", {"release": release, "end_check": "part taken out", "not_before_ms": int(time.time() * 1000) + 3_600_000})["id"]
     client.must("POST", f"/jobs/{job}/schedule", {})
@@ -76,9 +76,12 @@ def a_plan_and_the_confirmation_of_an_end_come(folder):
     expect([one.document["type"] for one in receiver.all()] == ["job.scheduled"], "the end was confirmed by itself")
     client.must("POST", f"/jobs/{job}/confirm-end", {"note": "measured"}, role="operator")
     wait("the confirmation", lambda: receiver.all("job.end_confirmed"))
-    planned, confirmed = [hold(one, hook["secret"]) for one in receiver.all()]
+    client.must("POST", f"/jobs/{job}/stop-reasons", {"reason": "tool broken", "note": "insert of T3"}, role="operator")
+    wait("the reason", lambda: receiver.all("job.stop_reason"))
+    planned, confirmed, reason = [hold(one, hook["secret"]) for one in receiver.all()]
     expect(planned["data"]["note"] == "at any time" and planned["data"]["job"] == job, f"{planned}")
     expect(confirmed["data"]["note"] == "measured" and confirmed["data"]["actor"] == "the operator" and confirmed["data"]["machine"] == "lathe", f"{confirmed}")
+    expect(reason["data"]["reason"] == "tool broken" and reason["data"]["note"] == "insert of T3" and reason["data"]["actor"] == "the operator", f"{reason}")
     client.server.stop()
     control.close()
 

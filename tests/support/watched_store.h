@@ -55,6 +55,11 @@ class ClosableAudit final : public store::Audit {
     if (closed_) return std::unexpected(store::Error{store::ErrorCode::disk_full, "no room"});
     return audit_.append(entry, by);
   }
+  store::Result<store::AuditRow> append(const store::AuditEntry& entry, const store::NewEvent& event,
+                                        const store::Stamp& by) override {
+    if (closed_) return std::unexpected(store::Error{store::ErrorCode::disk_full, "no room"});
+    return audit_.append(entry, event, by);
+  }
   store::Result<store::Page<store::AuditRow>> list(const store::PageRequest& page,
                                                    const store::AuditFilter& filter) override {
     return audit_.list(page, filter);

@@ -89,8 +89,17 @@ Result<StopReason> StopReasons::state(store::Id id, std::string_view reason, std
   if (!job) return std::unexpected(job.error());
   if (!was_sent(*job)) return fail(ErrorCode::refused, fmt::format("nothing of job {} was ever sent", id));
   const std::string words = note.empty() ? std::string(reason) : fmt::format("{}{}{}", reason, kBeforeNote, note);
-  const auto row = lift(
-      store_.audit().append({std::string(kAction), subject_of(id), words}, {std::string(actor), clock_.wall_ms()}));
+  const store::NewEvent event{.topic = store::EventTopic::job,
+                              .word = std::string(store::kJobEvents[2]),
+                              .subject = id,
+                              .machine = job->machine,
+                              .job = id,
+                              .program = job->program,
+                              .revision = job->revision,
+                              .cause = std::string(reason),
+                              .text = std::string(note)};
+  const auto row = lift(store_.audit().append({std::string(kAction), subject_of(id), words}, event,
+                                              {std::string(actor), clock_.wall_ms()}));
   if (!row) return std::unexpected(row.error());
   return read(*row);
 }

@@ -39,6 +39,7 @@ constexpr EventType kTypes[] = {
     {"job.scheduled", "a person changed the time before which a queued job is not armed", "JobPlanEvent"},
     {"job.end_confirmed", "a person looked at the end of a transfer: the machine's next job may be armed",
      "JobPlanEvent"},
+    {"job.stop_reason", "a person stated why a transfer stood still or broke off", "JobStopEvent"},
     {"line.disconnected", "the link to the control is not up", "LineEvent"},
     {"line.idle", "the link is up and nothing is armed", "LineEvent"},
     {"line.armed", "a job waits for the control's start", "LineEvent"},

@@ -3246,6 +3246,26 @@ export interface webhooks {
         patch?: never;
         trace?: never;
     };
+    "job.stop_reason": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a person stated why a transfer stood still or broke off
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_stop_reason"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "line.disconnected": {
         parameters: {
             query?: never;
@@ -8519,6 +8539,51 @@ export interface components {
                 /** @description of the program's text */
                 revision: number;
                 /** @description of the person, or the time that was planned; null: none */
+                note: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description a person stated why a transfer stood still or broke off; the job's state stays */
+        JobStopEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "job.stop_reason";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: the smaller of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                job: number;
+                /** @description to which it is sent */
+                machine: string;
+                /** @description its id */
+                program: number;
+                /** @description of the program's text */
+                revision: number;
+                /** @description one of the shop's list */
+                reason: string;
+                /** @description of the person; null: none */
                 note: string | null;
                 /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
                 actor: string;
@@ -17225,6 +17290,35 @@ export interface operations {
         requestBody: {
             content: {
                 "application/cloudevents+json": components["schemas"]["JobPlanEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_stop_reason: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobStopEvent"];
             };
         };
         responses: {
