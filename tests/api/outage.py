@@ -9,7 +9,7 @@ import threading
 import time
 
 from client import DC1, DC3, Client, HandControl, binary, expect, hand_profile, in_folder, plain_program, shop
-from postgresql import Database
+from postgresql import Database, await_answers
 
 BLOCKS = 500  # 7 s at 19200 baud
 LONGEST_GAP_S = 1.5  # 0.41 s were seen while other tests ran; what waits for the database waits until it is back
@@ -42,12 +42,8 @@ class Fed:
         expect(self.control.text().decode().strip() == text, "another text arrived")
         expect(not check_gaps or max(self.control.gaps_s) < LONGEST_GAP_S, f"the feed stood still for {max(self.control.gaps_s):.2f} s")
 
-    def await_database(self):
-        """Until the server has found that its database answers again: till then it refuses what needs it."""
-        shop.wait_for("the database to be asked again", lambda: self.client.call("GET", "/jobs").status == 200)
-
     def is_booked_whole(self):
-        self.await_database()
+        await_answers(self.client)
         done = self.client.wait_job(self.job, "done")
         expect(not done["torn"], f"{done}")
         rows = self.booked_rows(done)
@@ -136,7 +132,7 @@ def a_person_stops_it_while_the_database_is_frozen(folder, database):
         answer, took_s = timed("GET", "/jobs")
         expect(answer.status == 503 and "does not answer" in answer.document["detail"] and took_s < 2, f"{answer} after {took_s:.1f} s")
         expect(fed.client.call("POST", f"/jobs/{fed.job}/resume").status == 503, "it goes on without a row in the audit")
-    fed.await_database()
+    await_answers(fed.client)
     fed.client.wait_job(fed.job, "held", "feeding")
     expect(fed.control.text() == stopped, "a line that was stopped goes on")
     fed.client.post(f"/jobs/{fed.job}/resume")
@@ -191,7 +187,7 @@ def a_person_stops_it_without_the_database(folder, database):
     time.sleep(0.5)
     expect(fed.control.text() == stopped, "a line that was stopped goes on")
     database.start()
-    fed.await_database()
+    await_answers(fed.client)
     fed.client.wait_job(fed.job, "held", "feeding")
     fed.client.post(f"/jobs/{fed.job}/resume")
     fed.rest_arrives_without_a_stop(check_gaps=False)

@@ -58,6 +58,11 @@ class Database:
         shutil.rmtree(self.folder)
 
 
+def await_answers(client):
+    """Until the server has found that its database answers again: till then it refuses what needs it."""
+    shop.wait_for("the database to be asked again", lambda: client.call("GET", "/jobs").status == 200)
+
+
 def feed(client, control, release):
     job = client.queue(release)
     client.wait_line("lathe", "idle")
@@ -76,6 +81,7 @@ def a_job_is_fed_and_kept(folder, database):
     expect(before["jobs"][0]["state"] == "done", f"{before['jobs']}")
     database.stop()
     database.start()
+    await_answers(client)
     expect(client.everything() == before, "another store after the database was started again")
     client.add_program(5, "O0099")
     said = subprocess.run([str(binary()), "ledger", "verify", *client.store], capture_output=True, text=True, timeout=60)
