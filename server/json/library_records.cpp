@@ -1,4 +1,5 @@
-// What rendering gave, what was found by words, where a program is used, and the store that holds them all.
+// Families, parts and programs; what rendering gave, what was found by words, where a program is used, and the store
+// that holds them all.
 #include <algorithm>
 #include <utility>
 
@@ -9,6 +10,37 @@
 namespace dripfeed::json {
 
 namespace {
+
+Document origin_document(const store::Origin& origin) {
+  Document document = {{"kind", store::name_of(origin.kind)}};
+  if (origin.kind == store::OriginKind::uploaded) return document;
+  document["family"] = origin.family;
+  document["family_revision"] = origin.family_revision;
+  document["part"] = text_or_null(origin.part);
+  document["part_revision"] = origin.part_revision;
+  document["machine"] = origin.machine;
+  document["machine_revision"] = origin.machine_revision;
+  document["mode"] = origin.mode;
+  return document;
+}
+
+Document revision_document(const store::ProgramRevision& revision) {
+  return {{"revision", revision.revision},
+          {"sha256", revision.sha256},
+          {"bytes", revision.bytes},
+          {"blocks", revision.blocks},
+          {"origin", origin_document(revision.origin)},
+          {"created_by", revision.created_by},
+          {"created_at_ms", revision.created_at_ms}};
+}
+
+Document family_document(const store::Family& family, std::string_view title) {
+  return {{"name", family.name},
+          {"title", title},
+          {"revision", family.revision},
+          {"changed_by", family.changed_by},
+          {"changed_at_ms", family.changed_at_ms}};
+}
 
 Document call_members(const store::ProgramCall& call) {
   return {{"called", call.name}, {"kind", store::name_of(call.kind)}, {"line", call.line}};
@@ -67,6 +99,67 @@ Document why_calls_may_be_missing(const app::ProgramUses& uses) {
 }
 
 }  // namespace
+
+std::string family_summary(const store::Family& family, std::string_view title) {
+  return dump(family_document(family, title));
+}
+
+std::string family(const store::Family& family, const compile::FamilyDescription& description) {
+  Document document = family_document(family, description.title);
+  document["text"] = family.text;
+  Document parameters = Document::array();
+  for (const compile::ParameterDescription& p : description.parameters) {
+    const bool has_range = p.choices.empty() && p.kind != "text";
+    parameters.push_back({{"name", p.name},
+                          {"kind", p.kind},
+                          {"unit", p.unit},
+                          {"default", p.standard},
+                          {"low", has_range ? Document(p.low) : Document()},
+                          {"high", has_range ? Document(p.high) : Document()},
+                          {"step", p.step},
+                          {"choices", p.choices},
+                          {"fewest", p.fewest},
+                          {"most", p.most},
+                          {"text", p.text},
+                          {"group", p.group}});
+  }
+  document["parameters"] = std::move(parameters);
+  return dump(document);
+}
+
+std::string part(const store::Part& part) {
+  return dump({{"number", part.number},
+               {"revision", part.revision},
+               {"family", part.made_of.family},
+               {"family_revision", part.made_of.family_revision},
+               {"values", embedded(part.made_of.values)},
+               {"changed_by", part.changed_by},
+               {"changed_at_ms", part.changed_at_ms}});
+}
+
+std::string program(const store::Program& program) {
+  Document archived = nullptr;
+  if (program.is_archived())
+    archived = {{"by", program.archived.by}, {"reason", program.archived.reason}, {"at_ms", program.archived.at_ms}};
+  Document deleted = nullptr;
+  if (program.is_deleted())
+    deleted = {{"by", program.deleted.by}, {"reason", program.deleted.reason}, {"at_ms", program.deleted.at_ms}};
+  Document document = {{"id", program.id},
+                       {"name", program.name},
+                       {"dialect", program.dialect},
+                       {"tags", program.tags},
+                       {"folder", text_or_null(program.folder)},
+                       {"archived", std::move(archived)},
+                       {"deleted", std::move(deleted)}};
+  document.update(revision_document(program.newest));
+  return dump(document);
+}
+
+std::string program_revision(const store::ProgramRevision& revision) {
+  Document document = {{"id", revision.program}};
+  document.update(revision_document(revision));
+  return dump(document);
+}
 
 std::string search_result(std::span<const SearchHit> hits, std::string_view next, const store::LibraryState& state,
                           std::uint64_t waiting) {

@@ -8,6 +8,7 @@
 #include "server/app/checks/family_sweep.h"
 #include "server/app/checks/machine_facts.h"
 #include "server/app/checks/timing_pictures.h"
+#include "server/app/checks/workers.h"
 #include "server/app/shop/catalog.h"
 
 namespace dripfeed::app {
@@ -92,7 +93,7 @@ Result<sweep::Report> sweep_values(const SweepOrder& order, std::string_view fam
                        .control = *control,
                        .profile = &*profile,
                        .mode = order.mode,
-                       .delivery = order.delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory,
+                       .delivery = delivery_of(order.delivery),
                        .settings = order.settings});
 }
 
