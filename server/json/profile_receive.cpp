@@ -7,12 +7,12 @@ namespace dripfeed::json {
 
 void read_receive(ObjectReader& object, machine::ReceiveSettings& receive) {
   static constexpr std::array<std::string_view, 3> kHolds = {"none", "dc3", "rts"};
-  static constexpr std::array<std::string_view, 2> kCodes = {"line", "auto"};
+  static constexpr std::array<std::string_view, 2> kReceiveCodes = {"line", "auto"};
   object.flag("enabled", receive.enabled);
   object.number("quiet_s", receive.quiet_s, 0.2, 60.0);
   object.number("quiet_after_end_s", receive.quiet_after_end_s, 0.05, 10.0);
   object.integer("end_character", receive.end_character, 1, 31);
-  if (const auto code = object.choice("code", kCodes)) receive.find_code = *code == 1;
+  if (const auto code = object.choice("code", kReceiveCodes)) receive.find_code = *code == 1;
   if (const auto hold = object.choice("hold", kHolds)) receive.hold = static_cast<receive::Hold>(*hold);
   object.flag("read_back", receive.read_back);
   object.number("read_back_minutes", receive.read_back_minutes, 0.01, 1440.0);
