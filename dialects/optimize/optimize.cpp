@@ -1,5 +1,5 @@
 // The order: names become numbers and jumps structures first, because everything else gains by it; values, invariants
-// and merging help each other, so they go round until nothing changes; blocks are joined last.
+// and merging help each other, so they go round until nothing changes; then a table, and blocks are joined last.
 #include "dialects/optimize/optimize.h"
 
 #include <algorithm>
@@ -51,6 +51,22 @@ std::optional<PlaceFacts> free_place(Work& work) {
   return {};
 }
 
+std::optional<NumberRange> free_range(Work& work, std::size_t count) {
+  free_place(work);  // so that the numbers of the program are known
+  const auto& [looked_at, used, computed] = work.numbers;
+  for (const NumberRange& range : work.free) {
+    if (computed.contains(range.bank)) continue;
+    std::size_t found = 0;
+    for (std::uint32_t n = range.first; n <= range.last; ++n) {
+      const ir::VariableRange* variable = ir::find_variable(work.control, range.bank, n);
+      const bool is_free = variable != nullptr && variable->writable && !used.contains({range.bank, n});
+      found = is_free ? found + 1 : 0;
+      if (found == count) return NumberRange{range.bank, n + 1 - static_cast<std::uint32_t>(count), n};
+    }
+  }
+  return {};
+}
+
 Result optimize(ir::Program& program, const ir::Control& control, const ir::CostModel& cost, const Settings& settings) {
   Result result;
   result.obstacle = obstacle(program);
@@ -73,6 +89,7 @@ Result optimize(ir::Program& program, const ir::Control& control, const ir::Cost
     if (!changed && rules.has(Rule::merge)) changed = merge_values(work);
     if (!changed) break;
   }
+  if (rules.has(Rule::table) && settings.table.spans > 0) tabulate(work, settings.table);
   if (rules.has(Rule::join)) join_blocks(work);
   result.changes = std::move(work.changes);
   result.made = std::move(work.made_lines);

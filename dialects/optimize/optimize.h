@@ -1,7 +1,7 @@
-// dialects/optimize: a program that does the same and costs its control less to compute. Each pass is exact: a run that
-// ends without an alarm of arithmetic makes the same motions to the last bit. Passes look at the program's own flow of
-// values and at the figures of the cost model; they neither run it nor write text. What is not understood ends the
-// optimization with a reason, and the program stays as it was.
+// dialects/optimize: a program that does the same and costs its control less to compute. Each pass but the table is
+// exact: a run that ends without an alarm of arithmetic makes the same motions to the last bit. Passes look at the
+// program's own flow of values and at the figures of the cost model; they neither run it nor write text. What is not
+// understood ends the optimization with a reason, and the program stays as it was.
 #pragma once
 
 #include <string>
@@ -21,8 +21,10 @@ struct Settings {
   std::vector<NumberRange> own = {};
   // Numbers that the program may begin to use; they count as its own.
   std::vector<NumberRange> free = {};
-  // How far the path may be changed, mm; 0: not at all, then Rule::lines and Rule::arcs have no effect.
+  // How far the path may be changed, mm; 0: not at all, then the rules that change it have no effect.
   double tolerance_mm = 0.0;
+  // What Rule::table is to try. How far the moves are off then, is not looked at here.
+  TableWish table = {};
 };
 
 struct Result {

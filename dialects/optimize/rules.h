@@ -1,6 +1,6 @@
 // What the optimizer may do, one row a rule: those of G. Nikiel, "Optimization of execution speed of the CNC parametric
 // part programs", chapter 2, except that no subprogram is inlined, and what a compiler adds. Each can be switched off
-// by itself. The last two change the path, within a tolerance; compile/render/merged_blocks has them.
+// by itself. The last three change the path, within a tolerance; compile/render/merged_blocks has two of them.
 #pragma once
 
 #include <array>
@@ -20,6 +20,7 @@ enum class Rule : std::uint8_t {
   join,
   comments,
   numbers,
+  table,
   lines,
   arcs,
   count_
@@ -43,11 +44,14 @@ inline constexpr std::array<RuleRow, kRules> kRuleRows = {{
     {"join", "assignments that do not need each other share a block, where the control allows it", true},
     {"comments", "comments are dropped", false},
     {"numbers", "block numbers that no jump names are dropped", false},
+    {"table", "a value that a loop computes is interpolated in a table that is filled before it, within the tolerance",
+     false},
     {"lines", "straight cuts near one line become one block, within the tolerance", false},
     {"arcs", "arcs of one circle become one block, within the tolerance", false},
 }};
 constexpr const RuleRow& row_of(Rule rule) { return kRuleRows[static_cast<std::size_t>(rule)]; }
 std::optional<Rule> find_rule(std::string_view name);
+constexpr bool changes_path(Rule rule) { return rule == Rule::table || rule == Rule::lines || rule == Rule::arcs; }
 
 class Rules {
  public:

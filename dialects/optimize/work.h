@@ -71,6 +71,14 @@ struct Work {
 
 // A number of `work.free` that the program does not mention; none left: nothing.
 std::optional<PlaceFacts> free_place(Work& work);
+// `count` of them in a row.
+std::optional<NumberRange> free_range(Work& work, std::size_t count);
+
+// Of a table in place of a formula.
+struct TableWish {
+  std::uint32_t spans = 0;  // in which it is interpolated, along the rounds of a loop; 0: no table
+  bool nested = false;      // along those of the loop around the innermost one, whose rounds all have their own values
+};
 
 // Each runs over the program once and says whether it changed anything.
 bool structure_jumps(Work& work, bool loops, bool branches);
@@ -79,6 +87,7 @@ bool propagate_values(Work& work);
 bool hoist_invariants(Work& work);
 bool drop_unread(Work& work);
 bool merge_values(Work& work);
+bool tabulate(Work& work, const TableWish& wish);
 bool join_blocks(Work& work);
 
 }  // namespace dripfeed::optimize

@@ -80,7 +80,7 @@ void add_optimize(CLI::App& app, int& exit_code) {
   command->add_option("--free", options->words.free, "variables that the program may begin to use: R100-R199");
   command
       ->add_option("--tolerance", options->words.tolerance_mm,
-                   "mm that the path may be changed by: for the rules lines and arcs")
+                   "mm that the path may be changed by: for the rules table, lines and arcs")
       ->check(CLI::Range(0.0, 1.0));
   add_text_options(*command, options->text);
   command->footer(rules_help());

@@ -29,8 +29,9 @@ void print_saving(const compile::OptimizeResult& result, std::string_view name, 
   if (!result.obstacle.empty()) return print_error(fmt::format("{} is left unchanged: {}", name, result.obstacle));
   if (!result.not_verified.empty()) print_error("not verified by running it: " + result.not_verified);
   if (!result.not_merged.empty()) print_error("no blocks are merged: " + result.not_merged);
+  if (!result.not_tabulated.empty()) print_error("no formula is a table: " + result.not_tabulated);
   if (result.off_mm)
-    fmt::print(stderr, "blocks are merged: the path is {} mm from the program's at most (proved)\n",
+    fmt::print(stderr, "the path is {} mm from the program's at most (proved)\n",
                text::format_fixed(*result.off_mm, 6));
   if (!result.before || !result.after) return;
   for (const compile::RuleSaving& one : result.savings)

@@ -103,7 +103,7 @@ constexpr GlossaryRow kRows[] = {
     {"with", "rules that are off unless they are named here"},
     {"without", "rules that are not applied"},
     {"OptimizeOrder/tolerance_mm",
-     "how far the path may be changed by the rules lines and arcs; not given: not at all"},
+     "how far the path may be changed by the rules table, lines and arcs; not given: not at all"},
     {"own", "variables that no other program reads: \"R0-R99\", \"#100-#149\""},
     {"free", "variables that the program may begin to use: \"R100-R199\""},
     {"NewProgram/name", "under which the control calls it"},

@@ -113,6 +113,7 @@ std::string optimized(const compile::OptimizeResult& result, const ir::CostModel
                {"not_verified", text_or_null(result.not_verified)},
                {"proved_max_mm", result.off_mm ? Document(*result.off_mm) : Document(nullptr)},
                {"not_merged", text_or_null(result.not_merged)},
+               {"not_tabulated", text_or_null(result.not_tabulated)},
                {"saved", saving_of(result.saved)},
                {"before", cost_of_run(result.before)},
                {"after", cost_of_run(result.after)},

@@ -67,7 +67,7 @@ def the_command(folder):
     if text.stdout != found["text"] or "cost model" not in text.stderr or "invariants saves " not in text.stderr or "all rules save " not in text.stderr:
         raise AssertionError(f"{text}")
     for arguments, words in ((["--free", "R200-#9"], "is not a range of variables"), (["--with", "magic"], 'there is no rule "magic"'),
-                             (["--with", "lines"], "need a tolerance"), (["--tolerance", "0.01"], "a tolerance is for the rules lines and arcs")):
+                             (["--with", "lines"], "need a tolerance"), (["--tolerance", "0.01"], "a tolerance is for the rules table, lines and arcs")):
         refused = run("optimize", program, *arguments)
         if refused.returncode != 2 or words not in refused.stderr or refused.stdout:
             raise AssertionError(f"{arguments}: {refused}")

@@ -39,23 +39,25 @@ inline ir::CostModel preset() {
   return profile->machine.timing.cost.value();
 }
 
-// The cutting moves of one of the programs.
-inline std::vector<ir::Motion> points_of(const std::string& name) {
+// The cutting moves of a program.
+inline std::vector<ir::Motion> points_of_text(const text::Source& source) {
   const compile::Dialect& dialect = *compile::find_dialect("sinumerik-840d");
   ir::Control control = dialect.control(ir::MachineKind::mill_turn, ir::GSystem::a);
   for (ir::VariableRange& range : control.variables) {
     if (range.bank == ir::Bank::r) range.last = std::max(range.last, 499U);  // the table is in R300 to R471
   }
-  const text::Source source = text_of(name);
   const auto read = dialect.read(source, control);
-  EXPECT_FALSE(text::has_error(read.diagnostics)) << name;
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << source.name();
   Collect collect;
   const auto run = compile::execute(read.program, control, nullptr, collect, {});
-  EXPECT_EQ(run.ended, interpreter::Ended::end) << name;
+  EXPECT_EQ(run.ended, interpreter::Ended::end) << source.name();
   std::erase_if(collect.all, [](const ir::Motion& m) { return m.kind != ir::MotionKind::linear; });
-  EXPECT_EQ(collect.all.size(), 4U * 72U) << name;
+  EXPECT_EQ(collect.all.size(), 4U * 72U) << source.name();
   return collect.all;
 }
+
+// Of one of the four.
+inline std::vector<ir::Motion> points_of(const std::string& name) { return points_of_text(text_of(name)); }
 
 inline constexpr std::array kPrograms = {"1_lud.mpf", "2_r.mpf", "3_merged.mpf", "4_table.mpf"};
 

@@ -3,7 +3,7 @@
 #include "dialects/compile/render/optimized.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -12,6 +12,7 @@
 
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/compile/render/merged_blocks.h"
+#include "dialects/compile/render/same_moves.h"
 #include "dialects/compile/translate/inline_moves.h"
 #include "dialects/compile/translate/recorded_run.h"
 #include "dialects/optimize/places.h"
@@ -20,34 +21,6 @@
 namespace dripfeed::compile {
 
 namespace {
-
-// All that a motion is, but for where in the text it comes from, what computing it cost, and its text.
-bool is_same(const ir::Motion& a, const ir::Motion& b) {
-  // What is not known is not a number, and equals itself here.
-  const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
-  const auto all_same = [&](const auto& x, const auto& y) { return std::ranges::equal(x, y, same); };
-  return a.kind == b.kind && a.plane == b.plane && a.feed_mode == b.feed_mode && a.length_offset == b.length_offset &&
-         a.axes_commanded == b.axes_commanded && a.machine_coordinates == b.machine_coordinates &&
-         a.exact_stop == b.exact_stop && all_same(a.start, b.start) && all_same(a.end, b.end) &&
-         all_same(a.center, b.center) && same(a.feed, b.feed) && same(a.spindle_rpm, b.spindle_rpm) &&
-         same(a.surface_speed_m_min, b.surface_speed_m_min) && a.spindle == b.spindle && a.comp == b.comp &&
-         a.coolant == b.coolant && a.gaps == b.gaps && a.number == b.number && a.tool_offset == b.tool_offset &&
-         a.axes_unknown == b.axes_unknown && a.length_offset_number == b.length_offset_number;
-}
-
-std::string_view text_of(const RecordedRun& run, const ir::Motion& m) {
-  return m.text < run.result.strings.size() ? std::string_view(run.result.strings[m.text]) : std::string_view();
-}
-
-// The line of the first motion that is another one in `b`, in `a`'s text; nothing where there is none.
-std::optional<std::uint32_t> first_difference(const RecordedRun& a, const RecordedRun& b) {
-  const std::size_t both = std::min(a.motions.size(), b.motions.size());
-  for (std::size_t i = 0; i < both; ++i)
-    if (!is_same(a.motions[i], b.motions[i]) || text_of(a, a.motions[i]) != text_of(b, b.motions[i]))
-      return a.motions[i].place.line;
-  if (a.motions.size() == b.motions.size()) return {};
-  return a.motions.size() > both ? a.motions[both].place.line : a.result.last.line;
-}
 
 class Optimization {
  public:
@@ -125,13 +98,14 @@ class Optimization {
       return result;
     }
     bool is_first = true;
+    optimize::Rules best = request_.settings.rules;
     for (const optimize::Rules& rules : rules_to_try()) {
       std::optional<Attempt> tried = try_rules(read.program, rules);
       if (!tried) continue;
       Attempt& attempt = *tried;
-      if (!std::exchange(is_first, false) &&
-          !(attempt.after && result.after && attempt.after->total_ms < result.after->total_ms))
-        continue;
+      const bool is_better = attempt.after && result.after && attempt.after->total_ms < result.after->total_ms;
+      if (!std::exchange(is_first, false) && !is_better) continue;
+      best = rules;
       result.obstacle = std::move(attempt.obstacle);
       result.not_verified = std::move(attempt.not_verified);
       result.before = attempt.before;
@@ -147,8 +121,78 @@ class Optimization {
       result.origin_lines.clear();
       result.after = result.before;
     }
+    if (best.has(optimize::Rule::table) && request_.settings.tolerance_mm > 0.0) tabulate(read.program, best, result);
     attribute(read.program, result);
     return result;
+  }
+
+  // Tables with more and more spans, until the moves are near enough to those of the program.
+  void tabulate(const ir::Program& before, const optimize::Rules& rules, OptimizeResult& result) {
+    result.not_tabulated = "its run is not known";
+    if (!result.after || !result.not_verified.empty()) return;
+    const RecordedRun old_run = run(before, 0);
+    if (takes_values(before) && first_difference(old_run, run(before, 1))) {
+      result.not_tabulated = "its moves depend on values from outside";
+      return;
+    }
+    const std::string none =
+        "no loop that counts from number to number computes a place, or too few variables are free";
+    std::string why = none;
+    for (const bool nested : {true, false}) {
+      table_ = {.spans = 1, .nested = nested};
+      result.not_tabulated = none;
+      for (int tries = 0; tries < kMostTables; ++tries) {
+        const std::optional<double> off = try_table(before, old_run, rules, result);
+        if (result.not_tabulated.empty()) return;
+        if (!off) break;
+        // Twice the spans leave a quarter.
+        const double more = std::sqrt(*off / request_.settings.tolerance_mm);
+        table_.spans =
+            std::max(table_.spans + 1, static_cast<std::uint32_t>(std::min(table_.spans * more, kMostSpans)));
+      }
+      if (why == none) why = std::move(result.not_tabulated);
+    }
+    result.not_tabulated = std::move(why);
+  }
+  static constexpr int kMostTables = 12;
+  static constexpr double kMostSpans = 1e5;
+
+  // Takes the table into the result where it is within the tolerance and saves time. How far it is off where more spans
+  // may be near enough.
+  std::optional<double> try_table(const ir::Program& before, const RecordedRun& old_run, const optimize::Rules& rules,
+                                  OptimizeResult& result) {
+    WrittenText made = written_by(before, rules);
+    const auto is_table = [](const optimize::Change& change) { return change.rule == optimize::Rule::table; };
+    if (std::ranges::none_of(made.report.changes, is_table)) return {};
+    const text::Source text(request_.source.name(), std::move(made.text.text));
+    const ir::ReadResult read = dialect_.read(text, request_.control);
+    result.not_tabulated = new_fault(read);
+    if (!result.not_tabulated.empty()) return {};
+    const RecordedRun new_run = run(read.program, 0);
+    const std::optional<double> off = distance_apart(old_run, new_run);
+    if (!input_of(new_run).empty() || old_run.result.ended != new_run.result.ended || !off) {
+      result.not_tabulated = "with a table the program would make other moves";
+      return {};
+    }
+    if (*off > request_.settings.tolerance_mm) {
+      result.not_tabulated =
+          fmt::format("a table of {} rows is {} mm off", table_.spans + 1, text::format_fixed(*off, 6));
+      return off;
+    }
+    const ComputeCost cost = cost_of(new_run);
+    if (cost.total_ms >= result.after->total_ms) {
+      result.not_tabulated = "a table saves no time";
+      return {};
+    }
+    for (optimize::Change& change : made.report.changes)
+      if (is_table(change)) change.what += fmt::format(", {} mm off at most", text::format_fixed(*off, 6));
+    result.not_tabulated.clear();
+    result.after = cost;
+    result.changes = std::move(made.report.changes);
+    result.origin_lines = std::move(made.text.origin_lines);
+    result.text = text.text();
+    result.off_mm = off;
+    return off;
   }
 
   struct Attempt {
@@ -180,6 +224,7 @@ class Optimization {
     ir::Program changed = before;
     optimize::Settings settings = request_.settings;
     settings.rules = rules;
+    settings.table = table_;
     WrittenText out;
     out.report = optimize::optimize(changed, request_.control, request_.cost, settings);
     if (!out.report.obstacle.empty()) return out;
@@ -338,6 +383,7 @@ class Optimization {
   const OptimizeRequest& request_;
   const Dialect& dialect_;
   ProgramLibrary own_library_;
+  optimize::TableWish table_;                              // none while exact rules are tried
   std::string tried_;                                      // the text of the attempt before
   std::map<text::DiagnosticId, std::string> read_faults_;  // errors that the program has
 };

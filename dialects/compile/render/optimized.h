@@ -1,5 +1,5 @@
 // A program of a text made faster for its control, and proved by running: the text before and after makes the same
-// moves, to the last bit.
+// moves, to the last bit, or within the tolerance where a rule that changes the path is asked for.
 #pragma once
 
 #include <cstdint>
@@ -45,8 +45,9 @@ struct OptimizeResult {
   std::optional<ComputeCost> after;
   std::optional<Saving> saved;      // from `before` to `after`
   std::vector<RuleSaving> savings;  // of rules that changed the text, in their order; none where it is not run
-  std::optional<double> off_mm;     // where blocks were merged: how far the paths lie apart at most, proved
+  std::optional<double> off_mm;     // with rules that change the path: how far both lie apart at most, proved
   std::string not_merged;           // why no blocks were; empty where they were, or need not be
+  std::string not_tabulated;        // why no formula is a table; empty where one is, or need not be
   std::vector<text::Diagnostic> diagnostics;  // of reading the source; with an error nothing is done
 };
 

@@ -62,11 +62,15 @@ Result<optimize::Settings> settings_of(const OptimizeWords& words) {
   if (auto taken = take_ranges(words.own, out.own); !taken) return std::unexpected(taken.error());
   if (auto taken = take_ranges(words.free, out.free); !taken) return std::unexpected(taken.error());
   out.tolerance_mm = words.tolerance_mm;
-  const bool changes_path = out.rules.has(optimize::Rule::lines) || out.rules.has(optimize::Rule::arcs);
+  bool changes_path = false;
+  for (std::size_t i = 0; i < optimize::kRules; ++i) {
+    const auto rule = static_cast<optimize::Rule>(i);
+    changes_path = changes_path || (optimize::changes_path(rule) && out.rules.has(rule));
+  }
   if (changes_path && !(out.tolerance_mm > 0.0))
-    return fail(ErrorCode::invalid, "the rules lines and arcs need a tolerance");
+    return fail(ErrorCode::invalid, "the rules table, lines and arcs need a tolerance");
   if (!changes_path && out.tolerance_mm != 0.0)
-    return fail(ErrorCode::invalid, "a tolerance is for the rules lines and arcs");
+    return fail(ErrorCode::invalid, "a tolerance is for the rules table, lines and arcs");
   return out;
 }
 

@@ -3988,7 +3988,7 @@ export interface components {
             own?: string[] | null;
             /** @description variables that the program may begin to use: "R100-R199" */
             free?: string[] | null;
-            /** @description how far the path may be changed by the rules lines and arcs; not given: not at all */
+            /** @description how far the path may be changed by the rules table, lines and arcs; not given: not at all */
             tolerance_mm?: number | null;
         };
         /** @description a text that is being written; it is not stored */
@@ -6789,7 +6789,7 @@ export interface components {
                  * @description that was applied
                  * @enum {string}
                  */
-                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "lines" | "arcs";
+                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "table" | "lines" | "arcs";
                 /** @description how many of the changes are its own */
                 edits: number;
                 /** @description next to the text with the rules before it alone; null: not run */
@@ -6810,7 +6810,7 @@ export interface components {
                  * @description that was applied
                  * @enum {string}
                  */
-                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "lines" | "arcs";
+                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "table" | "lines" | "arcs";
                 /** @description a clause */
                 what: string;
             }[];
@@ -6818,10 +6818,12 @@ export interface components {
             left_because: string | null;
             /** @description why running both does not show that they move the same; null: it does */
             not_verified: string | null;
-            /** @description how far both paths lie apart at most, where blocks were merged; null: they are the same */
+            /** @description how far both paths lie apart at most, where a rule changed it; null: they are the same */
             proved_max_mm: number | null;
             /** @description why no blocks were merged; null: they were, or it was not asked for */
             not_merged: string | null;
+            /** @description why no formula is a table; null: one is, or it was not asked for */
+            not_tabulated: string | null;
             /** @description by all rules; null: it was not run */
             saved: {
                 /** @description by the cost model; below zero: it costs more */
