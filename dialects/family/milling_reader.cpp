@@ -1,5 +1,6 @@
 // Verbs of mills that stand for many moves: faces and pockets. Each is a subprogram of the verbs' library, with what
 // its values must fulfil.
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -117,7 +118,9 @@ void BodyReader::face() {
   }
   for (const std::string_view word : {"depth", "stepover", "beyond", "return"}) clause(verb, word);
   verb.arguments.push_back(tool_diameter_);
-  write("face", verb, kRules);
+  const bool is_turned = std::ranges::any_of(
+      open_, [](const auto& block) { return block.copies && block.copies->cosine != ExpressionId::none; });
+  write(is_turned ? "face_turned" : "face", verb, kRules);
 }
 
 // pocket x X y Y (diameter LENGTH | length LENGTH width LENGTH corner LENGTH) z Z to Z depth LENGTH stepover LENGTH

@@ -39,6 +39,26 @@ sub face(first_x length, last_x length, first_y length, last_y length, top lengt
   end
 end
 
+# The same, each move with both x and y, as moves that are turned have them.
+sub face_turned(first_x length, last_x length, first_y length, last_y length, top length, bottom length, layer_depth length, stepover length, beyond length, clear length, cutter length)
+  let start = first_x - cutter/2 - beyond
+  let far = last_x + cutter/2 + beyond
+  let first_row = first_y - cutter/2 + stepover
+  let last_row = max(last_y - cutter/2, first_row)
+  let side = start
+  rapid z clear
+  for level from max(top - layer_depth, bottom) down to bottom step layer_depth
+    rapid x side  y first_row
+    rapid z level
+    for row from first_row to last_row step stepover
+      cut x side  y row
+      set side = start + far - side
+      cut x side  y row
+    end
+    rapid z clear
+  end
+end
+
 # --- pocket: from the middle outward in rings, and once around the wall at full depth, in and out on quarter circles
 # Between two rings that are a stepover s apart nothing is left along their sides while s <= 2*r, r the cutter's radius.
 # At a sharp corner the inner ring, whose corner is (0, 0), clears what is within r of it, and the outer ring, whose

@@ -104,6 +104,33 @@ TEST(FamilyCopies, VerbsOfManyMoves) {
   }
 }
 
+// A face in a turned block: its moves are those of a face, turned.
+TEST(FamilyCopies, AFaceIsTurned) {
+  const std::string face =
+      "    face x 20 mm to 50 mm  y -8 mm to 8 mm  z 1 mm to 0 mm  depth 0.5 mm  stepover 4 mm  beyond 2 mm  "
+      "return 5 mm\n";
+  const std::string head = "  tool 1  diameter 6 mm\n  rapid x 0 mm  y 0 mm\n  rapid z 5 mm\n";
+  const auto plain = one_trace(with("", head + face));
+  const auto turned = one_trace(with("", head + "  repeat 3 turn 120 deg at x 0 mm y 0 mm\n" + face + "  end\n"));
+  const auto places = [](const std::vector<ir::Motion>& all) {
+    std::vector<Place> out;
+    for (const ir::Motion& m : all)
+      if (m.kind == ir::MotionKind::linear) out.push_back({m.end[0], m.end[1], m.end[2]});
+    return out;
+  };
+  const std::vector<Place> one = places(plain), found = places(turned);
+  ASSERT_FALSE(one.empty());
+  std::vector<Place> cuts;
+  for (int copy = 0; copy < 3; ++copy) {
+    const double angle = copy * 2.0 * std::numbers::pi / 3.0, c = std::cos(angle), s = std::sin(angle);
+    for (const Place& p : one) cuts.push_back({p[0] * c - p[1] * s, p[0] * s + p[1] * c, p[2]});
+  }
+  ASSERT_EQ(found.size(), cuts.size());
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(found[i][axis], cuts[i][axis], 1e-3) << "cut " << i << " axis " << axis;
+}
+
 TEST(FamilyCopies, WhatCannotBeCopiedIsRefused) {
   const auto fault = [](const std::string& steps) {
     const RenderResult out =
