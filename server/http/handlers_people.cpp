@@ -141,10 +141,14 @@ Response list_groups(const Call& call) {
 Response put_group(const Call& call) {
   auto body = json::read_group_body(call.request.body);
   if (!body) return problem_response(body.error());
-  body->name = call.parameters[0];
-  if (const std::string why = app::why_no_name(body->name); !why.empty())
+  store::MachineGroup group{.name = call.parameters[0], .machines = std::move(body->machines)};
+  if (const std::string why = app::why_no_name(group.name); !why.empty())
     return problem_response(422, fmt::format("the name of a group {}", why));
-  const auto put = store_of(call).users().put_group(*body, stamp_of(call));
+  const auto known = store_of(call).users().groups();
+  if (!known) return problem_response(app::from_store(known.error()));
+  const auto before = std::ranges::find(*known, group.name, &store::MachineGroup::name);
+  group.four_eyes = body->four_eyes.value_or(before != known->end() && before->four_eyes);
+  const auto put = store_of(call).users().put_group(group, stamp_of(call));
   if (!put) return problem_response(app::from_store(put.error()));
   return json_response(200, json::machine_group(*put));
 }

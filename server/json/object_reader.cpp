@@ -59,6 +59,11 @@ void ObjectReader::text(std::string_view name, std::string& into, bool required)
   if (required && into.empty()) fault(name, "must not be empty");
 }
 
+void ObjectReader::words(std::string_view name, std::string& into, bool required) {
+  text(name, into, required);
+  if (!into.empty() && into.find_first_not_of(" \t\r\n") == std::string::npos) fault(name, "is blank");
+}
+
 void ObjectReader::proper_name(std::string_view name, std::string& into, bool required) {
   text(name, into, required);
   if (into.empty()) return;  // a fault already, where it is required

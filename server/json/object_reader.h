@@ -27,6 +27,8 @@ class ObjectReader {
 
   // Each names a member once. The value stays as it was when the member is not there or wrong.
   void text(std::string_view name, std::string& into, bool required = false);
+  // A text in which a person states something: blanks alone state nothing.
+  void words(std::string_view name, std::string& into, bool required = false);
   // A text that names a thing: the rule of app::why_no_name. An empty one stands for none where it is not required.
   void proper_name(std::string_view name, std::string& into, bool required = true);
   void flag(std::string_view name, bool& into);

@@ -46,7 +46,7 @@ void read_members(ObjectReader& o, store::NewOrder& into) {
 void read_members(ObjectReader& o, OrderMoveBody& into) {
   if (const auto to = o.choice("to", store::kNames<store::OrderState>, true))
     into.to = static_cast<store::OrderState>(*to);
-  o.text("reason", into.reason);
+  o.words("reason", into.reason);
   const bool needs_reason = into.to == store::OrderState::held || into.to == store::OrderState::cancelled;
   if (needs_reason && !o.has("reason")) o.fault("reason", "is missing");
 }

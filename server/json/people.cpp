@@ -103,9 +103,12 @@ void read_members(ObjectReader& o, store::NewToken& into) {
   o.integer("expires_at_ms", into.expires_at_ms, 1, kMaxId);
 }
 
-void read_members(ObjectReader& o, store::MachineGroup& into) {
+void read_members(ObjectReader& o, GroupBody& into) {
   into.machines = read_texts(o, "machines", "name of a machine", app::why_no_name);
-  o.flag("four_eyes", into.four_eyes);
+  if (!o.has("machines")) o.fault("machines", "is missing: state all machines of the group");
+  bool four_eyes = false;
+  o.flag("four_eyes", four_eyes);
+  if (o.has("four_eyes")) into.four_eyes = four_eyes;
 }
 
 void read_members(ObjectReader& o, store::AuditRow& into) {
@@ -136,9 +139,7 @@ app::Result<OwnSecretBody> read_own_secret_body(std::string_view body) {
 app::Result<store::NewToken> read_token_body(std::string_view body) {
   return read_by<store::NewToken>(read_members, body);
 }
-app::Result<store::MachineGroup> read_group_body(std::string_view body) {
-  return read_by<store::MachineGroup>(read_members, body);
-}
+app::Result<GroupBody> read_group_body(std::string_view body) { return read_by<GroupBody>(read_members, body); }
 app::Result<store::AuditRow> read_audit_row(std::string_view text) {
   return read_by<store::AuditRow>(read_members, text);
 }
@@ -154,7 +155,9 @@ Schemas people_request_schemas() {
       described<OwnSecretBody>("OwnSecret", read_members, "the present password and a new one"),
       described<store::NewToken>("NewToken", read_members,
                                  "a token: of a user or of a program; \"scope\" limits what it may change"),
-      described<store::MachineGroup>("GroupChange", read_members, "all machines of a group, and its rules"),
+      described<GroupBody>(
+          "GroupChange", read_members,
+          "all machines of a group, none of which is in another one, and its rules; without four_eyes they stay"),
   };
 }
 

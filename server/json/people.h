@@ -51,8 +51,11 @@ app::Result<OwnSecretBody> read_own_secret_body(std::string_view body);
 // Its hash is empty. Words of its scope that are no scopes are not refused here.
 app::Result<store::NewToken> read_token_body(std::string_view body);
 
-// Its name is empty.
-app::Result<store::MachineGroup> read_group_body(std::string_view body);
+struct GroupBody {
+  std::vector<std::string> machines;
+  std::optional<bool> four_eyes;  // nothing: as it is
+};
+app::Result<GroupBody> read_group_body(std::string_view body);
 
 Schemas people_request_schemas();
 Schemas people_schemas();

@@ -241,16 +241,16 @@ void read_members(ObjectReader& o, app::SweepOrder& into) {
   o.integer("samples", into.settings.samples, 0, kMostSamples);
 }
 
-void read_reason(ObjectReader& o, ReasonBody& into) { o.text("reason", into.reason, true); }
-void read_optional_reason(ObjectReader& o, ReasonBody& into) { o.text("reason", into.reason); }
+void read_reason(ObjectReader& o, ReasonBody& into) { o.words("reason", into.reason, true); }
+void read_optional_reason(ObjectReader& o, ReasonBody& into) { o.words("reason", into.reason); }
 
 void read_members(ObjectReader& o, HandOverBody& into) {
   o.text("node", into.node, true);
-  o.text("reason", into.reason, true);
+  o.words("reason", into.reason, true);
 }
 
 void read_members(ObjectReader& o, store::NewWaiver& into) {
-  o.text("reason", into.reason, true);
+  o.words("reason", into.reason, true);
   o.text("point", into.point);
   o.integer("expires_at_ms", into.expires_at_ms, 1, kMaxId);
 }
@@ -259,7 +259,7 @@ void read_members(ObjectReader& o, store::ReleaseMove& into) {
   constexpr std::int64_t kMostTransfers = 1'000'000;
   if (const auto to = o.choice("to", store::kNames<store::ReleaseState>, true))
     into.to = static_cast<store::ReleaseState>(*to);
-  o.text("note", into.note);
+  o.words("note", into.note);
   o.integer("transfers", into.transfers, 1, kMostTransfers);
   o.text("shown_sha256", into.shown_sha256);
   if (into.to == store::ReleaseState::proving && !o.has("transfers")) o.fault("transfers", "is missing");
@@ -269,7 +269,7 @@ void read_members(ObjectReader& o, app::AcceptOrder& into) {
   o.integer("program", into.program, 1, kMaxId);
   o.integer("revision", into.revision, 1, kMaxId);
   o.proper_name("name", into.name, false);
-  o.text("reason", into.reason);
+  o.words("reason", into.reason);
   if (into.revision != 0 && into.program == 0) o.fault("revision", "is of a program: state which");
   if (!into.name.empty() && into.program != 0) o.fault("name", "a program has its name");
 }
@@ -277,7 +277,7 @@ void read_members(ObjectReader& o, app::AcceptOrder& into) {
 void read_members(ObjectReader& o, ShelveBody& into) {
   constexpr std::int64_t kLongest_min = 480;  // a shift
   o.integer("minutes", into.minutes, 1, kLongest_min, true);
-  o.text("reason", into.reason, true);
+  o.words("reason", into.reason, true);
 }
 
 void read_types(ObjectReader& o, std::vector<std::string>& into, bool required) {

@@ -87,6 +87,22 @@ bool has_line(Session& session, Id order) {
   return query.next();
 }
 
+// A job that was armed is sent as soon as its control asks. A feed that began goes on: no order stops a line.
+std::optional<std::string> armed_job(Session& session, Id order) {
+  Query query(session, "SELECT id, machine FROM job WHERE work_order = ? AND state = 'armed' LIMIT 1", order);
+  if (!query.next()) return std::nullopt;
+  const Id job = query.number();
+  return fmt::format("job {} is armed on {}: disarm it before", job, query.text());
+}
+
+// The database refuses it, too, in its own words.
+Result<void> refuse_no_machine(Session& session, const std::string& machine) {
+  if (machine.empty()) return {};
+  Query query(session, "SELECT 1 FROM machine WHERE name = ?", machine);
+  if (query.next()) return {};
+  return session.refuse(ErrorCode::broken_reference, fmt::format("there is no machine {}", machine));
+}
+
 bool is_closed(OrderState state) { return state == OrderState::done || state == OrderState::cancelled; }
 
 }  // namespace
@@ -104,6 +120,7 @@ Result<Order> OrderTable::add(const store::NewOrder& order, const Stamp& by) {
       }
     }
     const OrderPlan& plan = order.plan;
+    if (auto known = refuse_no_machine(session, plan.machine); !known) return std::unexpected(known.error());
     session.run(
         "INSERT INTO work_order (number, operation, part, quantity, machine, due_at_ms, priority, metadata, state,"
         " reason, revision, created_by, created_at_ms, changed_at_ms)"
@@ -127,6 +144,7 @@ Result<Order> OrderTable::change(Id order, store::Revision expected, const Order
     if (is_closed(old->state))
       return session.refuse(ErrorCode::refused_transition, fmt::format("it is {}", store::name_of(old->state)));
     if (const auto fault = fault_of({old->of.number, old->of.operation, plan})) return std::unexpected(*fault);
+    if (auto known = refuse_no_machine(session, plan.machine); !known) return std::unexpected(known.error());
     session.run(
         "UPDATE work_order SET part = ?, quantity = ?, machine = ?, due_at_ms = ?, priority = ?, metadata = ?,"
         " revision = revision + 1, changed_at_ms = ? WHERE id = ?",
@@ -153,6 +171,8 @@ Result<Order> OrderTable::move(Id order, OrderState to, std::string_view reason,
     }
     if (is_closed(to) && has_line(session, order))
       return session.refuse(ErrorCode::machine_busy, "a job of the order has a line");
+    if (const auto armed = armed_job(session, order); armed && to == OrderState::held)
+      return session.refuse(ErrorCode::machine_busy, *armed);
     session.run("UPDATE work_order SET state = ?, reason = ?, changed_at_ms = ? WHERE id = ?", to, reason, by.at_ms,
                 order);
     add_audit_row(session,

@@ -413,9 +413,12 @@ Result<std::string> text_of_revision(Session& session, Id program, Revision revi
   return query.text();
 }
 
-std::string author_of_revision(Session& session, Id program, Revision revision) {
-  Query query(session, "SELECT actor FROM program_revision WHERE program = ? AND revision = ?", program, revision);
-  return query.next() ? query.text() : std::string();
+bool wrote_text(Session& session, std::string_view text_sha256, std::string_view name) {
+  Query query(session,
+              "SELECT 1 FROM program_revision r LEFT JOIN family_revision f ON f.family = r.family AND f.revision = "
+              "r.family_revision WHERE r.sha256 = ? AND (r.actor = ? OR f.actor = ?) LIMIT 1",
+              text_sha256, name, name);
+  return query.next();
 }
 
 }  // namespace dripfeed::sql

@@ -38,7 +38,8 @@ void note_program_change(Session& session, store::Id program);
 store::Result<void> refuse_archived(Session& session, store::Id program);
 // The text's hash of a revision, within the caller's transaction.
 store::Result<std::string> text_of_revision(Session& session, store::Id program, store::Revision revision);
-// Who wrote a revision that is there, within the caller's transaction.
-std::string author_of_revision(Session& session, store::Id program, store::Revision revision);
+// Whether this person stored the text, in whichever program, or wrote the family that it was rendered from; within the
+// caller's transaction.
+bool wrote_text(Session& session, std::string_view text_sha256, std::string_view name);
 
 }  // namespace dripfeed::sql

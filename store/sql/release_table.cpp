@@ -67,9 +67,19 @@ std::string subject_of(Id release) { return fmt::format("release/{}", release); 
 Result<void> refuse_own_eyes(Session& session, const Release& release, const Stamp& by) {
   if (!needs_four_eyes(session, release.of.machine)) return {};
   if (by.actor == release.created_by) return session.refuse(ErrorCode::four_eyes, by.actor + " made the release");
-  if (by.actor == author_of_revision(session, release.of.program, release.of.revision))
+  if (wrote_text(session, release.text_sha256, by.actor))
     return session.refuse(ErrorCode::four_eyes, by.actor + " wrote the text");
   return {};
+}
+
+// A job that was armed is sent as soon as its control asks, whatever becomes of its release meanwhile. A feed that
+// began goes on: no release stops a line.
+Result<void> refuse_armed(Session& session, const Release& release) {
+  Query query(session, "SELECT id, machine FROM job WHERE text_release = ? AND state = 'armed' LIMIT 1", release.id);
+  if (!query.next()) return {};
+  const Id job = query.number();
+  return session.refuse(ErrorCode::machine_busy,
+                        fmt::format("job {} is armed on {}: disarm it before", job, query.text()));
 }
 
 void log_event(Session& session, const Release& release, std::string_view note, const Stamp& by) {
@@ -161,9 +171,11 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
     if (!moved) return moved;
     if (auto fits = check(*moved, move, by.at_ms); !fits) return std::unexpected(fits.error());
     const bool shown = moved->of.restart.is_one() && move.to == ReleaseState::proving;
-    if (shown || move.to == ReleaseState::approved) {
+    if (move.to == ReleaseState::proving || move.to == ReleaseState::approved) {
       if (auto other = refuse_own_eyes(session, *moved, by); !other) return std::unexpected(other.error());
     }
+    const bool stays = move.to == ReleaseState::proving || move.to == ReleaseState::approved;
+    if (auto free = stays ? Result<void>() : refuse_armed(session, *moved); !free) return std::unexpected(free.error());
     const ReleaseState from = moved->state;
     moved->state = move.to;
     moved->changed_at_ms = by.at_ms;

@@ -44,6 +44,24 @@ Result<Id> user_of(Session& session, const std::string& name) {
   return query.number();
 }
 
+// The audit and the four eyes know people and programs by their names.
+Result<void> refuse_name_of_user(Session& session, const store::NewToken& token) {
+  if (!token.user.empty()) return {};
+  Query query(session, "SELECT 1 FROM account WHERE name = ?", token.name);
+  if (!query.next()) return {};
+  return session.refuse(ErrorCode::exists, fmt::format("a user has the name {}", token.name));
+}
+
+// Whether someone could still look after the server without this token.
+bool has_other_admin(Session& session, Id token, std::int64_t now_ms) {
+  Query query(session,
+              "SELECT 1 FROM token WHERE id <> ? AND role = 'admin' AND revoked_at_ms = 0 AND (expires_at_ms = 0 OR "
+              "expires_at_ms > ?) UNION ALL SELECT 1 FROM account WHERE role = 'admin' AND disabled_at_ms = 0 AND "
+              "(password <> '' OR provider <> '') LIMIT 1",
+              token, now_ms);
+  return query.next();
+}
+
 std::string words_of(const store::NewToken& token) {
   std::string words = fmt::format("{} as {}", token.name, store::name_of(token.role));
   if (!token.user.empty()) words += fmt::format(", for {}", token.user);
@@ -61,6 +79,7 @@ Result<Token> TokenTable::add(const store::NewToken& token, const Stamp& by) {
     if (token.name.empty() || token.hash.empty()) {
       return session.refuse(ErrorCode::invalid_value, "a token needs a name and a hash");
     }
+    if (auto free = refuse_name_of_user(session, token); !free) return std::unexpected(free.error());
     const auto user = user_of(session, token.user);
     if (!user) return std::unexpected(user.error());
     session.run(
@@ -100,6 +119,8 @@ Result<Token> TokenTable::revoke(Id token, const Stamp& by) {
       found = read_token(query);
     }
     if (found.revoked_at_ms != 0) return found;
+    if (found.role == store::Role::admin && !has_other_admin(session, token, by.at_ms))
+      return session.refuse(ErrorCode::refused_transition, "no other admin is left: make another admin's token before");
     found.revoked_at_ms = by.at_ms;
     session.run("UPDATE token SET revoked_at_ms = ? WHERE id = ?", by.at_ms, token);
     add_audit_row(session, {.action = "token.revoke", .subject = subject_of(token), .detail = found.name}, by);

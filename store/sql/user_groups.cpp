@@ -15,6 +15,18 @@ using store::Stamp;
 
 std::string subject_of(std::string_view group) { return fmt::format("group/{}", group); }
 
+// A machine that left its group unseen would lose that group's rules and roles.
+Result<void> refuse_of_another(Session& session, const MachineGroup& group) {
+  for (const std::string& machine : group.machines) {
+    Query query(session, "SELECT machine_group FROM machine WHERE name = ? AND machine_group <> ?", machine,
+                group.name);
+    if (query.next())
+      return session.refuse(ErrorCode::exists,
+                            fmt::format("{} is in group {}: take it out of that one before", machine, query.text()));
+  }
+  return {};
+}
+
 // False where a machine is not there.
 bool fill(Session& session, const MachineGroup& group) {
   session.run("UPDATE machine SET machine_group = NULL WHERE machine_group = ?", group.name);
@@ -30,6 +42,7 @@ bool fill(Session& session, const MachineGroup& group) {
 Result<MachineGroup> UserTable::put_group(const MachineGroup& group, const Stamp& by) {
   return database_.write(subject_of(group.name), [&](Session& session) -> Result<MachineGroup> {
     if (group.name.empty()) return session.refuse(ErrorCode::invalid_value, "a group needs a name");
+    if (auto free = refuse_of_another(session, group); !free) return std::unexpected(free.error());
     session.run(
         "INSERT INTO machine_group (name, four_eyes) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET four_eyes = "
         "excluded.four_eyes",

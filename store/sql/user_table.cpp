@@ -82,11 +82,19 @@ std::string_view update_of(SecretKind kind) {
              : "UPDATE account SET pin = ?, failures = 0, locked_until_ms = 0 WHERE id = ?";
 }
 
+// The audit and the four eyes know people and programs by their names. A user's own tokens may have any.
+Result<void> refuse_name_of_token(Session& session, std::string_view name) {
+  Query query(session, "SELECT 1 FROM token WHERE name = ? AND account IS NULL AND revoked_at_ms = 0 LIMIT 1", name);
+  if (!query.next()) return {};
+  return session.refuse(ErrorCode::exists, fmt::format("a token has the name {}", name));
+}
+
 }  // namespace
 
 Result<User> UserTable::add(std::string_view name, const UserRoles& roles, const Stamp& by) {
   return database_.write(subject_of(name), [&](Session& session) -> Result<User> {
     if (name.empty()) return session.refuse(ErrorCode::invalid_value, "a user needs a name");
+    if (auto free = refuse_name_of_token(session, name); !free) return std::unexpected(free.error());
     session.run("INSERT INTO account (name, role, revision, created_by, created_at_ms) VALUES (?, ?, 1, ?, ?)", name,
                 roles.role, by.actor, by.at_ms);
     write_grants(session, session.last_id(), roles);

@@ -137,10 +137,10 @@ Result<Verdict> VerdictTable::waive(Id verdict, const store::NewWaiver& waiver, 
     if (!old) return old;
     if (!waiver.point.empty() && std::ranges::find(old->of.points, waiver.point) == old->of.points.end())
       return session.refuse(ErrorCode::invalid_value, "the verdict has no such point");
-    if (needs_four_eyes(session, old->of.machine) &&
-        by.actor == author_of_revision(session, old->of.program, old->of.revision)) {
+    if (old->of.outcome == store::Outcome::fail)
+      return session.refuse(ErrorCode::refused_transition, "a verdict that fails is never waived: mend the program");
+    if (needs_four_eyes(session, old->of.machine) && wrote_text(session, old->text_sha256, by.actor))
       return session.refuse(ErrorCode::four_eyes, by.actor + " wrote the text");
-    }
     session.run(
         "INSERT INTO waiver (verdict, n, name, reason, at_ms, point, expires_at_ms) VALUES (?, ?, ?, ?, ?, ?, ?)",
         verdict, old->waivers.size() + 1, by.actor, waiver.reason, by.at_ms, waiver.point, waiver.expires_at_ms);

@@ -14,7 +14,9 @@ def plans(client):
     expect(client.must("POST", "/orders", ORDER)["id"] == made["id"] and len(client.get("/orders")["items"]) == 1, "the same order twice is two")
     client.refuse(409, "POST", "/orders", ORDER | {"quantity": 6}, words=["another plan"])
     other = client.must("POST", "/orders", ORDER | {"operation": "30"})["id"]
-    client.refuse(422, "POST", "/orders", ORDER | {"number": "B", "machine": "nobody"})
+    client.refuse(422, "POST", "/orders", ORDER | {"number": "B", "machine": "nobody"}, words=["there is no machine nobody"])
+    client.refuse(422, "PUT", f"/orders/{other}", {"part": "R-1", "quantity": 1, "machine": "nobody"}, headers={"If-Match": '"1"'}, words=["there is no machine nobody"])
+    client.refuse(422, "POST", f"/orders/{other}/move", {"to": "held", "reason": " "}, words=["blank"])
     client.refuse(404, "GET", "/orders/99")
     plan = {key: value for key, value in ORDER.items() if key not in ("number", "operation")}
     client.refuse(428, "PUT", f"/orders/{other}", plan)
@@ -46,6 +48,7 @@ def jobs_of_an_order(client, control, order):
     client.wait_line("lathe", "idle")
     client.post(f"/jobs/{job}/arm")
     client.refuse(409, "POST", f"/orders/{order}/move", {"to": "done"}, words=["line"])
+    client.refuse(409, "POST", f"/orders/{order}/move", {"to": "held", "reason": "measure first"}, words=[f"job {job} is armed on lathe"])
     control.say(DC1)
     client.wait_job(job, "feeding")
     client.post(f"/orders/{order}/move", {"to": "held", "reason": "measure first"})

@@ -127,6 +127,9 @@ def roles_by_groups(folder):
     client.must("PUT", "/groups/mills", {"machines": ["mill"], "four_eyes": True})
     expect(client.get("/groups")["items"] == [{"name": "mills", "machines": ["mill"], "four_eyes": True}], f"{client.get('/groups')}")
     client.refuse(422, "PUT", "/groups/x", {"machines": ["nobody"]})
+    client.refuse(422, "PUT", "/groups/mills", {}, words=["machines"])
+    client.refuse(409, "PUT", "/groups/others", {"machines": ["mill"]}, words=["mill is in group mills"])
+    expect(client.must("PUT", "/groups/mills", {"machines": ["mill"]})["four_eyes"], "a rule that is not stated is gone")
     client.refuse(422, "POST", "/users", {"name": "x", "role": "viewer", "grants": [{"group": "nobody", "role": "admin"}]})
     add(client, "paul", "viewer", grants=[{"group": "mills", "role": "approver"}])
     client.tokens["paul"] = client.post("/tokens", {"name": "paul's", "role": "admin", "user": "paul"})["token"]
@@ -139,8 +142,11 @@ def roles_by_groups(folder):
     on_mill = client.must("POST", "/releases", {"program": program, "machine": "mill"}, role="paul")["id"]
     on_lathe = client.post("/releases", {"program": program, "machine": "lathe"})["id"]
     client.refuse(403, "POST", f"/releases/{on_lathe}/transitions", {"to": "in_review"}, role="paul")
-    for step in ({"to": "in_review"}, {"to": "proving", "transfers": 3}):
-        client.must("POST", f"/releases/{on_mill}/transitions", step, role="paul")
+    proving = {"to": "proving", "transfers": 3}
+    client.must("POST", f"/releases/{on_mill}/transitions", {"to": "in_review"}, role="paul")
+    client.refuse(409, "POST", f"/releases/{on_mill}/transitions", proving, role="paul", words=["paul made the release"])
+    client.must("POST", f"/releases/{on_mill}/transitions", proving, role="approver")
+    for step in ({"to": "in_review"}, proving):
         client.post(f"/releases/{on_lathe}/transitions", step)
     job = client.must("POST", "/jobs", {"release": on_mill}, role="paul")["id"]
     client.refuse(403, "POST", "/jobs", {"release": on_lathe}, role="paul")

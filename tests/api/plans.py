@@ -144,8 +144,9 @@ def to_cancel_one_leaves_the_others(folder):
     only = client.must("POST", "/groups/lathes/jobs", {"program": shop.program, "order": order})
     expect([job["machine"] for job in only["jobs"]] == ["lathe"] and [one["machine"] for one in only["left_out"]] == ["second"], f"{only}")
     # A role on one machine queues there alone.
-    client.must("PUT", "/groups/own", {"machines": ["second"]})
+    client.refuse(409, "PUT", "/groups/own", {"machines": ["second"]}, words=["second is in group lathes"])
     client.must("PUT", "/groups/lathes", {"machines": ["lathe"]})
+    client.must("PUT", "/groups/own", {"machines": ["second"]})
     client.post("/users", {"name": "olga", "role": "viewer", "grants": [{"group": "own", "role": "operator"}]})
     client.tokens["olga"] = client.post("/tokens", {"name": "olga's", "role": "operator", "user": "olga"})["token"]
     client.refuse(403, "POST", "/groups/lathes/jobs", {"program": shop.program}, role="olga")

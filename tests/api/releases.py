@@ -3,7 +3,7 @@
 import sys
 import time
 
-from client import Client, HandControl, expect, hand_profile, in_folder, plain_program
+from client import DC1, Client, HandControl, expect, hand_profile, in_folder, plain_program
 
 STATES = ["draft", "in_review", "proving", "approved", "obsolete"]
 ALLOWED = {("draft", "in_review"), ("draft", "obsolete"), ("in_review", "draft"), ("in_review", "proving"), ("in_review", "obsolete"), ("proving", "in_review"),
@@ -93,7 +93,7 @@ def fail_is_never_released(client):
     expect(verdict["verdict"] == "fail", f"a move beyond the travel is {verdict['verdict']}")
     release = client.post("/releases", {"program": program, "machine": "lathe"})["id"]
     client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "in_review"}, words=["fail"])
-    client.call("POST", f"/checks/{verdict['id']}/waivers", {"reason": "it will be fine"})
+    client.refuse(409, "POST", f"/checks/{verdict['id']}/waivers", {"reason": "it will be fine"}, words=["never waived"])
     client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "in_review"}, words=["fail"])
     client.refuse(409, "POST", "/jobs", {"release": release})
 
@@ -168,6 +168,21 @@ def another_machine_is_not_released(client, control):
     client.post(f"/jobs/{queued}/cancel")
 
 
+def what_is_armed_is_not_withdrawn(client, control):
+    """A job that was armed goes as soon as the control asks: its release is withdrawn before, or after its feed has begun."""
+    release = client.release(client.add_program(400, "O0990")["id"])["id"]
+    job = client.queue(release)
+    client.wait_line("lathe", "idle")
+    client.post(f"/jobs/{job}/arm")
+    withdrawn = {"to": "obsolete", "note": "it crashed"}
+    client.refuse(409, "POST", f"/releases/{release}/transitions", withdrawn, words=[f"job {job} is armed on lathe"])
+    expect(client.get(f"/releases/{release}")["state"] in ("proving", "approved"), "it was withdrawn all the same")
+    control.say(DC1)
+    client.wait_job(job, "feeding")
+    client.post(f"/releases/{release}/transitions", withdrawn)
+    client.wait_job(job, "done")
+
+
 def life_of_a_release(folder):
     control = HandControl()
     client = Client(folder).start()
@@ -180,6 +195,7 @@ def life_of_a_release(folder):
     each_point_is_waived(client)
     another_text_is_not_released(client)
     another_machine_is_not_released(client, control)
+    what_is_armed_is_not_withdrawn(client, control)
     client.server.stop()
     control.close()
 

@@ -41,7 +41,7 @@ def rows(made):
         ("PUT", "/api/v1/machines/{name}", "admin", {"name": "mill"}, lambda: made["mill_profile"] | {"title": "Another"}, {"headers": MATCH_1, "ready": "of_the_hall"}),
         ("PUT", "/api/v1/session/password", "viewer", {}, {"current": "the first of olga", "secret": "the third of olga"}, {"ready": "olga"}),
         ("GET", "/api/v1/groups", "viewer", {}, None, {}),
-        ("PUT", "/api/v1/groups/{name}", "admin", {"name": "lathes"}, {"machines": ["mill"]}, {}),
+        ("PUT", "/api/v1/groups/{name}", "admin", {"name": "lathes"}, {"machines": []}, {}),
         ("DELETE", "/api/v1/groups/{name}", "admin", {"name": "lathes"}, None, {}),
         ("GET", "/api/v1/users", "admin", {}, None, {}),
         ("POST", "/api/v1/users", "admin", {}, {"name": "bert", "role": "operator"}, {}),

@@ -126,7 +126,11 @@ TEST_F(UserTest, RightsFollowTheGroupOfTheMachine) {
   EXPECT_EQ(rights.role, Role::viewer);
   EXPECT_EQ(rights.on_machines,
             (std::map<std::string, Role, std::less<>>{{"mill-1", Role::operator_}, {"mill-2", Role::operator_}}));
-  must(users().put_group({.name = "turning", .machines = {"mill-2", "lathe"}}, by("anna")));
+  const store::MachineGroup turning{.name = "turning", .machines = {"mill-2", "lathe"}};
+  EXPECT_EQ(refusal(users().put_group(turning, by("anna"))), ErrorCode::exists) << "mill-2 is in another group";
+  EXPECT_EQ(must(users().groups()).size(), 1U) << "a half change was left";
+  must(users().put_group({.name = "mills", .machines = {"mill-1"}}, by("anna")));
+  must(users().put_group(turning, by("anna")));
   EXPECT_EQ(must(users().rights(olga.id)).on_machines.size(), 1U) << "mill-2 is in another group now";
   EXPECT_EQ(must(users().groups()).at(0).machines, std::vector<std::string>{"mill-1"});
   EXPECT_EQ(refusal(users().put_group({.name = "mills", .machines = {"nobody"}}, by("anna"))),
@@ -151,6 +155,56 @@ TEST_F(UserTest, TokensOfAUserNameIt) {
             ErrorCode::broken_reference);
 }
 
+TEST_F(UserTest, APersonAndATokenDoNotShareAName) {
+  add("olga");
+  EXPECT_EQ(refusal(store_->tokens().add({.name = "olga", .hash = "h"}, by("anna"))), ErrorCode::exists);
+  must(store_->tokens().add({.name = "olga", .hash = "h", .user = "olga"}, by("anna")));
+  const Token mes = must(store_->tokens().add({.name = "mes", .hash = "i"}, by("anna")));
+  EXPECT_EQ(refusal(users().add("mes", {}, by("anna"))), ErrorCode::exists);
+  must(store_->tokens().revoke(mes.id, by("anna")));
+  must(users().add("mes", {}, by("anna")));
+}
+
+TEST_F(UserTest, TheLastAdminIsNotRevoked) {
+  const Token first = must(store_->tokens().add({.name = "first", .role = Role::admin, .hash = "h"}, by("anna")));
+  must(store_->tokens().add({.name = "over", .role = Role::admin, .hash = "i", .expires_at_ms = 5}, by("anna", 1)));
+  add("boss", {.role = Role::admin});  // who has no password cannot sign in
+  EXPECT_EQ(refusal(store_->tokens().revoke(first.id, by("anna", 9))), ErrorCode::refused_transition);
+  must(store_->tokens().add({.name = "second", .role = Role::admin, .hash = "j"}, by("anna")));
+  must(store_->tokens().revoke(first.id, by("anna", 9)));
+}
+
+TEST_F(UserTest, ACopyOfATextHasItsAuthorsToo) {
+  must(store_->machines().add("mill-1", "{}", by("boss")));
+  const Program program = add_program(*store_, "%\nM30\n%\n");
+  const std::string author = program.newest.created_by;
+  store::NewProgramText again;
+  again.sha256 = program.newest.sha256;
+  again.blocks = 1;
+  const Program copy = must(store_->programs().add("COPY", "fanuc", again, by("carl")));
+  must(store_->verdicts().add({copy.id, 1, "mill-1", 1, Delivery::drip, Outcome::pass, ""}, by("checker")));
+  must(users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("boss")));
+  const Release release = must(store_->releases().add({copy.id, 1, "mill-1", Delivery::drip}, by("dora")));
+  const auto move = [&](ReleaseState to, const std::string& who) {
+    return store_->releases().move(release.id, {to, "good", 1}, by(who));
+  };
+  must(move(ReleaseState::in_review, "carl"));
+  for (const std::string& who : {author, std::string("carl"), std::string("dora")})
+    EXPECT_EQ(refusal(move(ReleaseState::proving, who)), ErrorCode::four_eyes) << who;
+  must(move(ReleaseState::proving, "bert"));
+}
+
+TEST_F(UserTest, WhoWroteAFamilyWroteWhatIsRenderedFromIt) {
+  must(store_->machines().add("mill-1", "{}", by("boss")));
+  must(store_->families().add("roll", "family roll\n", by("fred")));
+  const Program program = add_rendered(*store_, "%\nM30\n%\n", "mill-1");
+  const auto verdict =
+      must(store_->verdicts().add({program.id, 1, "mill-1", 1, Delivery::drip, Outcome::warn, ""}, by("checker")));
+  must(users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("boss")));
+  EXPECT_EQ(refusal(store_->verdicts().waive(verdict.id, {.reason = "known"}, by("fred"))), ErrorCode::four_eyes);
+  must(store_->verdicts().waive(verdict.id, {.reason = "known"}, by("bert")));
+}
+
 TEST_F(UserTest, WhoWroteATextDoesNotApproveItWhereFourEyesAreWanted) {
   must(store_->machines().add("mill-1", "{}", by("boss")));
   const Program program = add_program(*store_, "%\nM30\n%\n");
@@ -165,7 +219,8 @@ TEST_F(UserTest, WhoWroteATextDoesNotApproveItWhereFourEyesAreWanted) {
     return store_->releases().move(release.id, {to, "the first part is good", 1}, by(who));
   };
   must(move(ReleaseState::in_review, author));
-  must(move(ReleaseState::proving, author));
+  EXPECT_EQ(refusal(move(ReleaseState::proving, author)), ErrorCode::four_eyes) << "it is sent from then on";
+  must(move(ReleaseState::proving, "bert"));
   EXPECT_EQ(refusal(move(ReleaseState::approved, author)), ErrorCode::four_eyes);
   EXPECT_EQ(refusal(move(ReleaseState::approved, "dora")), ErrorCode::four_eyes) << "who made the release";
   EXPECT_EQ(must(store_->releases().get(release.id)).state, ReleaseState::proving);

@@ -4430,7 +4430,7 @@ export interface components {
             /** @description until when it is valid, in milliseconds since 1970; not given: it does not end */
             expires_at_ms?: number | null;
         };
-        /** @description all machines of a group, and its rules */
+        /** @description all machines of a group, none of which is in another one, and its rules; without four_eyes they stay */
         GroupChange: {
             /** @description names of all machines of the group */
             machines?: string[] | null;
