@@ -194,7 +194,8 @@ struct Effects::Walk {
 
   // The machine builder's functions may, and what is not read.
   [[nodiscard]] bool may_turn_spindle(const ir::Code& code) const {
-    return code.function == Function::not_modelled ||
+    return code.function == Function::not_modelled || code.function == Function::other_spindle ||
+           code.function == Function::main_spindle ||
            (code.function == Function::machine_function && !ir::is_known_machine_function(of.control_, code.argument));
   }
 

@@ -82,6 +82,8 @@ enum class Function : std::uint8_t {
   spindle_ccw,
   spindle_stop,
   spindle_orient,
+  other_spindle,  // M2=3, S2=: argument as ir/other_spindle.h
+  main_spindle,   // SETMS: the spindle that S, M3 and feeds per revolution mean; argument: its number, 0: the usual one
   coolant_mist,
   coolant_flood,
   coolant_off,

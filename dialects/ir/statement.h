@@ -63,6 +63,7 @@ enum class Address : std::uint8_t {
   direct_angle,    // ,A: of the line that the block cuts, from the plane's first axis
   contour_offset,  // OFFN=: how far the compensated path lies from the programmed one
   block_feed,      // FB=: the feed of this block alone
+  other_speed,     // S2= while a block runs: which spindle's, its code states (ir/other_spindle.h)
   point_weight,
   knot_distance,
   spline_degree,  // PW=, PL=, SD= of a spline
@@ -89,9 +90,15 @@ constexpr bool is_axis(Address a) { return is_rotary_axis(a) || is_linear_axis(a
 
 enum class WordMode : std::uint8_t { as_modal, absolute, incremental };  // AC(), IC()
 
+// Of a named word that moves nothing itself: a code of its line carries it out, it turns a spindle to an angle, or it
+// is the feed of an axis that moves by itself.
+inline constexpr std::uint8_t kCarriedOut = 1;
+inline constexpr std::uint8_t kTurnsSpindle = 2;
+inline constexpr std::uint8_t kPacesAxis = 3;
+
 struct Word {
   Address address = Address::other;
-  std::uint8_t extension = 0;  // S2=, M2=: 2
+  std::uint8_t extension = 0;  // S2=, M2=: 2; Address::other: see above
   WordMode mode = WordMode::as_modal;
   ExpressionId value = ExpressionId::none;  // a number or a string expression (T="NAME")
   StringId name = StringId::none;           // Address::other: as written
@@ -265,6 +272,7 @@ struct Native {
   bool moves = false;          // axes may be anywhere after it
   bool writes = false;         // to a file or a device, for others to read
   bool smooths = false;        // tolerance and smoothing: how the machine follows the path, not which path
+  bool paces = false;          // along which axes feeds count: how fast it follows the path
 };
 
 // A part of the program that is run again: from the first label to where this stands, to the block of the last label

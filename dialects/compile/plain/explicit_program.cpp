@@ -255,6 +255,12 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   bool attached_ = false;  // of pending_[next_pending_]: its words are in a block already
 };
 
+// What the moves do not show, and plain blocks have no words for: orders to spindles, and how feeds count.
+bool is_order(ir::Function function) {
+  return function == ir::Function::spindle_orient || function == ir::Function::other_spindle ||
+         function == ir::Function::main_spindle || function == ir::Function::feed_per_min;
+}
+
 }  // namespace
 
 std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunTexts& texts) {
@@ -266,7 +272,7 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunT
     if (is_carried(lost.function)) continue;
     out.push_back(cannot_write(lost.name, {}));
     texts.place(out.back(), run, lost.program, lost.first_line);
-    if (lost.effects_known) out.back().severity = text::Severity::warning;
+    if (lost.effects_known && !is_order(lost.function)) out.back().severity = text::Severity::warning;
     if (lost.is_model)
       out.back().notes = {{.span = out.back().span, .text = "its moves are written, in an order of dripfeed's own"}};
     // Its chords are written; whether the control bends as we do is for a person to look at.

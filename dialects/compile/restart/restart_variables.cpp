@@ -127,7 +127,9 @@ std::optional<RestartRefusal> look_at_what_is_left_out(RestartDraft& draft) {
     // Where a reference point lies is not known, which the positions say themselves.
     const bool has_own_report =
         one.function == ir::Function::machine_function || one.function == ir::Function::reference_return;
-    if (!before || one.effects_known || one.is_input || has_own_report) continue;
+    const bool is_other_spindle =
+        one.function == ir::Function::other_spindle || one.function == ir::Function::main_spindle;
+    if (!before || (one.effects_known && !is_other_spindle) || one.is_input || has_own_report) continue;
     return RestartRefusal{DiagnosticId::restart_unknown,
                           fmt::format("what {} in line {}{} has changed is", one.name, one.first_line,
                                       one.program == 0 ? "" : " of a called program")};

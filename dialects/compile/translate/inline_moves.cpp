@@ -188,7 +188,7 @@ std::string InlineMoves::run(const ir::Program& program, ProgramLibrary& library
       if (d.diagnostic.severity == text::Severity::error)
         return "a run that ends in line " + std::to_string(d.line) + ": " + text::message_of(d.diagnostic) + ",";
     for (const interpreter::NotInterpreted& lost : result.not_interpreted)
-      if (!lost.effects_known && lost.name != "SPOS" && lost.function != Function::machine_function &&
+      if (!lost.effects_known && lost.function != Function::machine_function &&
           lost.function != Function::reference_return)
         return lost.name + " in line " + std::to_string(lost.first_line) + ", which the run does not know,";
     const bool ends =

@@ -15,7 +15,7 @@ using ir::StatementKind;
 
 // Not carried out by a run, and neither a move nor a write: translated by name, or refused.
 bool is_translated_by_name(const interpreter::NotInterpreted& lost) {
-  return lost.effects_known || lost.name == "SPOS" || lost.function == Function::machine_function ||
+  return lost.effects_known || lost.function == Function::machine_function ||
          lost.function == Function::reference_return;
 }
 

@@ -10,6 +10,7 @@
 #include "dialects/interpreter/cycles/drilling.h"
 #include "dialects/interpreter/cycles/turning.h"
 #include "dialects/ir/offset_words.h"
+#include "dialects/ir/other_spindle.h"
 #include "dialects/ir/transformation_use.h"
 
 namespace dripfeed::interpreter {
@@ -87,6 +88,61 @@ void spindle(CodeContext& c, ir::SpindleState state) {
   c.state.spindle = state;
   c.effects.announces = true;
   c.effects.orders |= ir::kOrdersSpindle;
+}
+// S of the main spindle by its number.
+void speed_by_number(CodeContext& c, bool is_known) {
+  const double value = is_known ? c.block.at(Address::other_speed) : 0.0;
+  constexpr double kFootPerMinute = 0.3048;  // in m/min
+  c.state.speed_unknown = !is_known;
+  if (c.state.modes.surface_speed)
+    c.state.surface_speed_m_min = c.state.modes.inch_feed ? value * kFootPerMinute : value;
+  else
+    c.state.rpm = value;
+  c.effects.announces = true;
+  c.effects.orders |= ir::kOrdersSpeed;
+}
+void orient(CodeContext& c) {
+  c.effects.spindle_stop = true;
+  c.effects.orders |= ir::kOrdersOrientation;
+}
+
+void other_spindle(CodeContext& c) {
+  const std::uint32_t number = ir::number_of_spindle(c.code.argument);
+  const int order = ir::order_of_spindle(c.code.argument);
+  const bool is_speed = order == ir::kSpindleSpeed || order == ir::kSpindleSpeedUnknown;
+  const bool is_known = order == ir::kSpindleSpeed && c.block.has(Address::other_speed);
+  if (number == c.state.spindles.main) {
+    if (is_speed) speed_by_number(c, is_known);
+    if (order == ir::kTurnsClockwise) spindle(c, ir::SpindleState::clockwise);
+    if (order == ir::kTurnsCounterclockwise) spindle(c, ir::SpindleState::counterclockwise);
+    if (order == ir::kStopsSpindle) c.effects.spindle_stop = true;
+    if (order == ir::kOrientsSpindle) orient(c);
+    return;
+  }
+  OtherSpindle& one = c.state.spindles.by_number[number];
+  if (is_speed) {
+    one.rpm = is_known ? c.block.at(Address::other_speed) : 0.0;
+    one.speed_unknown = !is_known;
+  }
+  if (order == ir::kTurnsClockwise) one.state = ir::SpindleState::clockwise;
+  if (order == ir::kTurnsCounterclockwise) one.state = ir::SpindleState::counterclockwise;
+  if (order == ir::kStopsSpindle || order == ir::kOrientsSpindle) one.state = ir::SpindleState::stopped;
+}
+
+// Each goes on turning as it did. Machine data say which one is usual, and it is the first. (PG, "Setting the master
+// spindle"; MD20090.)
+void choose_main_spindle(CodeContext& c) {
+  Spindles& spindles = c.state.spindles;
+  const auto chosen = static_cast<std::uint8_t>(c.code.argument == 0 ? 1 : c.code.argument);
+  if (chosen == spindles.main) return;
+  spindles.by_number[spindles.main] = {c.state.spindle, c.state.rpm, c.state.speed_unknown};
+  const OtherSpindle one = spindles.by_number[chosen];
+  spindles.main = chosen;
+  c.state.spindle = one.state;
+  c.state.rpm = one.rpm;
+  c.state.speed_unknown = one.speed_unknown || c.state.modes.surface_speed;
+  c.state.surface_speed_m_min = 0.0;
+  c.effects.announces = true;
 }
 void coolant(CodeContext& c, ir::CoolantState state) {
   c.state.coolant = state;
@@ -215,11 +271,9 @@ constexpr CodeRow kCodeRows[] = {
     {Function::spindle_cw, [](CodeContext& c) { spindle(c, ir::SpindleState::clockwise); }},
     {Function::spindle_ccw, [](CodeContext& c) { spindle(c, ir::SpindleState::counterclockwise); }},
     {Function::spindle_stop, [](CodeContext& c) { c.effects.spindle_stop = true; }},
-    {Function::spindle_orient,
-     [](CodeContext& c) {
-       c.effects.spindle_stop = true;
-       c.effects.orders |= ir::kOrdersOrientation;
-     }},
+    {Function::spindle_orient, orient},
+    {Function::other_spindle, other_spindle},
+    {Function::main_spindle, choose_main_spindle},
     {Function::coolant_mist, [](CodeContext& c) { coolant(c, ir::CoolantState::mist); }},
     {Function::coolant_flood, [](CodeContext& c) { coolant(c, ir::CoolantState::flood); }},
     {Function::coolant_off, [](CodeContext& c) { c.effects.coolant_off = true; }},

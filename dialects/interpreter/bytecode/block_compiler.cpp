@@ -5,6 +5,7 @@
 
 #include "dialects/ir/alarm_details.h"
 #include "dialects/ir/idle_code.h"
+#include "dialects/ir/other_spindle.h"
 
 namespace dripfeed::interpreter {
 
@@ -32,6 +33,12 @@ std::string_view name_of_code(const ir::Program& program, const ir::Code& code) 
 
 }  // namespace
 
+BlockCompiler::BlockCompiler(CodeBuilder& builder, ExpressionCompiler& expressions)
+    : builder_(builder),
+      expressions_(expressions),
+      names_main_(std::ranges::find(builder.source().codes, Function::main_spindle, &ir::Code::function) !=
+                  builder.source().codes.end()) {}
+
 void BlockCompiler::compile(const ir::Block& block, text::Span span) {
   CompiledProgram& out = builder_.out();
   const auto index_in = [](const auto& table) { return static_cast<std::uint32_t>(table.size()); };
@@ -42,6 +49,7 @@ void BlockCompiler::compile(const ir::Block& block, text::Span span) {
   words_belong_to_code_ = std::ranges::any_of(builder_.source().codes_of(block), takes_axis_words);
   compile_codes(block);
   const bool skips = builder_.context().skips(block.rest_level);
+  has_other_speed_ = false;
   drills_ = std::ranges::any_of(builder_.source().codes_of(block),
                                 [](const ir::Code& c) { return c.function == Function::drill; });
   const bool idles = std::ranges::any_of(builder_.source().codes_of(block),
@@ -73,10 +81,14 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
       out.computed_codes.push_back({expressions_.compile_number(code.number).operand, code.letter});
       continue;
     }
-    out.codes.push_back({code.function, code.argument, code.group});
+    out.codes.push_back(plain(code));
     if (code.function == Function::machine_function && code.name == ir::StringId::none) {
       report(ir::name_of_machine_function(code.argument), code.function,
              ir::is_known_machine_function(builder_.context().control, code.argument));
+      continue;
+    }
+    if (code.function == Function::other_spindle || code.function == Function::main_spindle) {
+      report(name_of_code(builder_.source(), code), code.function, true);
       continue;
     }
     const bool idle = code.function == Function::no_effect || code.function == Function::approach ||
@@ -86,9 +98,24 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
   }
 }
 
+// M1=3 is of the first spindle, where another one may be the main one.
+PlainCode BlockCompiler::plain(const ir::Code& code) const {
+  const bool is_first = names_main_ && code.group == ir::ModalGroup::spindle && code.letter == 'M' &&
+                        code.span.in(builder_.source().source.text()).substr(1).starts_with("1=");
+  if (!is_first) return {code.function, code.argument, code.group};
+  int order = ir::kStopsSpindle;
+  if (code.function == Function::spindle_cw) order = ir::kTurnsClockwise;
+  if (code.function == Function::spindle_ccw) order = ir::kTurnsCounterclockwise;
+  if (code.function == Function::spindle_orient) order = ir::kOrientsSpindle;
+  return {Function::other_spindle, ir::spindle_order(1, order), ir::ModalGroup::non_modal};
+}
+
 void BlockCompiler::compile_word(const ir::Word& word) {
   // A named word with an extension is carried out by a code of its line: it neither moves nor changes anything itself.
   const bool carried_out = word.address == Address::other && word.extension != 0;
+  if (carried_out && word.extension == ir::kTurnsSpindle) return report(name_of(word), Function::spindle_orient, true);
+  if (carried_out && word.extension == ir::kPacesAxis) return report(name_of(word), Function::feed_per_min, true);
+  if (is_other_speed(word)) return put_other_speed(word);
   if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, carried_out);
   if (word.address == Address::e && drills_)
     return report("E together with a drilling cycle", Function::drill, true);  // Mazak's second feed of G85
@@ -96,6 +123,10 @@ void BlockCompiler::compile_word(const ir::Word& word) {
   // MEAW measures and goes on to its end: only what it measured is not known.
   if (word.address == Address::measuring && word.name != ir::StringId::none)
     return report(builder_.source().strings.at(word.name), Function::not_modelled, true);
+  put_value(word);
+}
+
+void BlockCompiler::put_value(const ir::Word& word) {
   if (word.value == ir::ExpressionId::none) return;
   // A written number needs no register: programs have millions of them.
   const ir::Expression* number = builder_.find_literal(word.value);
@@ -124,6 +155,28 @@ void BlockCompiler::put_word(const ir::Word& word, const Value& value, std::uint
   } else {
     out.computed_words.push_back({value.operand, Operand::none, word.address, flags, value.is_string()});
   }
+}
+
+// A block has one such speed; of a further one the run only knows that it changes.
+bool BlockCompiler::is_other_speed(const ir::Word& word) const {
+  return word.address == Address::s && (word.extension > 1 || (word.extension == 1 && names_main_));
+}
+
+void BlockCompiler::put_other_speed(const ir::Word& word) {
+  CompiledProgram& out = builder_.out();
+  const std::uint32_t number = word.extension;
+  if (number > ir::kMostSpindles) return report(name_of(word), Function::not_modelled, false);
+  report(name_of(word), Function::other_spindle, true);
+  const bool fits = word.value != ir::ExpressionId::none && !has_other_speed_;
+  out.codes.push_back({Function::other_spindle,
+                       ir::spindle_order(number, fits ? ir::kSpindleSpeed : ir::kSpindleSpeedUnknown),
+                       ir::ModalGroup::non_modal});
+  if (!fits) return;
+  has_other_speed_ = true;
+  ir::Word speed = word;
+  speed.address = Address::other_speed;
+  speed.extension = 0;
+  put_value(speed);
 }
 
 void BlockCompiler::put_named_axis(const ir::Word& word) {

@@ -267,8 +267,11 @@ void StatementCompiler::compile_alarm(const ir::Statement& statement) {
 void StatementCompiler::compile_native(const ir::Statement& statement) {
   const ir::Native& native = builder_.source().natives[statement.payload];
   const std::string_view name = builder_.source().strings.at(native.name);
-  builder_.emit(Opcode::report, statement.span,
-                builder_.add_report(name, ir::Function::not_modelled, native.effects_known), native.moves ? 1 : 0);
+  const ir::Function function = native.smooths ? ir::Function::continuous_path
+                                : native.paces ? ir::Function::feed_per_min
+                                               : ir::Function::not_modelled;
+  builder_.emit(Opcode::report, statement.span, builder_.add_report(name, function, native.effects_known),
+                native.moves ? 1 : 0);
   if (name == "RET") builder_.emit(Opcode::back, statement.span);  // whatever else it does
 }
 

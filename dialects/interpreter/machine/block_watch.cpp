@@ -94,7 +94,8 @@ void BlockWatch::cut(const Instruction& i, const PlainBlock& block) {
   if (has_code(block, Function::machine_coordinates)) return;
   if (tool_ == 0) return selected(i);
   if (state_.spindle == ir::SpindleState::stopped) {
-    if (state_.speed_unknown) return;  // a caller's
+    if (state_.spindles.any_turns()) return;  // it drives the tool
+    if (state_.speed_unknown) return;         // a caller's
     if ((!is_lathe || !spindle_ran_) && !std::exchange(reported_spindle_, true))
       report_.say(i, DiagnosticId::spindle_not_turning);
     return;

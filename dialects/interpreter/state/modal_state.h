@@ -7,6 +7,7 @@
 
 #include "dialects/interpreter/state/frame_value.h"
 #include "dialects/interpreter/state/plain_block.h"
+#include "dialects/interpreter/state/spindles.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/function.h"
 #include "dialects/ir/motion.h"
@@ -257,6 +258,7 @@ struct ModalState {
   bool surface_by_x = false;               // G96 goes by the diameter in X
   double spindle_limit_rpm = 0.0;
   ir::SpindleState spindle = ir::SpindleState::stopped;
+  Spindles spindles;
   ir::CoolantState coolant = ir::CoolantState::off;
   Polar polar;
   AxisValues intermediate{};             // of the last G28, as `position`

@@ -180,7 +180,7 @@ class StatementRaiser {
     const ir::Native& native = program_.natives[s.payload];
     if (same_dialect_ && s.tokens.first != s.tokens.last) return out_.keep();
     const std::string name(program_.strings.at(native.name));
-    if (native.smooths || (native.effects_known && !native.writes)) return blocks_.leave_out(s, name);
+    if (native.smooths || (native.effects_known && !native.writes && !native.paces)) return blocks_.leave_out(s, name);
     blocks_.cannot(s, name);
   }
 

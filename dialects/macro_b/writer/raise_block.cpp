@@ -283,7 +283,8 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   // Mazak's second feed of G85, which others do not have.
   if (!same_ && word.address == Address::e && moves_by_ == MovesBy::holes)
     return cannot(*statement_, passes::together("the word E together with a drilling cycle"));
-  if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
+  if (word.extension > 1 && word.address != Address::other)
+    return cannot(*statement_, "a word with the number of a spindle or axis");
   ir::Word raised = word;
   raised.extension = 0;
   if (word.address == Address::spindle_limit) return speed_limit(word);

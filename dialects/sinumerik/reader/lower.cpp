@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "dialects/ir/other_spindle.h"
 #include "dialects/sinumerik/tables/called_cycles.h"
 #include "dialects/sinumerik/tables/keywords.h"
 #include "dialects/sinumerik/tables/name_index.h"
@@ -23,10 +24,17 @@ bool is_control_flow(StatementKind kind) {
   return (kind >= StatementKind::go_to && kind <= StatementKind::define) || kind == StatementKind::modal_call_end;
 }
 
+// Turns it, brings it to a stop or to an angle, or chooses a step of its gear. (PG, "Spindle speed (S), direction of
+// spindle rotation (M3, M4, M5)", "Positioning spindles".)
+bool orders_spindle(std::uint32_t number) {
+  return (number >= 3 && number <= 5) || number == 19 || (number >= 40 && number <= 45);
+}
+
 }  // namespace
 
 bool is_aside(const ir::Program& program, const ir::Block& block) {
-  constexpr ir::Function kFunctions[] = {ir::Function::rapid, ir::Function::not_modelled, ir::Function::spindle_orient};
+  constexpr ir::Function kFunctions[] = {ir::Function::rapid, ir::Function::not_modelled, ir::Function::spindle_orient,
+                                         ir::Function::other_spindle};
   const auto codes = program.codes_of(block);
   return codes.size() == 1 && codes.front().group == ir::ModalGroup::non_modal &&
          std::ranges::find(kFunctions, codes.front().function) != std::end(kFunctions);
@@ -138,6 +146,12 @@ void Lowering::add_code(const GCode& code, text::Span span) {
   block_span_ = block_span_.empty() ? span : join(block_span_, span);
 }
 
+void Lowering::add_code(const ir::Code& code) {
+  if (native_) return;
+  program_.codes.push_back(code);
+  block_span_ = block_span_.empty() ? code.span : join(block_span_, code.span);
+}
+
 void Lowering::add_m_code(std::uint32_t number, std::uint32_t extension, text::Span span) {
   if (native_) return;
   const bool main_spindle = extension <= 1;
@@ -158,11 +172,13 @@ void Lowering::add_m_code(std::uint32_t number, std::uint32_t extension, text::S
     code.function = ir::Function::machine_function;
     code.argument = static_cast<std::int16_t>(number);
   } else {
-    code.function = ir::Function::not_modelled;
+    const bool turns = orders_spindle(number) && extension <= ir::kMostSpindles;
+    code.function = turns ? ir::Function::other_spindle : ir::Function::not_modelled;
+    if (turns) code.argument = ir::spindle_order(extension, static_cast<int>(number));
+    if (turns) code.group = ir::ModalGroup::non_modal;
     code.name = name("M" + std::to_string(extension) + "=" + std::to_string(number));
   }
-  program_.codes.push_back(code);
-  block_span_ = block_span_.empty() ? span : join(block_span_, span);
+  add_code(code);
 }
 
 void Lowering::add_computed_m_code(ir::ExpressionId number, text::Span span) {
@@ -186,8 +202,8 @@ void Lowering::add_aside(const ir::Code& code, const std::optional<ir::Word>& wo
   if (!native_) asides_.push_back({code, word});
 }
 
-void Lowering::last_word_is_carried_out() {
-  if (program_.words.size() > first_word_) program_.words.back().extension = 1;
+void Lowering::last_word_is(std::uint8_t extension) {
+  if (program_.words.size() > first_word_) program_.words.back().extension = extension;
 }
 
 void Lowering::add_assign(ir::VariableId target, ir::ExpressionId value, text::Span span) {
@@ -255,8 +271,9 @@ void Lowering::keep_as_native(std::string_view native_name, bool effects_known, 
   const bool writes = std::ranges::find(kFileWriters, native_name) != std::end(kFileWriters);
   const Keyword* const keyword = find_keyword(native_name);
   const bool smooths = keyword != nullptr && keyword->effect == Effect::smooths;
-  push(StatementKind::native, program_.natives, ir::Native{name(native_name), effects_known, moves, writes, smooths},
-       span);
+  const bool paces = keyword != nullptr && keyword->effect == Effect::paces;
+  push(StatementKind::native, program_.natives,
+       ir::Native{name(native_name), effects_known, moves, writes, smooths, paces}, span);
   native_ = true;
 }
 

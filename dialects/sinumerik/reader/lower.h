@@ -36,6 +36,7 @@ class Lowering {
 
   // Codes and words of the line's block.
   void add_code(const GCode& code, text::Span span);
+  void add_code(const ir::Code& code);
   void add_m_code(std::uint32_t number, std::uint32_t extension, text::Span span);
   void add_computed_m_code(ir::ExpressionId number, text::Span span);
   void add_word(const ir::Word& word);
@@ -43,7 +44,7 @@ class Lowering {
   // was written stays in the line's block, with extension 1: what it does is carried out elsewhere.
   void add_aside(const ir::Code& code, const std::optional<ir::Word>& word);
   // The last word of the line is carried out by a block that is added after it.
-  void last_word_is_carried_out();
+  void last_word_is(std::uint8_t extension);  // ir::kCarriedOut …
 
   // Statements. The span is the statement's own.
   void add_assign(ir::VariableId target, ir::ExpressionId value, text::Span span);

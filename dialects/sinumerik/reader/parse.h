@@ -60,7 +60,6 @@ class Parser {
   void named_word(const Keyword& keyword);
   void named_axis_word(text::Span head);
   void positioning(const Keyword& keyword, ir::StringId name, ir::ExpressionId axis, text::Span head);
-  void orientation(ir::StringId name, text::Span head);
   [[nodiscard]] bool is_list_here() const;
   bool group_by_number(text::Span head);
   bool signed_constant(ir::ExpressionId& value);
@@ -71,6 +70,11 @@ class Parser {
   // parse_polynomial.cpp: PO[X]=(…) after PO, and (…) of either spelling.
   void polynomial_of_axis(text::Span head);
   void polynomial(ir::Address axis, text::Span head);
+
+  // parse_spindles.cpp
+  void orientation(ir::StringId name, text::Span head, ir::ExpressionId spindle);
+  [[nodiscard]] std::optional<std::uint32_t> spindle_number(ir::ExpressionId id) const;
+  void main_spindle(text::Span head);
 
   // parse_fixed_point.cpp: after G75; false, and nothing read, where it is not the approach of the reference point.
   bool reference_approach(text::Span head);
@@ -195,6 +199,7 @@ class Parser {
   void transformation(std::string_view name, text::Span head);
   void native(std::string_view name, bool effects_known, text::Span head);
   [[nodiscard]] bool acts_on_axes() const;
+  [[nodiscard]] bool sets_smoothing_alone() const;
   [[nodiscard]] bool is_axis_address() const;
   [[nodiscard]] bool positions_are_absolute() const;
   [[nodiscard]] bool names_the_usual_axes() const;

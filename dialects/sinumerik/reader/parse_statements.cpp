@@ -8,6 +8,7 @@
 #include "dialects/sinumerik/reader/data_file.h"
 #include "dialects/sinumerik/reader/parse.h"
 #include "dialects/sinumerik/tables/name_index.h"
+#include "dialects/sinumerik/tables/whole_number.h"
 
 namespace dripfeed::sinumerik {
 
@@ -32,6 +33,7 @@ bool may_move(std::string_view name) {
 
 void Parser::statement_of(const Keyword& keyword, text::Span head) {
   if (keyword.name == "TRANSMIT" || keyword.name == "TRACYL") return transformation(keyword.name, head);
+  if (keyword.name == "SETMS") return main_spindle(head);
   if (keyword.name == "CYCLE802" && positions_are_absolute()) {
     cursor_.advance();
     return call_by_name(lower_.name(keyword.name), head);
@@ -43,7 +45,12 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
   switch (keyword.role) {
     case Role::address: return named_word(keyword);
     case Role::procedure:
-    case Role::cycle: cursor_.advance(); return native(keyword.name, keyword.effect == Effect::none, head);
+    case Role::cycle: {
+      cursor_.advance();
+      const bool is_known = keyword.effect == Effect::none || keyword.effect == Effect::paces ||
+                            (keyword.effect == Effect::smooths && sets_smoothing_alone());
+      return native(keyword.name, is_known, head);
+    }
     case Role::foreign: cursor_.advance(); return native(keyword.name, false, head);
     case Role::infix:
     case Role::prefix:
@@ -112,6 +119,30 @@ void Parser::native(std::string_view name, bool effects_known, text::Span head) 
   }
   if (!open.empty()) report(DiagnosticId::missing_bracket, cursor_.span(), {std::string(1, open.back())});
   lower_.keep_as_native(name, effects_known, to_here(head), moves);
+}
+
+// CYCLE832(tolerance, kind, …): what the kind switches, is documented for those below; its digits above the tens had
+// more to do in older versions, transformations among it. (NC programming 12/2019, "High-speed settings"; PGZ 11/2006,
+// "CYCLE832".)
+bool Parser::sets_smoothing_alone() const {
+  constexpr std::string_view kKinds[] = {"_OFF",        "_FINISH",      "_SEMIFIN",   "_ROUGH",        "_PRECISION",
+                                         "_ORI_FINISH", "_ORI_SEMIFIN", "_ORI_ROUGH", "_ORI_PRECISION"};
+  constexpr std::uint32_t kFirstOfOlder = 100;
+  TokenCursor probe = cursor_;
+  if (probe.at_block_end()) return true;
+  if (!probe.is_symbol('(')) return false;
+  probe.advance();
+  while (!probe.at_block_end() && !probe.is_symbol(',') && !probe.is_symbol(')')) {
+    if (probe.is_symbol('(')) return false;
+    probe.advance();
+  }
+  if (!probe.is_symbol(',')) return true;
+  probe.advance();
+  if (probe.is_symbol(',') || probe.is_symbol(')')) return true;
+  const bool is_kind = std::ranges::find(kKinds, probe.text()) != std::end(kKinds);
+  const bool is_number = probe.kind() == TokenKind::number && whole_number(probe.text()) < kFirstOfOlder;
+  probe.advance();
+  return (is_kind || is_number) && (probe.is_symbol(',') || probe.is_symbol(')'));
 }
 
 // X10 or Z=R1 at the cursor, with which a block moves whatever else stands in it.

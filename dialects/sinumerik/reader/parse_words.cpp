@@ -181,11 +181,16 @@ void Parser::named_word(const Keyword& keyword) {
       return native(keyword.name, false, head);
     if (is_list_here()) return native(keyword.name, false, head);  // MEASA[X]=(1,2), POSP[Z]=(10,2,0)
     if (keyword.name == "POS" || keyword.name == "POSA") return positioning(keyword, name, index.index, head);
-    if (same_name(written, "SPOS[1]") || same_name(written, "SPOSA[1]")) return orientation(name, head);
+    if (keyword.name == "SPOS" || keyword.name == "SPOSA") return orientation(name, head, index.index);
+    if (keyword.name == "FA") {  // how fast POS[X]= moves
+      word(Address::other, 0, name, head);
+      if (!faulty_ && !lower_.is_native()) lower_.last_word_is(ir::kPacesAxis);
+      return;
+    }
     const bool usual = keyword.address == ir::Address::spindle_limit && same_name(written, "LIMS[1]");
     return word(usual ? keyword.address : ir::Address::other, 0, name, head);
   }
-  if (keyword.name == "SPOS" || keyword.name == "SPOSA") return orientation(name, head);
+  if (keyword.name == "SPOS" || keyword.name == "SPOSA") return orientation(name, head, ir::ExpressionId::none);
   word(keyword.address, 0, name, head);
 }
 
@@ -222,21 +227,12 @@ void Parser::positioning(const Keyword& keyword, ir::StringId name, ir::Expressi
   made.axis = ir::ExpressionId::none;
   if (!coded) made.name = name;
   lower_.add_word(made);
-  if (!coded && keyword.name == "POS") lower_.last_word_is_carried_out();
+  if (!coded && keyword.name == "POS") lower_.last_word_is(ir::kCarriedOut);
   ir::Code code{.function = ir::Function::rapid, .group = ir::ModalGroup::non_modal, .span = w.span};
   if (coded) code = {.function = ir::Function::not_modelled, .group = code.group, .name = w.name, .span = w.span};
   w.address = address;
   w.name = ir::StringId::none;
   lower_.add_aside(code, w);
-}
-
-// SPOS=90 stops the main spindle, as M19 does. The angle is stated.
-void Parser::orientation(ir::StringId name, text::Span head) {
-  word(Address::other, 0, name, head);
-  if (faulty_ || lower_.is_native()) return;
-  const ir::Code code{
-      .function = ir::Function::spindle_orient, .group = ir::ModalGroup::non_modal, .span = to_here(head)};
-  lower_.add_aside(code, std::nullopt);
 }
 
 // AX[A1]=…: the axis is computed.

@@ -27,14 +27,15 @@ enum class Role : std::uint8_t {
   attribute,  // of PROC and DEF
 };
 
-// What a word may do when its statement runs, as far as the reader does not carry it out. Only `none` leaves the
-// verdict on a program as it is.
+// What a word may do when its statement runs, as far as the reader does not carry it out. Only `none` and
+// `paces`, and `smooths` of values that are known, leave the verdict on a program as it is.
 enum class Effect : std::uint8_t {
   unknown,  // neither moves nor shifts for certain; what else it changes is not known here
   none,     // nothing of motion or state
   moves,    // axes may be anywhere afterwards
   shifts,   // coordinates may lie elsewhere afterwards
   smooths,  // how the machine follows the path, not which path: tolerance, smoothing
+  paces,    // how fast it follows the path: along which axes feeds count
 };
 
 enum class Verb : std::uint8_t {

@@ -60,13 +60,15 @@ std::string_view about_effect(Effect effect) {
     case Effect::moves: return "of the control; axes may be anywhere afterwards";
     case Effect::shifts: return "of the control; changes where coordinates lie";
     case Effect::smooths: return "of the control; tolerance and smoothing of the path";
+    case Effect::paces: return "of the control; along which axes feeds count";
   }
   return {};
 }
 
 // Of a statement that is kept as it is.
 ir::WordState state_of(Effect effect) {
-  return effect == Effect::none ? ir::WordState::without_effect : ir::WordState::reported;
+  const bool leaves_paths = effect == Effect::none || effect == Effect::paces || effect == Effect::smooths;
+  return leaves_paths ? ir::WordState::without_effect : ir::WordState::reported;
 }
 
 ir::LanguageWord word_of(const Keyword& keyword) {

@@ -28,6 +28,9 @@ constexpr std::string_view kPocket3 =
     "GMODE DMODE AMODE";
 constexpr std::string_view kPocket4 =
     "RTP RFP SDIS DP PRAD PA PO MID FAL FALD FFP1 FFD CDIR VARI MIDA AP1 AD RAD1 DP1 UMODE FS ZFS GMODE DMODE AMODE";
+constexpr std::string_view kPocket1 =
+    "RTP RFP SDIS DP DPR LENG WID CRAD PA PO STA FFD FFP1 MID CDIR FAL VARI MIDF FFP2 SSF";
+constexpr std::string_view kPocket2 = "RTP RFP SDIS DP DPR PRAD PA PO FFD FFP1 MID CDIR FAL VARI MIDF FFP2 SSF";
 constexpr std::string_view kSlot1 =
     "RTP RFP SDIS DP DPR NUM LENG WID CPA CPO RAD STA1 INDA FFD FFP1 MID CDIR FAL VARI MIDF FFP2 SSF FALD STA2 DP1 "
     "UMODE FS ZFS GMODE DMODE AMODE";
@@ -66,6 +69,36 @@ MillReading read_pocket3(MillValues values, const MillUnits& units) {
 MillReading read_pocket4(MillValues values, const MillUnits& units) {
   MillCall call(values, units, kPocket4);
   pocket_values(call);
+  call.circle(2.0 * call.size("PRAD"));
+  return call.reading;
+}
+
+// In straight down, VARI 0 to 2 alone; CPA, CPO and STA1 are named as those of the later cycles. The side is finished
+// at once where MIDF gives no depths.
+void older_pocket_values(MillCall& call) {
+  call.levels();
+  call.feeds();
+  call.allowances();
+  if (call.number("VARI") > 2.0) call.leave("with a kind (VARI) that is not known");
+  call.kind(true);
+  call.direction();
+  MillCycle& c = call.reading.cycle;
+  c.shape = MillShape::pocket;
+  c.finish_infeed = call.size("MIDF");
+  if (call.number("SSF") != 0.0 && (c.finishes_side || c.finishes_base))
+    call.leave("with a speed of its own for finishing (SSF)");
+}
+
+MillReading read_pocket1(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kPocket1);
+  older_pocket_values(call);
+  call.rectangle();
+  return call.reading;
+}
+
+MillReading read_pocket2(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kPocket2);
+  older_pocket_values(call);
   call.circle(2.0 * call.size("PRAD"));
   return call.reading;
 }
@@ -178,6 +211,8 @@ MillReading read_cycle77(MillValues values, const MillUnits& units) {
 
 std::span<const MillRow> milling_cycles() {
   static constexpr auto kMillRows = std::to_array<MillRow>({
+      {"POCKET1", kPocket1, read_pocket1},
+      {"POCKET2", kPocket2, read_pocket2},
       {"POCKET3", kPocket3, read_pocket3},
       {"POCKET4", kPocket4, read_pocket4},
       {"SLOT1", kSlot1, read_slot1},

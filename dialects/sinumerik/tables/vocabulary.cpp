@@ -48,24 +48,23 @@ constexpr std::string_view kAddress[] = {
 
 // Procedures that are kept as they are written, and of which is not known here what they change.
 constexpr std::string_view kProcedure[] = {
-    "CALLPATH",  "ID",         "IDS",      "WHEN",     "WHENEVER",  "FROM",       "EVERY",     "DO",       "CANCEL",
-    "CANCELSUB", "LOCK",       "UNLOCK",   "SETINT",   "DISABLE",   "ENABLE",     "CLRINT",    "INIT",     "START",
-    "WAITM",     "WAITMC",     "WAITE",    "SETM",     "CLEARM",    "WAITENC",    "WAITV",     "WAITC",    "SETMS",
-    "SETMTH",    "SPCON",      "SPCOF",    "FGROUP",   "FCTDEF",    "SYNFCT",     "GET",       "GETD",     "RELEASE",
-    "AXTOCHAN",  "CTABDEF",    "CTABEND",  "CTABDEL",  "CTABLOCK",  "CTABUNLOCK", "PUNCHACC",  "PON",      "PONS",
-    "SON",       "SONS",       "SPOF",     "PDELAYON", "PDELAYOF",  "SPP",        "SPN",       "CONTPRON", "CONTDCON",
-    "EXECUTE",   "DIAMONA",    "DIAM90A",  "DIAMOFA",  "DIAMCHANA", "DIAMCHAN",   "DIACYCOFA", "DACA",     "NEWT",
-    "DELT",      "DELMT",      "DELTC",    "SETPIECE", "SETTA",     "SETTIA",     "RESETMON",  "DELDL",    "SETDNO",
-    "DZERO",     "DELTOOLENV", "TOOLENV",  "TCARR",    "TCOABS",    "TCOFR",      "TCOFRX",    "TCOFRY",   "TCOFRZ",
-    "TCI",       "TCA",        "MVTOOL",   "POSM",     "POSMT",     "NEWCONF",    "CUTMOD",    "CUTMODK",  "STOPREOF",
-    "RDISABLE",  "OVERSTORE",  "LIFTFAST", "POLF",     "POLFMASK",  "POLFMLIN",   "FXSOF",     "IPOBRKA",  "ADISPOSA",
-    "COARSEA",   "FINEA",      "IPOENDA",  "PROTA",    "PROTD",     "PROTS",      "PROTSET",   "NPROT",    "NPROTDEF",
-    "CPROT",     "CPROTDEF",   "TML",      "ORIROTA",  "ORIROTR",   "ORIROTT",    "ORIROTC",   "ORIRESET", "SPLINEPATH",
-    "POLYPATH",  "FPR",        "FPRAON",   "FPRAOF",   "FPO",       "GWPSON",     "GWPSOF",    "CADAPTON", "CADAPTOF",
-    "ESRR",      "ESRS",       "DRVPRD",   "DRVPWR",   "RESET",     "RETB",       "SIRELIN",   "SIRELOUT", "SIRELTIME",
-    "TANGDEL",   "TLIFT",      "COUPDEF",  "COUPDEL",  "EGDEF",     "EGDEL",      "MASLDEF",   "MASLDEL",  "CPDEF",
-    "CPDEL",     "CPLDEF",     "CPLDEL",   "INITIAL",  "READ",      "FILEDATE",   "FILEINFO",  "FILESIZE", "FILESTAT",
-    "FILETIME"};
+    "CALLPATH",  "ID",        "IDS",        "WHEN",      "WHENEVER", "FROM",       "EVERY",    "DO",         "CANCEL",
+    "CANCELSUB", "LOCK",      "UNLOCK",     "SETINT",    "DISABLE",  "ENABLE",     "CLRINT",   "INIT",       "START",
+    "WAITM",     "WAITMC",    "WAITE",      "SETM",      "CLEARM",   "WAITENC",    "WAITV",    "WAITC",      "SETMS",
+    "SETMTH",    "FCTDEF",    "SYNFCT",     "GET",       "GETD",     "RELEASE",    "AXTOCHAN", "CTABDEF",    "CTABEND",
+    "CTABDEL",   "CTABLOCK",  "CTABUNLOCK", "PUNCHACC",  "PON",      "PONS",       "SON",      "SONS",       "SPOF",
+    "PDELAYON",  "PDELAYOF",  "SPP",        "SPN",       "CONTPRON", "CONTDCON",   "EXECUTE",  "DIAMONA",    "DIAM90A",
+    "DIAMOFA",   "DIAMCHANA", "DIAMCHAN",   "DIACYCOFA", "DACA",     "NEWT",       "DELT",     "DELMT",      "DELTC",
+    "SETPIECE",  "SETTA",     "SETTIA",     "RESETMON",  "DELDL",    "SETDNO",     "DZERO",    "DELTOOLENV", "TOOLENV",
+    "TCARR",     "TCOABS",    "TCOFR",      "TCOFRX",    "TCOFRY",   "TCOFRZ",     "TCI",      "TCA",        "MVTOOL",
+    "POSM",      "POSMT",     "NEWCONF",    "CUTMOD",    "CUTMODK",  "STOPREOF",   "RDISABLE", "OVERSTORE",  "LIFTFAST",
+    "POLF",      "POLFMASK",  "POLFMLIN",   "FXSOF",     "IPOBRKA",  "ADISPOSA",   "COARSEA",  "FINEA",      "IPOENDA",
+    "PROTA",     "PROTD",     "PROTS",      "PROTSET",   "NPROT",    "NPROTDEF",   "CPROT",    "CPROTDEF",   "TML",
+    "ORIROTA",   "ORIROTR",   "ORIROTT",    "ORIROTC",   "ORIRESET", "SPLINEPATH", "POLYPATH", "FPR",        "FPRAON",
+    "FPRAOF",    "FPO",       "GWPSON",     "GWPSOF",    "CADAPTON", "CADAPTOF",   "ESRR",     "ESRS",       "DRVPRD",
+    "DRVPWR",    "RESET",     "RETB",       "SIRELIN",   "SIRELOUT", "SIRELTIME",  "TANGDEL",  "TLIFT",      "COUPDEF",
+    "COUPDEL",   "EGDEF",     "EGDEL",      "MASLDEF",   "MASLDEL",  "CPDEF",      "CPDEL",    "CPLDEF",     "CPLDEL",
+    "INITIAL",   "READ",      "FILEDATE",   "FILEINFO",  "FILESIZE", "FILESTAT",   "FILETIME"};
 
 // Procedures after which axes may be anywhere: couplings that carry axes along, retracts, measuring, exchange of axes.
 constexpr std::string_view kMovingProcedure[] = {
@@ -80,13 +79,16 @@ constexpr std::string_view kShiftingProcedure[] = {"GEOAX",    "TRANSMIT",  "TRA
                                                    "PRESETON", "PRESETONS", "ROTS",    "AROTS",  "CORROF"};
 
 // Procedures that change nothing of motion or state that is modelled: displays and groups of the editor, files, blank
-// declarations, acceleration, monitoring, attributes of data.
+// declarations, acceleration, monitoring, position control of spindles, attributes of data.
 constexpr std::string_view kQuietProcedure[] = {
-    "WORKPIECE", "WRITE",      "MMC",         "EXTOPEN",   "EXTCLOSE",     "DELETE",     "WAITP",
-    "WAITS",     "WRTPR",      "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "BRISKA",     "SOFTA",
-    "DRIVEA",    "JERKA",      "AFISON",      "AFISOF",    "TMON",         "TMOF",       "REDEF",
-    "UNDEF",     "AUXFUDEL",   "AUXFUDELG",   "AUXFUMSEQ", "AUXFUSYNC",    "DELAYFSTON", "DELAYFSTOF",
-    "IPTRLOCK",  "IPTRUNLOCK", "ENDPROC",     "CHANDATA",  "METRIC",       "INCH"};
+    "WORKPIECE", "WRITE",       "MMC",        "EXTOPEN",      "EXTCLOSE", "DELETE",     "WAITP",    "WAITS",
+    "WRTPR",     "GROUP_BEGIN", "GROUP_END",  "GROUP_ADDEND", "BRISKA",   "SOFTA",      "DRIVEA",   "JERKA",
+    "AFISON",    "AFISOF",      "TMON",       "TMOF",         "REDEF",    "UNDEF",      "AUXFUDEL", "AUXFUDELG",
+    "AUXFUMSEQ", "AUXFUSYNC",   "DELAYFSTON", "DELAYFSTOF",   "IPTRLOCK", "IPTRUNLOCK", "ENDPROC",  "CHANDATA",
+    "METRIC",    "INCH",        "SPCON",      "SPCOF"};
+
+// Which axes feeds count along (PG, "Feedrate").
+constexpr std::string_view kPacingProcedure[] = {"FGROUP"};
 
 // Standard cycles that are not read. They move, but for those of the list after it.
 constexpr std::string_view kCycle[] = {
@@ -98,7 +100,7 @@ constexpr std::string_view kCycle[] = {
     "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",  "CYCLE972",  "CYCLE973",  "CYCLE974",
     "CYCLE976",  "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",  "CYCLE995",  "CYCLE996",  "CYCLE997",
     "CYCLE998",  "CYCLE9960", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078",
-    "CYCLE4079", "POCKET1",   "POCKET2",   "SLOT2"};
+    "CYCLE4079", "SLOT2"};
 
 // Settings of the path: a machine tool builder's part of it may switch more.
 constexpr std::string_view kSettingCycle[] = {"CYCLE832"};
@@ -120,6 +122,7 @@ constexpr WordList kLists[] = {
     {Role::procedure, Effect::moves, kMovingProcedure},
     {Role::procedure, Effect::shifts, kShiftingProcedure},
     {Role::procedure, Effect::none, kQuietProcedure},
+    {Role::procedure, Effect::paces, kPacingProcedure},
     {Role::cycle, Effect::moves, kCycle},
     {Role::cycle, Effect::smooths, kSettingCycle},
     {Role::cycle, Effect::none, kNamingCycle},

@@ -61,6 +61,7 @@ std::string_view name_of(Address a) {
     case Address::poly_z4:
     case Address::poly_z5:
     case Address::named_axis:
+    case Address::other_speed:  // printed as S with its number
     case Address::other:
     case Address::count_:
     case Address::a:

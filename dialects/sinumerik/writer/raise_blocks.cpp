@@ -134,8 +134,9 @@ class BlockRaiser {
       add(c, name_of_code(c));
     } else if (c.function == Function::transformation) {
       raising_.cannot(written, c.span);  // its arguments are no words
-    } else if (c.function == Function::not_modelled || c.function == Function::no_effect) {
-      program_.codes.push_back(c);
+    } else if (c.function == Function::not_modelled || c.function == Function::no_effect ||
+               c.function == Function::other_spindle || c.function == Function::main_spindle) {
+      program_.codes.push_back(c);  // by their names
     } else {
       add(c, name_of_code(c));
     }

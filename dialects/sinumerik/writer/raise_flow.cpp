@@ -131,7 +131,8 @@ void raise_flow(const Raising& raising) {
       const std::string name(program.strings.at(native.name));
       raising.cannot(passes::of_call(name.empty() ? std::string("this block") : name), s.span);
       // What neither moves nor changes state is lost without harm, and said.
-      if (native.effects_known && !native.writes) raising.diagnostics.back().severity = text::Severity::warning;
+      if (native.effects_known && !native.writes && !native.paces)
+        raising.diagnostics.back().severity = text::Severity::warning;
       program.statements[i].kind = StatementKind::empty;
       program.statements[i].payload = ir::kNoIndex;
     }

@@ -137,6 +137,19 @@ std::string axes_without_reference(const machine::Profile& profile, bool second)
   return letters;
 }
 
+// What follows from an order whose effect on the moves is known.
+void add_consequence(const interpreter::NotInterpreted& one, CheckReport& report) {
+  if (!one.effects_known) return;
+  const auto add = [&](std::string_view consequence) {
+    report.checks.not_checked.add(fmt::format("{}: {}", one.name, consequence), one.first_line);
+  };
+  if (one.function == ir::Function::other_spindle)
+    add("the machine's profile states the limits of the main spindle alone");
+  if (one.function == ir::Function::continuous_path)
+    add("how far the machine leaves the path to smooth it is the control's; times are estimates");
+  if (one.function == ir::Function::feed_per_min) add("it states how feeds count; times are estimates");
+}
+
 // Whether what was not carried out leaves it open what the program does; the reason is then among what was not checked.
 bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, bool second_reference,
                  CheckReport& report) {
@@ -147,6 +160,7 @@ bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, b
     report.checks.not_checked.add(
         fmt::format("{}: the program changes the control's tool data, and they stay so after its end", one.name),
         one.first_line);
+  add_consequence(one, report);
   const bool is_named_tool = one.effects_known && one.function == ir::Function::tool_change;
   if (is_named_tool && e.profile != nullptr && !e.profile->machine.tools.empty())
     report.checks.not_checked.add(

@@ -326,5 +326,30 @@ TEST(MillingCycles, ARoundPocket) {
   EXPECT_EQ(alarm_of(mill(head() + "POCKET4(30,0,2,-9,4,30,60,4,0,0,300,100,3,11)\nM30\n", 5.0)), "61105");
 }
 
+// Their values stand in another order; the pockets are those of the later cycles, in straight down.
+TEST(MillingCycles, OlderPocketsAreThoseOfTheLaterCycles) {
+  struct Row {
+    std::string older;
+    std::string later;
+  };
+  for (const Row& row :
+       {Row{"POCKET1(50,0,1,-5,,40,30,7,20,10,15,100,300,2,2,0.2,1)",
+            "POCKET3(50,0,1,-5,40,30,7,20,10,15,2,0.2,0,300,100,2,11)"},
+        Row{"POCKET1(50,2,1,,7,40,30,7,20,10,15,100,300,2,3,0.2,1)",
+            "POCKET3(50,2,1,-5,40,30,7,20,10,15,2,0.2,0,300,100,3,11)"},
+        Row{"POCKET2(50,0,1,-5,,16,20,10,100,300,2,2,0.2,1)", "POCKET4(50,0,1,-5,16,20,10,2,0.2,0,300,100,2,11)"}}) {
+    const Result older = mill(head() + row.older + "\nM30\n", 5.0);
+    EXPECT_FALSE(moves(older).empty()) << row.older;
+    EXPECT_EQ(moves(older), moves(mill(head() + row.later + "\nM30\n", 5.0))) << row.older;
+  }
+  // All of it: the side at once, by its own feed.
+  const Result whole = mill(head() + "POCKET1(50,0,1,-5,,40,30,7,20,10,0,100,300,2,2,0.2,0,5,250)\nM30\n", 5.0);
+  EXPECT_TRUE(std::ranges::any_of(cuts(whole), [](const ir::Motion& m) { return m.feed == 250.0; }));
+  for (const char* more : {"3", "0,5,250,900"}) {
+    const std::string call = "POCKET1(50,0,1,-5,,40,30,7,20,10,0,100,300,2,2,0.2," + std::string(more) + ")";
+    EXPECT_TRUE(moves(mill(head() + call + "\nM30\n", 5.0)).find("Z-5") == std::string::npos) << call;
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

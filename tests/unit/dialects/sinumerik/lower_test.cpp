@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "dialects/ir/other_spindle.h"
 #include "tests/unit/dialects/sinumerik/reading.h"
 
 namespace dripfeed::sinumerik {
@@ -85,7 +86,8 @@ TEST(Lower, WorkOffsetsAndMFunctions) {
     EXPECT_EQ(p.codes[i].function, Function::work_offset);
     EXPECT_EQ(p.codes[i].argument, offsets[i]);
   }
-  EXPECT_EQ(p.codes[5].function, Function::not_modelled);  // another spindle
+  EXPECT_EQ(p.codes[5].function, Function::other_spindle);
+  EXPECT_EQ(p.codes[5].argument, ir::spindle_order(2, 3));
   EXPECT_EQ(p.codes[6].function, Function::spindle_cw);
   EXPECT_EQ(p.codes[7].function, Function::coolant_flood);
   EXPECT_EQ(p.codes[8].function, Function::machine_function);

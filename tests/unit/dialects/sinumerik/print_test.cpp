@@ -9,6 +9,7 @@ namespace {
 TEST(Print, WordsInOneOrderAndPointsOnPositions) {
   EXPECT_EQ(printed(good("m8 f900 x10 g1 t6 y-.5 g90 s500 d1 m3")), "G1 G90 X10. Y-0.5 F900 T6 S500 D1 M8 M3\n");
   EXPECT_EQ(printed(good("G2X=IC(1)Y=AC(R1)CR=5 I=AC(2)")), "G2 X=IC(1.) Y=AC(R1) CR=5. I=AC(2.)\n");
+  EXPECT_EQ(printed(good("SETMS(2)\nSETMS")), "SETMS(2)\nSETMS\n");
   EXPECT_EQ(printed(good("S2=500 M2=3 T=\"A\" G505 DIAM90 G642")), "G505 DIAM90 G642 S2=500 T=\"A\" M2=3\n");
 }
 

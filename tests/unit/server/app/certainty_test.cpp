@@ -476,5 +476,26 @@ TEST(Certainty, AMillingCycleIsAsCertainAsItsTool) {
   EXPECT_TRUE(reports(open, "POCKET3 by a tool whose radius is not known: not interpreted"));
 }
 
+// --- orders whose effect on the moves is known
+
+TEST(Certainty, OrdersToOtherSpindlesAndHowFeedsCountLeaveTheVerdict) {
+  const std::string head = "G18 G90 G95 G710 G40 G54 DIAMON\nT1 D1\nS500 M3\nG0 X10 Z5\n";
+  struct Row {
+    const char* line;
+    const char* consequence;  // nullptr: none
+  };
+  for (const Row& row :
+       {Row{"S2=900 M2=3", "S2: the machine's profile states the limits of the main spindle alone"},
+        Row{"SPOS=90", nullptr}, Row{"CYCLE832(0.02,_FINISH,1)", "CYCLE832: how far the machine leaves the path"},
+        Row{"FGROUP(X,Z)", "FGROUP: it states how feeds count"}}) {
+    const CheckReport report =
+        check(head + row.line + "\nM30\n", {.dialect = "sinumerik-840d", .kind = ir::MachineKind::lathe});
+    EXPECT_NE(report.verdict, checks::Verdict::unknown) << row.line;
+    EXPECT_TRUE(row.consequence == nullptr || reports(report, row.consequence)) << row.line;
+  }
+  EXPECT_EQ(check(head + "M2=70\nM30\n", {.dialect = "sinumerik-840d", .kind = ir::MachineKind::lathe}).verdict,
+            checks::Verdict::unknown);
+}
+
 }  // namespace
 }  // namespace dripfeed::app
