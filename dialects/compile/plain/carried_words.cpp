@@ -178,8 +178,7 @@ CarriedBlock CarriedBlocks::carried_by(const ir::Program& program, const ir::Blo
   }
   if (semantics_.d_selects_edge || other_words) return carried;
   for (const ir::Word& word : program.words_of(block)) {
-    const bool length = word.address == Address::h && !semantics_.incremental_letters_uvw;
-    if (length || word.address == Address::d) add_number(program, word, carried);
+    if ((word.address == Address::h && h_is_length_) || word.address == Address::d) add_number(program, word, carried);
   }
   return carried;
 }

@@ -10,6 +10,7 @@
 
 #include "dialects/family/emitter.h"
 #include "dialects/interpreter/interpreter.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/passes/refusal.h"
@@ -48,6 +49,7 @@ class CarriedBlocks {
   CarriedBlocks(const ir::Program& main, const ir::Control& control, interpreter::ProgramFinder& finder)
       : main_(main),
         semantics_(control.semantics),
+        h_is_length_(!ir::incremented_axis(control, 'H').has_value()),
         prepares_tools_(control.kind == ir::MachineKind::mill && control.semantics.tool_word == ir::ToolWord::number),
         finder_(finder) {}
 
@@ -64,6 +66,7 @@ class CarriedBlocks {
 
   const ir::Program& main_;
   const ir::Semantics& semantics_;
+  const bool h_is_length_;
   bool prepares_tools_;  // T waits for M6
   interpreter::ProgramFinder& finder_;
   std::map<std::uint32_t, ByLine> programs_;

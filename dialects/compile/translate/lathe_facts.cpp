@@ -6,6 +6,7 @@
 
 #include "dialects/interpreter/block/initial_state.h"
 #include "dialects/interpreter/cycles/repetitive.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
 
 namespace dripfeed::compile {
@@ -151,7 +152,7 @@ std::optional<double> LatheFacts::scaled_feed(const facts::Written& feed, std::o
 std::optional<bool> LatheFacts::is_increment(const ir::Word& word, std::uint32_t statement) const {
   if (word.mode != ir::WordMode::as_modal) return word.mode == ir::WordMode::incremental;
   if (control_.semantics.incremental_letters_uvw)
-    return word.address == Address::u || word.address == Address::w || is_increment_of_c(word);
+    return ir::incremented_axis(control_, ir::letter_of(word.address)).has_value();
   const std::optional<Function> distance = mode(facts::Mode::distance, statement);
   if (!distance) return std::nullopt;
   return *distance == Function::incremental;
@@ -159,7 +160,7 @@ std::optional<bool> LatheFacts::is_increment(const ir::Word& word, std::uint32_t
 
 // H of a lathe whose increments have letters.
 bool LatheFacts::is_increment_of_c(const ir::Word& word) const {
-  return word.address == Address::h && control_.semantics.incremental_letters_uvw && control_.axes.contains('C');
+  return word.address == Address::h && ir::incremented_axis(control_, 'H').has_value();
 }
 
 // --- G74 to G76

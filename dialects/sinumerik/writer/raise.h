@@ -44,7 +44,7 @@ void raise_reference(const Raising& raising);    // raise_reference.cpp: G28 bec
 void raise_machine_moves(const Raising& raising);
 void raise_blocks(const Raising& raising);  // raise_blocks.cpp: codes and words
 // raise_blocks.cpp: U V W H of a lathe are increments of X Y Z C.
-void incremental_letter(ir::Word& w);
+void incremental_letter(ir::Word& w, const ir::Control& from);
 void raise_modes(const Raising& raising);  // raise_modes.cpp: feed and surface speed in one group; the safe start
 // raise.cpp: numbers and names become R parameters, except those in `kept`
 std::vector<ir::PlacedName> raise_variables(const Raising& raising, std::set<ir::SymbolId> kept);

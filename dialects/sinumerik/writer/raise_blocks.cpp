@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/idle_code.h"
 #include "dialects/ir/transformation_use.h"
@@ -217,7 +218,7 @@ class BlockRaiser {
     if (loses_code_ && ir::is_word_of_idle_code(w.address)) return;
     if (dwell_) return dwell_word(w);
     w.value = in_units(w);
-    if (from.incremental_letters_uvw) incremental_letter(w);
+    incremental_letter(w, raising_.from);
     const bool no_address = w.address == Address::other || w.address == Address::e || w.address == Address::l ||
                             w.address == Address::o || w.address == Address::p || w.address == Address::q;
     if (no_address) return raising_.cannot("the word " + std::string(raising_.text_of(w.span)), w.span);
@@ -295,16 +296,10 @@ class BlockRaiser {
 
 }  // namespace
 
-void incremental_letter(ir::Word& w) {
-  struct Letters {
-    Address incremental;
-    Address axis;
-  };
-  static constexpr Letters kLetters[] = {
-      {Address::u, Address::x}, {Address::v, Address::y}, {Address::w, Address::z}, {Address::h, Address::c}};
-  const auto* const row = std::ranges::find(kLetters, w.address, &Letters::incremental);
-  if (row == std::end(kLetters)) return;
-  w.address = row->axis;
+void incremental_letter(ir::Word& w, const ir::Control& from) {
+  const std::optional<char> axis = ir::incremented_axis(from, ir::letter_of(w.address));
+  if (!axis) return;
+  w.address = static_cast<Address>(*axis - 'A');
   w.mode = ir::WordMode::incremental;
 }
 

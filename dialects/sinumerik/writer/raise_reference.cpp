@@ -172,7 +172,7 @@ class ReferenceRaiser {
 
   // The word by the axis that its letter moves.
   [[nodiscard]] ir::Word in_axes(ir::Word w) const {
-    if (letters_are_increments_) incremental_letter(w);
+    if (letters_are_increments_) incremental_letter(w, raising_.from);
     return w;
   }
   [[nodiscard]] std::optional<Address> axis(const ir::Word& w) const {

@@ -138,5 +138,20 @@ TEST(ForeignWords, AnAlarmWhoseNumberIsATextIsRefused) {
   }
 }
 
+// Where T is a plain number, H is a tool's length and no increment of C (a mill-turn center of Mazak).
+TEST(ForeignWords, HOfAMillTurnCenterIsNoIncrementOfC) {
+  ConvertRequest request;
+  request.from = control("mazak", ir::MachineKind::mill_turn);
+  request.to = control("sinumerik-840d", ir::MachineKind::mill_turn);
+  const std::string head = "%\nO0001\nG21 G18 G99 G97 G40\nS500 M03\nG00 X50. Z5.\nG98\nC0.\n";
+  request.source = text::Source("program", head + "G12.1\nG01 U3. H2. F80.\nX20. C9.\nG13.1\nM30\n%\n");
+  for (const ConvertMode mode : {ConvertMode::macro, ConvertMode::explicit_blocks}) {
+    request.mode = mode;
+    const std::string made = convert(request).text;
+    EXPECT_EQ(made.find("Y=IC(2"), std::string::npos) << made;
+    EXPECT_EQ(made.find("C=IC(2"), std::string::npos) << made;
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
