@@ -132,7 +132,10 @@ void BodyReader::read() {
   }
   if (ended_ && corner_waits_)
     cursor_.syntax(verb_, "after a chamfer or rounding stands the cut or arc that it leads to");
-  if (ended_) return;
+  if (ended_) {
+    if (!is_subprogram_) warn_of_reversed_milling();
+    return;
+  }
   if (open_.empty()) {
     cursor_.syntax(is_subprogram_ ? head : cursor_.peek().span,
                    is_subprogram_ ? "this subprogram has no 'end'" : "the program has no 'end'");

@@ -125,6 +125,7 @@ class BodyReader {
   };
   [[nodiscard]] bool may_copy();
   void end_copies(const Copies& copies, text::Span head);
+  void warn_of_reversed_milling();
   bool mirror_words(const Copies& copies, Step& step, std::vector<StepWord>& words);
   bool shift_words(const Copies& copies, std::vector<StepWord>& words);
   bool turn_words(const Copies& copies, std::vector<StepWord>& words);
@@ -157,6 +158,7 @@ class BodyReader {
     std::vector<ir::ExpressionId> arguments;
     std::optional<VerbFeeds> feeds = std::nullopt;
     bool swaps_axes = false;
+    bool is_pocket = false;
   };
   struct VerbRule {
     std::string_view function;

@@ -38,6 +38,12 @@ StepWord* find_word(std::vector<StepWord>& words, Address address) {
   return word == words.end() ? nullptr : &*word;
 }
 
+// Whether climb and conventional milling differ there.
+bool has_direction(const Step& step) {
+  return step.begins_pocket ||
+         (step.kind == StepKind::compensate && step.number != static_cast<int>(ir::CompSide::off));
+}
+
 }  // namespace
 
 bool BodyReader::may_copy() {
@@ -117,6 +123,7 @@ void BodyReader::end_copies(const Copies& copies, text::Span head) {
           head, "this block has a verb that is not mirrored or repeated: engrave, native, plane or work offset");
     if (one.kind == StepKind::drill_begin && copies.z != ExpressionId::none)
       return cursor_.syntax(head, "levels of holes are not repeated along z");
+    if (copies.mirrors() && has_direction(one)) one.mirrored_by = one.mirrored_by.empty() ? head : text::Span{};
     if (one.kind == StepKind::compensate && copies.mirrors() && one.number != static_cast<int>(ir::CompSide::off)) {
       constexpr auto kLeft = static_cast<int>(ir::CompSide::left);
       one.number = one.number == kLeft ? static_cast<int>(ir::CompSide::right) : kLeft;
@@ -133,6 +140,18 @@ void BodyReader::end_copies(const Copies& copies, text::Span head) {
     one.first_word = static_cast<std::uint32_t>(family_.words.size());
     one.word_count = static_cast<std::uint32_t>(words.size());
     family_.words.insert(family_.words.end(), words.begin(), words.end());
+  }
+}
+
+// Of the whole program, once a block. What is mirrored twice is milled as it is written.
+void BodyReader::warn_of_reversed_milling() {
+  std::vector<std::uint32_t> seen;
+  for (const Step& one : steps_) {
+    if (one.mirrored_by.empty() || std::ranges::find(seen, one.mirrored_by.begin) != seen.end()) continue;
+    seen.push_back(one.mirrored_by.begin);
+    cursor_.diagnostics.push_back(
+        text::make_diagnostic(text::DiagnosticId::family_milling_reversed, one.mirrored_by,
+                              {one.begins_pocket ? "a pocket" : "a contour with compensation"}));
   }
 }
 

@@ -78,6 +78,7 @@ void BodyReader::write(std::string_view subprogram, const LibraryVerb& verb, std
     Step condition = head;
     condition.values[0] = copy.value(rule.function, arguments);
     condition.text = rule.text;
+    condition.begins_pocket = verb.is_pocket && &rule == rules.data();
     add(std::move(condition));
   }
   scope_.open();
@@ -127,7 +128,7 @@ void BodyReader::face() {
 // finish LENGTH (helix | ramp) ANGLE [feed VALUE] return Z
 void BodyReader::pocket() {
   if (!may_mill("pocket")) return;
-  LibraryVerb verb{.arguments = {}};
+  LibraryVerb verb{.arguments = {}, .is_pocket = true};
   clause(verb, "x");
   clause(verb, "y");
   const bool is_round = next_clause(verb, "diameter");

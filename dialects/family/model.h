@@ -326,6 +326,8 @@ struct Step {
   std::string text;
   std::int32_t tip = 0;         // tool: imaginary tip 0..9
   std::uint8_t skip_level = 0;  // block skip of its blocks; 0: they have none
+  bool begins_pocket = false;   // the first step of that verb
+  text::Span mirrored_by = {};  // the mirrored block that reverses the direction of milling; empty: none does
 };
 
 // Whether it begins the cycle of a tap.

@@ -173,6 +173,7 @@ enum class DiagnosticId : std::uint16_t {
   family_bad_hole,
   family_given_twice,
   family_other_machine,
+  family_milling_reversed,
   // checks
   travel_exceeded,
   travel_uncertain,

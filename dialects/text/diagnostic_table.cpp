@@ -340,6 +340,8 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "A parameter takes one value. Leave out one of the two, so that it is certain which of them counts."},
   {family_other_machine, "family-other-machine", error, "the family is for a {}, the machine is a {}",
    "X of a lathe is a diameter, its plane and tools are others: choose a machine of the kind that the family names. A mill-turn center also takes families for lathes."},
+  {family_milling_reversed, "family-milling-reversed", warning, "{} in a mirrored block: climb milling becomes conventional milling, and the reverse",
+   "The spindle turns as it does outside of the block, so the cutter meets the material from its other side. Where that matters, write these moves without mirror, in the other order."},
   // checks
   {travel_exceeded, "travel-exceeded", error, "{} moves to {} in machine coordinates, the travel is {}",
    "The control stops at its limit, or the slide does. Check the work offset, the clamping and the program's zero."},

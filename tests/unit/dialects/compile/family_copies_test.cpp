@@ -151,6 +151,34 @@ TEST(FamilyCopies, WhatCannotBeCopiedIsRefused) {
   EXPECT_EQ(fault("  mirror x\n    cut x 3 mm\n  end\n"), "");
 }
 
+// Where the direction of milling is reversed, the block is named; mirrored twice it is not.
+TEST(FamilyCopies, ReversedMillingIsAWarning) {
+  const auto warnings = [](const std::string& steps) {
+    const RenderResult out = rendered(with("", "  tool 1  diameter 6 mm\n  rapid x 0 mm  y -40 mm\n" + steps), "fanuc",
+                                      RenderMode::macro, {});
+    std::vector<std::string> found;
+    for (const text::Diagnostic& d : out.diagnostics) {
+      EXPECT_EQ(d.id, text::DiagnosticId::family_milling_reversed) << text::message_of(d);
+      EXPECT_EQ(d.severity, text::Severity::warning);
+      found.push_back(d.arguments.front());
+    }
+    EXPECT_NE(out.text, "");
+    return found;
+  };
+  const std::string contour =
+      "    rapid x 5 mm  y -30 mm\n    compensate left\n    cut x 5 mm  y -20 mm\n    cut x 25 mm\n"
+      "    cut x 25 mm  y -30 mm\n    compensate off\n    cut x 25 mm  y -40 mm\n";
+  const std::string pocket =
+      "    pocket x 30 mm y 0 mm  diameter 30 mm  z 0 mm to -4 mm  depth 2 mm  stepover 4 mm  finish 0.2 mm  helix 3 "
+      "deg  "
+      "return 5 mm\n";
+  EXPECT_THAT(warnings("  mirror x\n" + contour + "  end\n"), testing::ElementsAre("a contour with compensation"));
+  EXPECT_THAT(warnings("  mirror x\n" + pocket + pocket + "  end\n"), testing::ElementsAre("a pocket"));
+  EXPECT_THAT(warnings("  mirror x\n  mirror y\n" + pocket + "  end\n  end\n"), testing::IsEmpty());
+  EXPECT_THAT(warnings("  repeat 2 turn 90 deg at x 0 mm y 0 mm\n" + pocket + "  end\n"), testing::IsEmpty());
+  EXPECT_THAT(warnings("  mirror x\n    rapid x 5 mm  y 5 mm\n    cut x 9 mm  y 5 mm\n  end\n"), testing::IsEmpty());
+}
+
 // The side of compensation changes with the mirror.
 TEST(FamilyCopies, CompensationChangesSides) {
   const RenderResult out =
