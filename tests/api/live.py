@@ -157,9 +157,12 @@ def a_ring_that_went_round(folder):
     for _ in range(RING // 2):
         job = ask(connection, "POST", f"{API}/jobs", {"release": 1}, headers).document["id"]
         ask(connection, "POST", f"{API}/jobs/{job}/cancel", {}, headers)
-    seen = keen.numbered(1 + RING)
+    seen = keen.numbered(1)
+    while seen[0]["data"].get("id") != first:  # what was published before it may come after the watcher
+        seen = keen.numbered(1)
+    seen += keen.numbered(RING)
     numbers = [event["id"] for event in seen]
-    expect(numbers == list(range(numbers[0], numbers[0] + 1 + RING)) and seen[0]["data"]["id"] == first, "a watcher who reads has missed something")
+    expect(numbers == list(range(numbers[0], numbers[0] + 1 + RING)), "a watcher who reads has missed something")
     reset_first(client, numbers[0] - 1)  # the first of them is gone
     kept = Watch(client, last=numbers[2])
     expect(kept.numbered(RING - 2) == seen[3:], "what the ring still holds is not given")
