@@ -119,6 +119,15 @@ void update_job(Session& session, const Job& job) {
   set("UPDATE job SET forecast_ms = ? WHERE id = ?", job.forecast_ms);
 }
 
+store::Result<void> refuse_armed(Session& session, std::string_view column, Id id) {
+  const std::string sql = fmt::format("SELECT id, machine FROM job WHERE {} = ? AND state = 'armed' LIMIT 1", column);
+  Query query(session, sql, id);
+  if (!query.next()) return {};
+  const Id job = query.number();
+  return session.refuse(store::ErrorCode::machine_busy,
+                        fmt::format("job {} is armed on {}: disarm it before", job, query.text()));
+}
+
 std::uint64_t reserve_of(Session& session, Id job) {
   Query query(session, "SELECT reserve FROM ledger_head WHERE job = ?", job);
   return query.next() ? query.number() : 0;

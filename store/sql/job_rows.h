@@ -16,6 +16,10 @@ store::Job read_job(Query& query);
 store::Id insert_job(Session& session, const store::Job& job);
 // All that may change of a job.
 void update_job(Session& session, const store::Job& job);
+// A job that was armed is sent as soon as its control asks, whatever becomes meanwhile of what it was made of: the row
+// `id` that the job's `column` names. A feed that began goes on: no release and no order stops a line. Errors:
+// machine_busy.
+store::Result<void> refuse_armed(Session& session, std::string_view column, store::Id id);
 // Of the ledger's last row, 0 without one.
 std::uint64_t reserve_of(Session& session, store::Id job);
 

@@ -7,6 +7,7 @@
 
 #include "store/sql/audit_table.h"
 #include "store/sql/event_table.h"
+#include "store/sql/job_rows.h"
 #include "store/sql/paging.h"
 
 namespace dripfeed::sql {
@@ -87,14 +88,6 @@ bool has_line(Session& session, Id order) {
   return query.next();
 }
 
-// A job that was armed is sent as soon as its control asks. A feed that began goes on: no order stops a line.
-std::optional<std::string> armed_job(Session& session, Id order) {
-  Query query(session, "SELECT id, machine FROM job WHERE work_order = ? AND state = 'armed' LIMIT 1", order);
-  if (!query.next()) return std::nullopt;
-  const Id job = query.number();
-  return fmt::format("job {} is armed on {}: disarm it before", job, query.text());
-}
-
 // The database refuses it, too, in its own words.
 Result<void> refuse_no_machine(Session& session, const std::string& machine) {
   if (machine.empty()) return {};
@@ -171,8 +164,9 @@ Result<Order> OrderTable::move(Id order, OrderState to, std::string_view reason,
     }
     if (is_closed(to) && has_line(session, order))
       return session.refuse(ErrorCode::machine_busy, "a job of the order has a line");
-    if (const auto armed = armed_job(session, order); armed && to == OrderState::held)
-      return session.refuse(ErrorCode::machine_busy, *armed);
+    if (to == OrderState::held) {
+      if (auto free = refuse_armed(session, "work_order", order); !free) return std::unexpected(free.error());
+    }
     session.run("UPDATE work_order SET state = ?, reason = ?, changed_at_ms = ? WHERE id = ?", to, reason, by.at_ms,
                 order);
     add_audit_row(session,

@@ -7,6 +7,7 @@
 
 #include "store/sql/audit_table.h"
 #include "store/sql/event_table.h"
+#include "store/sql/job_rows.h"
 #include "store/sql/paging.h"
 #include "store/sql/program_table.h"
 #include "store/sql/user_table.h"
@@ -70,16 +71,6 @@ Result<void> refuse_own_eyes(Session& session, const Release& release, const Sta
   if (wrote_text(session, release.text_sha256, by.actor))
     return session.refuse(ErrorCode::four_eyes, by.actor + " wrote the text");
   return {};
-}
-
-// A job that was armed is sent as soon as its control asks, whatever becomes of its release meanwhile. A feed that
-// began goes on: no release stops a line.
-Result<void> refuse_armed(Session& session, const Release& release) {
-  Query query(session, "SELECT id, machine FROM job WHERE text_release = ? AND state = 'armed' LIMIT 1", release.id);
-  if (!query.next()) return {};
-  const Id job = query.number();
-  return session.refuse(ErrorCode::machine_busy,
-                        fmt::format("job {} is armed on {}: disarm it before", job, query.text()));
 }
 
 void log_event(Session& session, const Release& release, std::string_view note, const Stamp& by) {
@@ -175,7 +166,8 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
       if (auto other = refuse_own_eyes(session, *moved, by); !other) return std::unexpected(other.error());
     }
     const bool stays = move.to == ReleaseState::proving || move.to == ReleaseState::approved;
-    if (auto free = stays ? Result<void>() : refuse_armed(session, *moved); !free) return std::unexpected(free.error());
+    if (auto free = stays ? Result<void>() : refuse_armed(session, "text_release", release); !free)
+      return std::unexpected(free.error());
     const ReleaseState from = moved->state;
     moved->state = move.to;
     moved->changed_at_ms = by.at_ms;
