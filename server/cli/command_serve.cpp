@@ -353,7 +353,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
 int serve(const ServerOptions& options, const Reload::Read& read_again) {
   const auto reload = std::make_shared<Reload>(options, read_again);  // the signals' thread outlives this call
   const std::stop_token stop = stop_by_signal_and_reload([reload] { reload->run(); });
-  const Logging logging;
+  const Logging logging(options.log == "json" ? LogForm::json : LogForm::text);
   const auto plan = plan_of(options);
   if (!plan) {
     print_error(plan.error());

@@ -20,6 +20,8 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "server/json/records.h"
+
 namespace dripfeed::cli {
 
 namespace {
@@ -42,12 +44,24 @@ bool write_whole(int descriptor, std::string_view text, const std::atomic<bool>&
   return true;
 }
 
+std::int64_t now_ms() {
+  using std::chrono::system_clock;
+  return std::chrono::duration_cast<std::chrono::milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+// A sentence of the command itself as a line.
+std::string line_of(LogForm form, std::string_view sentence) {
+  return form == LogForm::json ? json::log_line(now_ms(), "info", sentence) + "\n"
+                               : fmt::format("dripfeed: {}\n", sentence);
+}
+
 }  // namespace
 
 struct LineQueue::Shared {
-  explicit Shared(int output) : descriptor(output) {}
+  Shared(int output, LogForm of) : descriptor(output), form(of) {}
 
   const int descriptor;
+  const LogForm form;
   std::mutex mutex;
   std::condition_variable changed;
   std::deque<std::string> lines;  // under mutex, as what follows
@@ -58,7 +72,7 @@ struct LineQueue::Shared {
   std::atomic<bool> given_up = false;
 };
 
-LineQueue::LineQueue(int descriptor) : shared_(std::make_shared<Shared>(descriptor)) {
+LineQueue::LineQueue(int descriptor, LogForm form) : shared_(std::make_shared<Shared>(descriptor, form)) {
   std::thread([shared = shared_] {
     ::pthread_setname_np(::pthread_self(), "log");
     write_until_the_end(shared);
@@ -112,8 +126,10 @@ void LineQueue::write_lines(const std::shared_ptr<Shared>& shared) {
     shared->lines.pop_front();
     shared->bytes -= text.size();
     if (const std::uint64_t dropped = std::exchange(shared->dropped, 0); dropped > 0) {
-      text = fmt::format("dripfeed: {} lines of the log were dropped here, because they were not read in time\n{}",
-                         dropped, text);
+      text =
+          line_of(shared->form,
+                  fmt::format("{} lines of the log were dropped here, because they were not read in time", dropped)) +
+          text;
     }
     lock.unlock();
     const bool written = write_whole(shared->descriptor, text, shared->given_up);
@@ -132,6 +148,7 @@ struct Outputs {
   std::mutex mutex;
   std::shared_ptr<LineQueue> messages;
   std::shared_ptr<LineQueue> announcements;
+  LogForm form = LogForm::text;
 };
 Outputs& outputs() {
   static Outputs* const only = new Outputs;  // never destroyed: a thread may log while the process ends
@@ -181,15 +198,31 @@ class QueueSink final : public spdlog::sinks::sink {
   std::unique_ptr<spdlog::formatter> formatter_ = std::make_unique<spdlog::pattern_formatter>();
 };
 
+class JsonFormatter final : public spdlog::formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& into) override {
+    const auto at = std::chrono::duration_cast<std::chrono::milliseconds>(message.time.time_since_epoch());
+    const auto level = spdlog::level::to_string_view(message.level);
+    const std::string line = json::log_line(at.count(), std::string_view(level.data(), level.size()),
+                                            std::string_view(message.payload.data(), message.payload.size()));
+    into.append(line);
+    into.push_back('\n');
+  }
+  [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override { return std::make_unique<JsonFormatter>(); }
+};
+
 }  // namespace
 
-Logging::Logging() {
+Logging::Logging(LogForm form) {
   {
     const std::lock_guard lock(outputs().mutex);
-    outputs().messages = std::make_shared<LineQueue>(STDERR_FILENO);
+    outputs().messages = std::make_shared<LineQueue>(STDERR_FILENO, form);
     outputs().announcements = std::make_shared<LineQueue>(STDOUT_FILENO);
+    outputs().form = form;
   }
-  spdlog::set_default_logger(std::make_shared<spdlog::logger>("", std::make_shared<QueueSink>()));
+  const auto sink = std::make_shared<QueueSink>();
+  if (form == LogForm::json) sink->set_formatter(std::make_unique<JsonFormatter>());
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("", sink));
 }
 
 Logging::~Logging() {
@@ -198,9 +231,17 @@ Logging::~Logging() {
   const std::lock_guard lock(outputs().mutex);
   std::swap(messages, outputs().messages);
   std::swap(announcements, outputs().announcements);
+  outputs().form = LogForm::text;
 }
 
-void say(std::string_view sentence) { put(&Outputs::messages, STDERR_FILENO, fmt::format("dripfeed: {}\n", sentence)); }
+void say(std::string_view sentence) {
+  LogForm form = LogForm::text;
+  {
+    const std::lock_guard lock(outputs().mutex);
+    form = outputs().form;
+  }
+  put(&Outputs::messages, STDERR_FILENO, line_of(form, sentence));
+}
 
 void announce(std::string_view line) { put(&Outputs::announcements, STDOUT_FILENO, fmt::format("{}\n", line)); }
 

@@ -14,13 +14,18 @@
 
 namespace dripfeed::cli {
 
+enum class LogForm : std::uint8_t {
+  text,
+  json,  // an object a line: time, level, text
+};
+
 // Lines to a descriptor. push() may be called from any thread; it waits for no other.
 class LineQueue {
  public:
   static constexpr std::size_t kMostLines = 4096;
   static constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
-  explicit LineQueue(int descriptor);
+  explicit LineQueue(int descriptor, LogForm form = LogForm::text);
   // Waits until what is in the queue is written, but not longer than kPatience; then the thread is abandoned.
   ~LineQueue();
   LineQueue(const LineQueue&) = delete;
@@ -41,14 +46,14 @@ class LineQueue {
 // time, in the thread that runs the command.
 class Logging {
  public:
-  Logging();
+  explicit Logging(LogForm form = LogForm::text);
   ~Logging();
   Logging(const Logging&) = delete;
   Logging& operator=(const Logging&) = delete;
 };
 
-// "dripfeed: SENTENCE" on standard error. Without a Logging it is written at once. An output that is gone is no fault,
-// and neither is a sentence for which there is no memory.
+// "dripfeed: SENTENCE" on standard error, or a line of the log where that is JSON. Without a Logging it is written at
+// once. An output that is gone is no fault, and neither is a sentence for which there is no memory.
 void say(std::string_view sentence);
 // A line on standard output; the same.
 void announce(std::string_view line);

@@ -42,6 +42,7 @@ constexpr Row<std::string> kTexts[] = {
      "folder of the backups that admins make on the page, best on another disk; DATA/backups by default"},
     {"--listen", &ServerOptions::listen, "ADDRESS:PORT, loopback by default"},
     {"--web", &ServerOptions::web, "folder of the built page"},
+    {"--log", &ServerOptions::log, "form of the log: text, or json: a JSON object a line with time, level and text"},
     {"--modbus-listen", &ServerOptions::modbus_listen,
      "ADDRESS:PORT: PLCs may read there what the machines do, by Modbus TCP"},
     {"--tls-cert", &ServerOptions::tls_cert, "certificate with its chain, PEM: HTTPS; read again when it changes"},
@@ -252,6 +253,11 @@ app::Result<void> check_mqtt(const ServerOptions& options) {
   return check_sparkplug(options);
 }
 
+app::Result<void> check_log(const ServerOptions& options) {
+  if (options.log == "text" || options.log == "json") return {};
+  return app::fail(app::ErrorCode::invalid, "--log: use text or json");
+}
+
 // Whether the URL is one that is allowed is looked at with the sender.
 app::Result<void> check_hook(const ServerOptions& options) {
   if (options.arming_hook_unanswered != "refuse" && options.arming_hook_unanswered != "warn")
@@ -331,6 +337,7 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
   if (const auto tls = check_tls(options, *address); !tls) return std::unexpected(tls.error());
   if (const auto node = check_node(options); !node) return std::unexpected(node.error());
   if (const auto mqtt = check_mqtt(options); !mqtt) return std::unexpected(mqtt.error());
+  if (const auto log = check_log(options); !log) return std::unexpected(log.error());
   if (const auto hook = check_hook(options); !hook) return std::unexpected(hook.error());
   if (const auto oidc = check_oidc(options); !oidc) return std::unexpected(oidc.error());
   if (const auto proxies = check_addresses("--proxy", options.proxy); !proxies) return std::unexpected(proxies.error());

@@ -1,6 +1,7 @@
 // Member order is the order of reading; times are milliseconds since 1970, 0 is shown as null.
 #include "server/json/records.h"
 
+#include "server/app/base/wall_time.h"
 #include "server/json/diagnostics.h"
 #include "server/json/history.h"
 #include "server/json/object_reader.h"
@@ -189,6 +190,10 @@ std::string work(const app::Work& work) {
                {"waiting_since_ms", work.waiting_since_ms},
                {"running_since_ms", runs ? Document(work.running_since_ms) : Document(nullptr)},
                {"budget_s", work.budget_s == 0 ? Document(nullptr) : Document(work.budget_s)}});
+}
+
+std::string log_line(std::int64_t at_ms, std::string_view level, std::string_view text) {
+  return dump({{"time", app::rfc3339(at_ms)}, {"level", level}, {"text", text}});
 }
 
 std::string node(const store::Node& node, std::span<const store::Lease> leases, bool is_this) {

@@ -66,6 +66,8 @@ std::string search_result(std::span<const SearchHit> hits, std::string_view next
 std::string program_uses(const app::ProgramUses& uses);
 std::string attachment(const store::Attachment& attachment);
 std::string work(const app::Work& work);
+// A line of the log, without its end.
+std::string log_line(std::int64_t at_ms, std::string_view level, std::string_view text);
 // A server of the store with the machines whose lines it has; `is_this`: the one that answers.
 std::string node(const store::Node& node, std::span<const store::Lease> leases, bool is_this);
 std::string store_room(const app::StoreRoom& room);

@@ -73,6 +73,7 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("backups", into.backups);
   o.text("listen", into.listen);
   o.text("web", into.web);
+  o.text("log", into.log);
   o.flag("insecure", into.insecure);
   o.text("tls_cert", into.tls_cert);
   o.text("tls_key", into.tls_key);

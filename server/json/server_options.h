@@ -18,6 +18,7 @@ struct ServerOptions {
   std::string backups{};  // "": DATA/backups
   std::string listen = "127.0.0.1:8840";
   std::string web{};
+  std::string log = "text";  // or "json"
   bool insecure = false;
   std::string tls_cert{};  // both or neither
   std::string tls_key{};

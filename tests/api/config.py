@@ -2,12 +2,13 @@
 starts nothing."""
 
 import json
+import re
 import subprocess
 import sys
 
 from jsonschema import Draft202012Validator
 
-from client import Client, binary, expect, in_folder
+from client import Client, HandControl, binary, expect, hand_profile, in_folder
 
 
 def serve(*arguments, code):
@@ -51,6 +52,7 @@ def what_it_says(folder):
                         ({"oidc": "https://login.shop", "oidc_client_id": "dnc", "oidc_page": "http://dnc.shop"}, "--oidc-page must be https"), ({"oidc_group": ["dnc=boss"]}, "use GROUP=ROLE"),
                         ({"oidc_group": ["=admin"]}, "use GROUP=ROLE"), ({"oidc_group": ["dnc=admin@"]}, "use GROUP=ROLE")]:
         expect(words in check(folder, part, code=2), f"{part}: {words}")
+    expect("text or json" in check(folder, {"log": "xml"}, code=2), "no form of a log")
     serve("--config", folder / "none.json", "--check", code=2)
 
 
@@ -58,7 +60,7 @@ def the_schema(folder):
     schema = json.loads(serve("--config-schema", code=0))
     Draft202012Validator.check_schema(schema)
     validator = Draft202012Validator(schema)
-    whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "node": "hall-1", "backups": "/mnt/backups", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
+    whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "node": "hall-1", "backups": "/mnt/backups", "listen": ":80", "web": "", "log": "json", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
              "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
              "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "sparkplug_group": "hall", "sparkplug_node": "dnc 1", "shift": ["05:30", "17:30"], "stop_reason": ["tool broken", "no material"],
              "arming_hook": "https://erp.shop/may-i", "arming_hook_secret_file": "/etc/dripfeed/hook", "arming_hook_unanswered": "warn", "arming_hook_local": True,
@@ -88,6 +90,21 @@ def a_server_of_it(folder):
     client.server.stop()
 
 
+def a_log_of_objects(folder):
+    """Each line of the log is one object, also where what it names has quotes and line ends; the address is no part of the log."""
+    client = Client(folder, "--log", "json").start()
+    control = HandControl()
+    client.post("/machines", hand_profile(control, 'lathe "1"') | {"title": "two\nlines"})
+    client.wait_line("lathe%20%221%22", "idle")
+    client.server.stop()
+    control.close()
+    lines = [line for line in (client.server.data / "server.log").read_text().splitlines() if not line.startswith("dripfeed is at ")]
+    rows = [json.loads(line) for line in lines]
+    expect(len(rows) >= 2 and all(set(row) == {"time", "level", "text"} for row in rows), f"{rows}")
+    for row in rows:
+        expect(re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z", row["time"]) and row["level"] in ("debug", "info", "warning", "error", "critical") and row["text"], f"{row}")
+
+
 if __name__ == "__main__":
-    for test in (what_it_says, the_schema, a_server_of_it):
+    for test in (what_it_says, the_schema, a_server_of_it, a_log_of_objects):
         in_folder(test)
