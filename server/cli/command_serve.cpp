@@ -36,6 +36,7 @@
 #include "server/io/http_sender.h"
 #include "server/io/io.h"
 #include "server/io/line_claim.h"
+#include "server/io/line_pulse.h"
 #include "server/io/modbus_listener.h"
 #include "server/io/store_maintenance.h"
 #include "server/io/thread_priority.h"
@@ -245,7 +246,9 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
   store::Store& store = books.store;
   const io::SteadyClock clock;
   const json::JsonDocuments documents;
+  const io::ServiceNotices notices;
   const auto links = io::start_link_thread();
+  const io::LinePulse pulse(*links, notices);
   links->run([] { spdlog::info("the lines are served {}", io::how_scheduled()); });
   app::DiskReserve disk_reserve(fs::path(options.data) / "disk-reserve");
   io::WorkerDesk desk(desk_settings(options));
@@ -333,11 +336,14 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 (*server)->port()));
   announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", scheme, plan.address.host, (*server)->port(),
                        (fs::path(options.data) / "first-token").string()));
+  notices.notify("READY=1");
   {
     const Live live{.server = **server, .plcs = plcs.get(), .desk = desk, .workers = workers};
     const Reload::Running running(reload, [&](const ServerOptions& now) { return take_over(live, now); });
-    while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    for (io::PulseWatch watch(pulse); !stop.stop_requested(); watch.look(clock.now()))
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
+  notices.notify("STOPPING=1");
   spdlog::info("stopping: running feeds end at their block");
   (*server)->close();
   // The lines first: a request that is still at work must not keep a feed from ending at its block.

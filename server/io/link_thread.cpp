@@ -89,13 +89,28 @@ class AsioLinkThread final : public app::LinkThread {
         continue;
       set_timer(run_due());
     } catch (const std::exception& error) {
-      if (const feed::Time now = clock_.now(); now >= complain_at_) {
-        complain_at_ = now + kComplainEvery;
-        spdlog::critical("the thread of the lines: {}", error.what());
-      }
+      complain(error);
       set_timer(clock_.now() + kAfterException);  // the tickers that were not reached
     }
     return true;
+  }
+
+  void complain(const std::exception& error) {
+    const feed::Time now = clock_.now();
+    if (now < complain_at_) return;
+    complain_at_ = now + kComplainEvery;
+    spdlog::critical("the thread of the lines: {}", error.what());
+  }
+
+  // False: it threw. A fence of its own: who throws at each call must not keep those after it in the list from theirs.
+  bool tick(app::Ticker& ticker, feed::Time now) {
+    try {
+      ticker.tick(now);
+      return true;
+    } catch (const std::exception& error) {
+      complain(error);
+      return false;
+    }
   }
 
   // Ticks who is due; when the next one will be.
@@ -106,12 +121,12 @@ class AsioLinkThread final : public app::LinkThread {
       app::Ticker* const ticker = tickers_[i];
       auto deadline = ticker->deadline();
       if (deadline && *deadline <= now) {
-        ticker->tick(now);
+        const bool is_well = tick(*ticker, now);
         if (i >= tickers_.size() || tickers_[i] != ticker) {
           earliest = now;  // it left, and another stands in its place: look again
           continue;
         }
-        deadline = ticker->deadline();
+        deadline = is_well ? ticker->deadline() : now + kAfterException;
       }
       if (deadline && (!earliest || *deadline < *earliest)) earliest = deadline;
     }

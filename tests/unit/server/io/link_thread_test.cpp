@@ -47,6 +47,40 @@ TEST(LinkThread, WhatOneLineThrowsStopsNoOther) {
   });
 }
 
+// Due for ever, and without memory for ever.
+class Lost final : public app::Ticker {
+ public:
+  void tick(feed::Time) override {
+    ++count;
+    throw std::runtime_error("no memory for this line");
+  }
+  [[nodiscard]] std::optional<feed::Time> deadline() const override { return feed::Time{}; }
+  int count = 0;
+};
+
+TEST(LinkThread, WhoThrowsAtEachCallKeepsNoOtherFromItsOwn) {
+  const auto thread = start_link_thread();
+  Lost lost;
+  Beat good(false);
+  thread->run([&] {
+    thread->add(lost);
+    thread->add(good);
+  });
+  int beats = 0;
+  for (int i = 0; i < 30'000 && beats < 20; ++i) {
+    thread->run([&] { beats = good.count; });
+    std::this_thread::sleep_for(1ms);
+  }
+  thread->run([&] {
+    EXPECT_GE(good.count, 20);
+    EXPECT_GT(lost.count, 3);
+    // It is called again after a pause, not as fast as the computer can.
+    EXPECT_LT(lost.count, 100 * good.count);
+    thread->remove(lost);
+    thread->remove(good);
+  });
+}
+
 TEST(LinkThread, WhatIsRunThrowsAtItsCaller) {
   const auto thread = start_link_thread();
   EXPECT_THROW(thread->run([] { throw std::runtime_error("mine"); }), std::runtime_error);
