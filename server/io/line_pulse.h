@@ -12,8 +12,8 @@ namespace dripfeed::io {
 
 class LinePulse final : public app::Ticker {
  public:
-  // Adds itself to the thread; the destructor takes it away. The service manager gets notices three times as often as it
-  // asks for them, and none if it does not.
+  // Adds itself to the thread; the destructor takes it away. The service manager gets notices three times as often as
+  // it asks for them, and none if it does not.
   LinePulse(app::LinkThread& lines, const ServiceNotices& notices);
   ~LinePulse() override;
 
