@@ -50,10 +50,10 @@ constexpr std::array<std::array<BellCell, kBellInputs>, kBellStates> kTable{{
       {A::none, S::quiet}}},
 }};
 
-constexpr std::array<std::string_view, 5> kRequestNames{"nothing", "load", "drip", "cancel", "call"};
+constexpr std::array<std::string_view, 7> kRequestNames{"nothing", "load", "drip", "cancel", "call", "parts", "scrap"};
 constexpr std::array<std::string_view, 5> kOutcomeNames{"none", "answered", "armed", "queued", "refused"};
-constexpr std::array<std::string_view, 8> kReasonNames{"none",        "not found", "for DNC only", "protected",
-                                                       "not allowed", "busy",      "missed",       "unknown request"};
+constexpr std::array<std::string_view, 9> kReasonNames{
+    "none", "not found", "for DNC only", "protected", "not allowed", "busy", "missed", "unknown request", "no order"};
 
 constexpr std::size_t kAnswerCrc = 5;
 

@@ -21,6 +21,8 @@ enum class BellRequest : std::uint16_t {
   drip = 2,    // program number: to be fed
   cancel = 3,  // what an earlier ring asked for
   call = 4,    // a person is wanted
+  parts = 5,   // in the program number's place: good parts that were made since the last such ring
+  scrap = 6,   // the same of the others
 };
 
 enum class BellOutcome : std::uint16_t { none = 0, answered = 1, armed = 2, queued = 3, refused = 4 };
@@ -33,6 +35,7 @@ enum class BellReason : std::uint16_t {
   busy = 5,          // the job cannot be added or armed now
   missed = 6,        // it was not seen to come: ring again
   unknown = 7,       // no such request
+  no_order = 8,      // what went to the machine last belongs to no order that takes parts
 };
 std::string_view name(BellRequest request);
 std::string_view name(BellOutcome outcome);

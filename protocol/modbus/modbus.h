@@ -34,14 +34,15 @@
 //   4-5    line of the text that is executed, from 1; 0 not known
 //   6-7    the control's alarm number, 0 none
 //   8      doorbell: counts the rings, 1..65535, 65535 is followed by 1; 0 none since the start
-//   9      what is asked for: 1 load, 2 drip, 3 cancel, 4 call a person
-//   10-11  program number asked for
+//   9      what is asked for: 1 load, 2 drip, 3 cancel, 4 call a person, 5 good parts, 6 scrap to count
+//   10-11  program number asked for; of 5 and 6 how many parts
 //   12-13  CRC-32 over registers 0-11
 // Answer A, written by the host after a ring, past the mailbox.
 //   0      the doorbell's count that is answered
 //   1      1 answered, 2 armed, 3 queued (a person arms it), 4 refused
 //   2      why it is refused: 1 not found, 2 released for drip only, 3 protected number, 4 not allowed by the
-//          profile, 5 busy, 6 missed (it was not seen to come: ring again), 7 unknown request
+//          profile, 5 busy, 6 missed (it was not seen to come: ring again), 7 unknown request,
+//          8 no order that takes parts
 //   3-4    job number, 0 none
 //   5-6    CRC-32 over registers 0-4
 // Rules. The receiver takes a message only if magic, session, commit word and CRC fit; it appends seq = last + 1 and

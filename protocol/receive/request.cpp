@@ -1,6 +1,7 @@
 // The verbs are a table. Spaces are dropped before anything is compared, as operators type them where they like.
 #include "protocol/receive/request.h"
 
+#include <algorithm>
 #include <array>
 
 #include "protocol/receive/program_name.h"
@@ -13,10 +14,11 @@ constexpr std::size_t kLongestArgument = 32;
 struct VerbRow {
   std::string_view word;
   Verb verb;
-  bool takes;  // an argument
-  bool needs;  // one
+  bool takes;           // an argument
+  bool needs;           // one
+  bool counts = false;  // and it is a number: with other words it is any program's comment, "PARTS FOR VALVES"
 };
-constexpr std::array<VerbRow, 10> kVerbs{{
+constexpr std::array<VerbRow, 12> kVerbs{{
     {"LOAD", Verb::load, true, true},
     {"PRG=", Verb::load, true, true},
     {"GET", Verb::load, true, true},
@@ -27,8 +29,11 @@ constexpr std::array<VerbRow, 10> kVerbs{{
     {"CANCEL", Verb::cancel, false, false},
     {"STATUS", Verb::status, false, false},
     {"RESTART", Verb::restart, true, true},
+    {"PARTS", Verb::parts, true, true, true},
+    {"SCRAP", Verb::scrap, true, true, true},
 }};
-constexpr std::array<std::string_view, 7> kVerbNames{"load", "drip", "dir", "save", "cancel", "status", "restart"};
+constexpr std::array<std::string_view, 9> kVerbNames{"load",   "drip",    "dir",   "save", "cancel",
+                                                     "status", "restart", "parts", "scrap"};
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
@@ -38,6 +43,10 @@ std::string without_spaces(std::string_view text) {
     if (c != ' ' && c != '\t') out += upper(c);
   }
   return out;
+}
+
+bool is_number(std::string_view argument) {
+  return !argument.empty() && std::ranges::all_of(argument, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 bool legal(std::string_view argument, Verb verb) {
@@ -92,6 +101,7 @@ std::optional<Request> find_request(std::string_view text, const RequestGrammar&
     std::string_view argument = std::string_view(words).substr(row.word.size());
     while (argument.starts_with('=') || argument.starts_with(':')) argument.remove_prefix(1);
     if (!row.takes && !argument.empty()) continue;
+    if (row.counts && !is_number(argument)) continue;
     return Request{.verb = row.verb,
                    .argument = std::string(argument),
                    .legal = legal(argument, row.verb) && (!row.needs || !argument.empty()),

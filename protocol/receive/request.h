@@ -18,6 +18,8 @@ enum class Verb : std::uint8_t {
   cancel,   // (CANCEL)
   status,   // (STATUS)
   restart,  // (RESTART name N500): known and refused
+  parts,    // (PARTS 5): good parts that were made since the last such message
+  scrap,    // (SCRAP 1): the others
 };
 std::string_view name(Verb verb);
 

@@ -11,7 +11,8 @@ import shop
 
 ANSWER, WORDS, PANEL, BELL = 121, 147, 192, 195
 ARMED, QUEUED, ANSWERED, REFUSED = 2, 3, 1, 4
-LOAD, DRIP, CALL = 1, 2, 4
+LOAD, DRIP, CALL, PARTS, SCRAP = 1, 2, 4, 5, 6
+NOT_ALLOWED, NO_ORDER = 4, 8
 
 
 def poke(port, first, *values):
@@ -74,6 +75,30 @@ def words_and_doorbell(folder):
     rig.server.stop()
     plc.stop()
     expect(record.read_text() == rig.text, "the PLC's text is not the program")
+
+
+def parts_by_doorbell(folder):
+    port = shop.free_port()
+    rig = Rig(folder, f"modbus-tcp://127.0.0.1:{port}/1?poll_ms=100", blocks=20)
+    plc = shop.Control(binary(), rig.url, rig.machine, "--speed", "100000", "--repeat").start()
+    shop.wait_for("the PLC", lambda: shop.listens(port))
+    rig.start()
+    order = rig.server.post("/orders", {"number": "4711", "part": "HUB-12", "quantity": 10})["id"]
+    plc_of(rig, "idle")
+    expect(ring(port, 1, PARTS, 7) == (REFUSED, NO_ORDER, 0), "parts of nothing are counted")
+    job = rig.server.post("/jobs", {"release": rig.release["id"], "order": order})["id"]
+    rig.server.wait_line("lathe", "idle")
+    rig.server.post(f"/jobs/{job}/arm", {})
+    rig.server.wait_job(job, "done")
+    expect(ring(port, 2, PARTS, 7) == (ANSWERED, 0, job), f"{requests(rig)}")
+    expect(ring(port, 3, SCRAP, 1) == (ANSWERED, 0, job), f"{requests(rig)}")
+    expect(ring(port, 4, PARTS, 0)[:2] == (REFUSED, NOT_ALLOWED) and ring(port, 5, PARTS, 1 << 20)[:2] == (REFUSED, NOT_ALLOWED), f"{requests(rig)}")
+    now = rig.server.get(f"/orders/{order}")
+    expect((now["good"], now["scrap"]) == (7, 1), f"{now}")
+    rig.server.post(f"/orders/{order}/move", {"to": "cancelled", "reason": "not wanted any more"})
+    expect(ring(port, 6, PARTS, 1)[:2] == (REFUSED, NO_ORDER), "a cancelled order takes parts")
+    rig.server.stop()
+    plc.stop()
 
 
 def machine_that_stands(rig, port, job):
@@ -207,6 +232,7 @@ def four_units_on_a_line(folder):
 
 if __name__ == "__main__":
     in_folder(words_and_doorbell)
+    in_folder(parts_by_doorbell)
     in_folder(send_names_the_alarm)
     in_folder(rtu_with_faults)
     in_folder(rtu_through_a_pair)

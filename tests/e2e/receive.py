@@ -71,6 +71,45 @@ def load(rig):
     expect(not report["alarm"] and loaded == plain_program(20), f"{report} {loaded!r}")
 
 
+def parts_are_counted(folder):
+    """What a control counts goes to the order of the program that it got last, and nowhere else."""
+    rig = Rig(folder, f"tcp://127.0.0.1:{shop.free_port()}", blocks=20, baud=19200)
+    rig.profile["receive"] = {"quiet_s": 1.0}
+    rig.start()
+    order = rig.server.post("/orders", {"number": "4711", "part": "HUB-12", "quantity": 10, "machine": "lathe"})["id"]
+    asked = []
+
+    def count(words, outcome, detail):
+        punch(rig, f"%\nO9999({words})\n%\n")
+        asked.append(words)
+        rows = shop.wait_for(f"{words} in the requests", lambda: (lambda rows: rows if len(rows) == len(asked) else None)(rig.server.get("/requests")["items"]))
+        expect(rows[0]["outcome"] == outcome and detail in rows[0]["detail"], f"{words}: {rows[0]}")
+
+    def feed(**of):
+        control = rig.control()
+        job = rig.server.post("/jobs", {"release": rig.release["id"]} | of)["id"]
+        rig.server.wait_line("lathe", "idle")
+        rig.server.post(f"/jobs/{job}/arm", {})
+        rig.server.wait_job(job, "done")
+        control.stop()
+
+    count("PARTS 5", "refused", "nothing went to the machine yet")
+    feed(order=order)
+    count("PARTS 3", "answered", "order 4711: 3 good of 10, 0 scrap")
+    count("SCRAP: 1", "answered", "order 4711: 3 good of 10, 1 scrap")
+    count("PARTS 0", "refused", "use 1 to 100000")
+    now = rig.server.get(f"/orders/{order}")
+    expect((now["good"], now["scrap"], now["open"], now["transfers"]) == (3, 1, 7, 1), f"{now}")
+    feed()
+    count("PARTS 2", "refused", "is of no order")
+    rig.server.post(f"/orders/{order}/move", {"to": "cancelled", "reason": "not wanted any more"})
+    now = rig.server.get(f"/orders/{order}")
+    expect((now["good"], now["scrap"]) == (3, 1), f"{now}")
+    refused = [alarm["text"] for alarm in rig.server.get("/alarms")["items"] if alarm["kind"] == "request_failed"]
+    expect(any("2 parts: not counted" in text for text in refused), f"{refused}")
+    rig.server.stop()
+
+
 def one_transfer_without_a_server(folder):
     url = f"127.0.0.1:{shop.free_port()}"
     for text, code, name in [("%\nO5\nM30\n%\n", 0, "out.nc"), ("%\nO5\nM30\n", 1, "torn.nc")]:
@@ -158,5 +197,6 @@ if __name__ == "__main__":
     in_folder(a_load_is_read_back_without_a_server)
     in_folder(a_person_types)
     in_folder(a_server_receives)
+    in_folder(parts_are_counted)
     in_folder(eia_reaches_a_server)
     sys.exit(0)

@@ -35,6 +35,9 @@ struct StoredLikeness {
   std::string difference;  // a sentence where they differ
 };
 
+// Who asks there, for the records.
+inline std::string operator_at(const std::string& machine) { return "operator at " + machine; }
+
 class Receiving {
  public:
   struct Parts {
@@ -116,6 +119,7 @@ class Receiving {
   Outcome list(const std::string& machine, std::string_view mask);
   Outcome answer_status(const std::string& machine);
   Outcome cancel(const std::string& machine);
+  Outcome count_parts(const std::string& machine, const receive::Request& request);
   bool cancel_waiting(const std::string& machine);
   std::vector<Found> released(const std::string& machine);
   std::optional<Found> find_released(const std::string& machine, std::string_view name, store::Delivery delivery);

@@ -30,8 +30,6 @@ class OwnedText final : public tape_code::TextSource {
   tape_code::SpanSource source_;
 };
 
-std::string actor_of(const std::string& machine) { return "operator at " + machine; }
-
 bool usable(store::ReleaseState state) {
   return state == store::ReleaseState::proving || state == store::ReleaseState::approved;
 }
@@ -52,7 +50,7 @@ void Receiving::handle(const std::string& machine, const machine::Profile& profi
                                                     .outcome = outcome.outcome,
                                                     .detail = outcome.detail,
                                                     .job = outcome.job},
-                                                   stamp(actor_of(machine)));
+                                                   stamp(operator_at(machine)));
   if (!noted)
     return alarm(machine, AlarmKind::request_failed, "a request is not answered: " + store::message_of(noted.error()));
   record(machine, fmt::format("request ({}): {}, {}", request.as_written, outcome.outcome, outcome.detail));
@@ -86,6 +84,8 @@ Receiving::Outcome Receiving::decide(const std::string& machine, const machine::
     case receive::Verb::save: return {.outcome = "stored", .detail = "as a receipt", .job = 0, .answer = {}};
     case receive::Verb::cancel: return cancel(machine);
     case receive::Verb::status: return answer_status(machine);
+    case receive::Verb::parts:
+    case receive::Verb::scrap: return count_parts(machine, request);
     case receive::Verb::restart:
       return {.outcome = "refused",
               .detail = "a restart inside a program is armed by a person",
@@ -106,7 +106,7 @@ void Receiving::handle_ring(const std::string& machine, const machine::Profile& 
       OutcomeRow{"answered", modbus::BellOutcome::answered}, OutcomeRow{"armed", modbus::BellOutcome::armed},
       OutcomeRow{"queued", modbus::BellOutcome::queued}, OutcomeRow{"refused", modbus::BellOutcome::refused}};
   const Outcome outcome = decide_ring(machine, profile, ring);
-  const bool known = ring.request <= static_cast<std::uint16_t>(modbus::BellRequest::call);
+  const bool known = ring.request <= static_cast<std::uint16_t>(modbus::BellRequest::scrap);
   const std::string verb = known ? std::string(modbus::name(static_cast<modbus::BellRequest>(ring.request)))
                                  : fmt::format("request {}", ring.request);
   const std::string asked = fmt::format("doorbell {}: {} {}", ring.bell, verb, ring.program);
@@ -117,7 +117,7 @@ void Receiving::handle_ring(const std::string& machine, const machine::Profile& 
                                                     .outcome = outcome.outcome,
                                                     .detail = outcome.detail,
                                                     .job = outcome.job},
-                                                   stamp(actor_of(machine)));
+                                                   stamp(operator_at(machine)));
   if (!noted) alarm(machine, AlarmKind::request_failed, "a ring is not recorded: " + store::message_of(noted.error()));
   const bool calls = ring.request == static_cast<std::uint16_t>(modbus::BellRequest::call);
   if (calls) alarm(machine, AlarmKind::person_called, outcome.detail);
@@ -137,7 +137,9 @@ Receiving::Outcome Receiving::decide_ring(const std::string& machine, const mach
   };
   static constexpr std::array kVerbs = {VerbRow{modbus::BellRequest::load, receive::Verb::load},
                                         VerbRow{modbus::BellRequest::drip, receive::Verb::drip},
-                                        VerbRow{modbus::BellRequest::cancel, receive::Verb::cancel}};
+                                        VerbRow{modbus::BellRequest::cancel, receive::Verb::cancel},
+                                        VerbRow{modbus::BellRequest::parts, receive::Verb::parts},
+                                        VerbRow{modbus::BellRequest::scrap, receive::Verb::scrap}};
   const auto refused = [](std::string detail, modbus::BellReason reason) {
     return Outcome{.outcome = "refused", .detail = std::move(detail), .job = 0, .answer = {}, .reason = reason};
   };
@@ -147,8 +149,8 @@ Receiving::Outcome Receiving::decide_ring(const std::string& machine, const mach
     if (ring.request != static_cast<std::uint16_t>(row.request)) continue;
     if (!profile.line.receive.requests)
       return refused("the machine's profile allows no requests", modbus::BellReason::not_allowed);
-    const std::string program = std::to_string(ring.program);
-    return decide(machine, profile, {.verb = row.verb, .argument = program, .legal = true, .as_written = "doorbell"});
+    const std::string number = std::to_string(ring.program);
+    return decide(machine, profile, {.verb = row.verb, .argument = number, .legal = true, .as_written = "doorbell"});
   }
   return refused("there is no such request", modbus::BellReason::unknown);
 }
@@ -223,7 +225,7 @@ Receiving::Outcome Receiving::drip(const std::string& machine, const machine::Pr
 Receiving::Outcome Receiving::queue(const std::string& machine, const machine::Profile& profile, const Found& found,
                                     bool arm) {
   cancel_waiting(machine);
-  const auto job = jobs_.add(found.release.id, actor_of(machine));
+  const auto job = jobs_.add(found.release.id, operator_at(machine));
   if (!job)
     return {.outcome = "refused",
             .detail = job.error().text,
@@ -245,7 +247,7 @@ Receiving::Outcome Receiving::queue(const std::string& machine, const machine::P
             .job = job->id,
             .answer = {}};
   }
-  const auto armed = jobs_.arm(job->id, kAnswerExpires_min, actor_of(machine));
+  const auto armed = jobs_.arm(job->id, kAnswerExpires_min, operator_at(machine));
   if (armed) waiting.expires_at = clock_.now() + kAnswerExpires;
   if (armed)
     return {.outcome = "armed",
@@ -313,7 +315,7 @@ bool Receiving::cancel_waiting(const std::string& machine) {
   jobs_.wait_until_booked();  // the request itself disarmed what waited
   const auto job = store_.jobs().get(id);
   if (!job || (job->state != store::JobState::queued && job->state != store::JobState::armed)) return any;
-  const auto cancelled = jobs_.cancel(id, actor_of(machine));
+  const auto cancelled = jobs_.cancel(id, operator_at(machine));
   if (!cancelled) spdlog::warn("{}: job {}: {}", machine, id, cancelled.error().text);
   return any || cancelled.has_value();
 }
@@ -323,7 +325,7 @@ void Receiving::expire_request(const std::string& machine) {
   Waiting& waiting = waiting_[machine];
   if (waiting.expires_at == feed::Time{} || clock_.now() < waiting.expires_at) return;
   const auto job = store_.jobs().get(waiting.job);
-  const bool by_a_person = job && job->armed_by != actor_of(machine);
+  const bool by_a_person = job && job->armed_by != operator_at(machine);
   if (job && !by_a_person && job->state == store::JobState::armed) return;  // the line says so in a moment
   waiting.expires_at = {};
   if (!job || by_a_person || job->state != store::JobState::queued) return;
@@ -341,7 +343,7 @@ void Receiving::send_due(const std::string& machine, Line& line) {
   Waiting& waiting = waiting_[machine];
   if (clock_.now() < waiting.due) return;
   if (const store::Id id = std::exchange(waiting.arm, 0); id != 0) {
-    const auto armed = jobs_.arm(id, kAnswerExpires_min, actor_of(machine));
+    const auto armed = jobs_.arm(id, kAnswerExpires_min, operator_at(machine));
     if (armed) waiting.expires_at = clock_.now() + kAnswerExpires;
     if (!armed) alarm(machine, AlarmKind::request_failed, fmt::format("job {}: {}", id, armed.error().text), id);
   }

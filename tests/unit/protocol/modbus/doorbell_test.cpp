@@ -268,8 +268,10 @@ TEST_F(DoorbellTest, TakesEveryCellOfTheTable) {
 
 TEST(DoorbellNames, AreAllThere) {
   EXPECT_EQ(name(BellRequest::call), "call");
+  EXPECT_EQ(name(BellRequest::scrap), "scrap");
   EXPECT_EQ(name(BellOutcome::refused), "refused");
   EXPECT_EQ(name(BellReason::unknown), "unknown request");
+  EXPECT_EQ(name(BellReason::no_order), "no order");
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ TEST(Request, HasAVerbInTheFirstComment) {
       {"%\nO9999(CANCEL)\n%\n", "cancel", ""},
       {"%\nO9999(STATUS)\n%\n", "status", ""},
       {"%\nO9999(RESTART 42 N500)\n%\n", "restart", "42N500"},
+      {"%\nO9999(PARTS 5)\n%\n", "parts", "5"},
+      {"%\nO9999(PARTS=    12)\n%\n", "parts", "12"},
+      {"%\nO9999(SCRAP 1)\n%\n", "scrap", "1"},
       {"%_N_9999_MPF\n;$PATH=/_N_MPF_DIR\n;LOAD SHAFT\nM30\n", "load", "SHAFT"},
   };
   for (const Case& one : cases) {
@@ -42,6 +45,9 @@ TEST(Request, AnythingElseIsAProgram) {
   EXPECT_FALSE(find_request("%\nO9999\nG0X1\nM30\n%\n", {})) << "no comment";
   EXPECT_FALSE(find_request("%\nO9999(MY PROGRAM)\nG0X1\nM30\n%\n", {})) << "no verb";
   EXPECT_FALSE(find_request("%\nO9999\nG0\nG0\nG0\nG0\n(LOAD 42)\n%\n", {})) << "after the lines that are looked at";
+  for (const char* comment : {"PARTS FOR VALVES", "PARTS", "PARTS 5 OF 9", "PARTS -5", "SCRAP 1.5"}) {
+    EXPECT_FALSE(find_request(std::string("%\n(") + comment + ")\nM30\n%\n", {.program_number = 0})) << comment;
+  }
   EXPECT_FALSE(find_request("%\n(LOAD 42)\n%\n", {})) << "no number at all";
   EXPECT_TRUE(find_request("%\n(LOAD 42)\n%\n", {.program_number = 0}));
   EXPECT_TRUE(find_request("%_N_DRIPFEED_MPF\n;DIR\n", {.marker = "DRIPFEED"}));
