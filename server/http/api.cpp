@@ -59,6 +59,7 @@ Response problem_of(const json::ProblemCode& code, const app::Error& error) {
   Response response = json_response(code.status, json::problem(code, error));
   response.content_type = "application/problem+json";
   if (code.retry_s != 0) retry_after(response, code.retry_s);
+  if (code.status == 401) response.headers.emplace_back("WWW-Authenticate", "Bearer");  // RFC 9110, 11.6.1
   return response;
 }
 
@@ -258,11 +259,7 @@ std::expected<Caller, Response> Api::admit(const Request& request, const Route& 
   auto caller = sessions_.caller(request, version);
   if (!caller && caller.error().code != store::ErrorCode::not_found)
     return std::unexpected(problem_response(app::from_store(caller.error())));
-  if (!caller) {
-    Response response = problem_response(401, "sign in, or send a token");
-    response.headers.emplace_back("WWW-Authenticate", "Bearer");
-    return std::unexpected(std::move(response));
-  }
+  if (!caller) return std::unexpected(problem_response(401, "sign in, or send a token"));
   if (reach(route, *caller) < route.right) return std::unexpected(too_low(route, *caller, caller->right));
   if (!allows(caller->scope, route)) {
     return std::unexpected(problem_response(

@@ -29,7 +29,8 @@ std::string describe_api(std::string_view version) {
                          .status = route.answer.status,
                          .answer = route.answer.schema,
                          .lists = route.answer.page,
-                         .types = other_types(route)});
+                         .types = other_types(route),
+                         .headers = words_in(route.answer.headers)});
   }
   return json::openapi(described, version);
 }

@@ -143,13 +143,10 @@ std::optional<Response> PageFiles::answer(const std::filesystem::path& path, con
   Response response;
   response.content_type = type_of(path);
   std::filesystem::path sent = path;
-  bool has_twin = false;
   std::string_view coding;
   for (const Coding& row : kCodings) {
     const std::filesystem::path twin = path.string() + std::string(row.ending);
-    if (!is_file(twin)) continue;
-    has_twin = true;
-    if (!coding.empty() || !takes_coding(request.accept_encoding, row.name)) continue;
+    if (!coding.empty() || !is_file(twin) || !takes_coding(request.accept_encoding, row.name)) continue;
     coding = row.name;
     sent = twin;
   }
@@ -159,7 +156,7 @@ std::optional<Response> PageFiles::answer(const std::filesystem::path& path, con
   response.headers.emplace_back("Content-Security-Policy", kPagePolicy);
   response.headers.emplace_back("Cache-Control", never_changes ? "public, max-age=31536000, immutable" : "no-cache");
   response.headers.emplace_back("ETag", tag);
-  if (has_twin) response.headers.emplace_back("Vary", "Accept-Encoding");
+  response.headers.emplace_back("Vary", "Accept-Encoding");
   if (names_tag(request.if_none_match, tag)) {
     response.status = 304;
     response.content_type.clear();

@@ -61,9 +61,15 @@ struct Gives {
   constexpr Gives(unsigned code, std::string_view of, bool is_page, std::string_view others)
       : status(code), schema(of), page(is_page), types(others) {}
   unsigned status;
-  std::string_view schema;  // "" no JSON
-  bool page;                // the schema's things on a page
-  std::string_view types;   // other content types, with blanks between
+  std::string_view schema;        // "" no JSON
+  bool page;                      // the schema's things on a page
+  std::string_view types;         // other content types, with blanks between
+  std::string_view headers = "";  // what it always has besides Location with 201, with blanks between
+  [[nodiscard]] constexpr Gives with(std::string_view names) const {
+    Gives more = *this;
+    more.headers = names;
+    return more;
+  }
 };
 constexpr Gives gives(std::string_view schema, std::string_view types = "") { return {200, schema, false, types}; }
 constexpr Gives lists(std::string_view schema) { return {200, schema, true, ""}; }

@@ -199,9 +199,8 @@ Document event_stream(std::string_view path) {
 
 Document answer_of(const OpenApiRoute& route) {
   Document answer = {{"description", route.summary}};
-  if (route.status == 201)
-    answer["headers"]["Location"] = {
-        {"description", "the path of what was made"}, {"required", true}, {"schema", {{"type", "string"}}}};
+  if (route.status == 201) answer["headers"]["Location"] = header_object("Location");
+  for (const std::string_view name : route.headers) answer["headers"][std::string(name)] = header_object(name);
   Document types = Document::object();
   if (!route.answer.empty())
     types = content(kJson, to_reference(route.lists ? page_name(route.answer) : std::string(route.answer)));

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "server/json/openapi_headers.h"
 #include "server/json/problem_codes.h"
 
 namespace dripfeed::json {
@@ -17,6 +18,8 @@ namespace {
 // No route's own: its path with another method, and a header before the route is known.
 constexpr std::array kOfNoRoute = {405U, 431U};
 
+constexpr unsigned kNotAuthenticated = 401;
+
 // A body that may name the revision that it changes.
 constexpr std::string_view kNamesRevision = "AcceptOrder";
 
@@ -24,12 +27,6 @@ std::string name_of(unsigned status) { return fmt::format("Problem{}", status); 
 
 Document problem_content() {
   return {{"application/problem+json", {{"schema", {{"$ref", "#/components/schemas/Problem"}}}}}};
-}
-
-Document retry_after() {
-  return {{"description", "seconds after which asking again may help"},
-          {"required", true},
-          {"schema", {{"type", "integer"}, {"minimum", 1}}}};
 }
 
 bool has_type(const OpenApiRoute& route, std::string_view type) {
@@ -58,6 +55,14 @@ std::set<unsigned> statuses_of(const OpenApiRoute& route) {
 
 }  // namespace
 
+Document header_object(std::string_view name) {
+  const ApiHeader& header = api_header(name);
+  Document schema = {{"type", header.is_seconds ? "integer" : "string"}};
+  if (header.is_seconds) schema["minimum"] = 1;
+  if (!header.pattern.empty()) schema["pattern"] = header.pattern;
+  return {{"description", header.about}, {"required", true}, {"schema", std::move(schema)}};
+}
+
 Document problem_responses() {
   Document all = Document::object();
   for (const ProblemCode& row : problem_codes()) {
@@ -65,7 +70,8 @@ Document problem_responses() {
     Document& response = all[name_of(row.status)];
     if (response.is_null()) {
       response["description"] = fmt::format("`{}`: {}", row.code, row.about);
-      if (row.retry_s != 0) response["headers"]["Retry-After"] = retry_after();
+      if (row.retry_s != 0) response["headers"]["Retry-After"] = header_object("Retry-After");
+      if (row.status == kNotAuthenticated) response["headers"]["WWW-Authenticate"] = header_object("WWW-Authenticate");
       response["content"] = problem_content();
     } else {
       auto& text = response["description"].get_ref<std::string&>();

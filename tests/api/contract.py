@@ -17,6 +17,8 @@ validated = {}  # (method, path of the route, status): how often; ("event", its 
 
 
 OF_NO_ROUTE = {405, 431}  # another method; a header that is too long for any route
+# Of the message and not of what it carries (RFC 9110 and 9112), and two that all have.
+OF_MESSAGES = {"cache-control", "connection", "content-encoding", "content-length", "content-type", "date", "keep-alive", "server", "transfer-encoding", "x-content-type-options"}
 
 
 class Drift(AssertionError):
@@ -66,6 +68,7 @@ def check(method, path, body, answer):
     if answer.status >= 400:
         if kind == "application/problem+json" and answer.body:
             require(faults("#/components/schemas/Problem", answer.document) or faults_of_code(answer), what)
+            require(faults_of_headers(document()["components"]["responses"].get(f"Problem{answer.status}", {}), answer), what)
         if route and str(answer.status) not in route[1]["responses"] and answer.status not in OF_NO_ROUTE:
             raise Drift(f"{what}: the route is described with {', '.join(route[1]['responses'])}")
         return
@@ -80,10 +83,29 @@ def check(method, path, body, answer):
     response = operation["responses"].get(str(answer.status))
     if response is None:
         raise Drift(f"{what}: openapi.json says {', '.join(operation['responses'])}")
-    require([f"no {name}" for name, header in response.get("headers", {}).items() if header["required"] and not answer.headers.get(name)], what)
+    require(faults_of_headers(response, answer) + undescribed_headers(response, answer), what)
     check_content(response.get("content", {}), kind, answer, what, is_head=method == "HEAD")
     check_taken(operation.get("requestBody"), body, what)
     count((method, pattern, answer.status))
+
+
+def faults_of_headers(response, answer):
+    """Those that are described are there, and as described."""
+    found = []
+    for name, header in response.get("headers", {}).items():
+        value = answer.headers.get(name)
+        if value is None:
+            found.append(f"no {name}")
+            continue
+        wanted = header["schema"]
+        typed = int(value) if wanted["type"] == "integer" and value.isdigit() else value
+        found += [f"{name}: {error.message[:200]}" for error in Draft202012Validator(wanted).iter_errors(typed)]
+    return found
+
+
+def undescribed_headers(response, answer):
+    described = OF_MESSAGES | {name.lower() for name in response.get("headers", {})}
+    return [f"{name}: {value[:80]} is not described" for name, value in answer.headers.items() if name.lower() not in described]
 
 
 def faults_of_code(answer):

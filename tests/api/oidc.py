@@ -46,7 +46,9 @@ class Shop:
         """The session's cookie."""
         answer = self.sign_in()
         expect(answer.status == 204, f"{answer}")
-        return {"Cookie": next(one for one in answer.headers.get_all("Set-Cookie") if one.startswith("dripfeed_session=")).split(";")[0]}
+        cookies = answer.headers.get_all("Set-Cookie")
+        expect([one for one in cookies if one.startswith("dripfeed_sign_in=;") and "Max-Age=0" in one], f"the sign-in's own cookie stays: {cookies}")
+        return {"Cookie": next(one for one in cookies if one.startswith("dripfeed_session=")).split(";")[0]}
 
     def refused(self, answer, code, *words, status=409):
         expect(answer.status == status and answer.document["code"] == code, f"{answer}, not {code}")
