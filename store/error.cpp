@@ -23,7 +23,7 @@ constexpr std::array kRows{
     Row{ErrorCode::refused_transition, "refused-transition", "this state cannot follow the present one"},
     Row{ErrorCode::no_verdict, "no-verdict", "the text was never checked for this machine and delivery"},
     Row{ErrorCode::verdict_not_passed, "verdict-not-passed", "the newest verdict of the text does not clear it"},
-    Row{ErrorCode::verdict_stale, "verdict-stale", "the machine or the family changed after the verdict"},
+    Row{ErrorCode::verdict_stale, "verdict-stale", "what it rests on changed after the verdict"},
     Row{ErrorCode::not_released, "not-released", "no release lets this text go to this machine"},
     Row{ErrorCode::transfers_used_up, "transfers-used-up", "the transfers of the proving are used up"},
     Row{ErrorCode::sign_off_missing, "sign-off-missing", "an approval needs a note of who signs it off"},

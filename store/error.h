@@ -18,7 +18,7 @@ enum class ErrorCode : std::uint8_t {
   refused_transition,  // the table of states has no such row
   no_verdict,          // the text was never checked for this machine and delivery
   verdict_not_passed,  // its newest verdict is fail, or unknown without a waiver
-  verdict_stale,       // a newer family or machine makes the verdict worthless
+  verdict_stale,       // something newer makes the verdict worthless (Verdict::stale)
   not_released,        // no release lets this text go to this machine
   transfers_used_up,   // a release in proving has had its transfers
   sign_off_missing,    // a release is approved by a person with a note

@@ -56,7 +56,10 @@ struct Verdict {
   Id id = 0;
   NewVerdict of;
   std::string text_sha256;  // of the program revision
-  bool stale = false;       // the machine or the family of the text has a newer revision than when it was made
+  std::string rules{};      // the revision of the code that judged; "" where that is not known
+  // The machine, the family of the text or a called program has a newer revision than when it was made, or it was
+  // judged by other rules than this program's (Verdicts::judge_by).
+  bool stale = false;
   std::string created_by;
   std::int64_t created_at_ms = 0;
   std::vector<Waiver> waivers;
@@ -75,6 +78,9 @@ struct VerdictFilter {
 
 class Verdicts : public Repository {
  public:
+  // The revision of the code that judges: from here on verdicts are made by it, and those by another are stale. Without
+  // this call none is stale for that. Before any other call.
+  virtual void judge_by(std::string rules) = 0;
   // A verdict for an older machine revision than the newest is stale from the start. Errors: broken_reference.
   virtual Result<Verdict> add(const NewVerdict& verdict, const Stamp& by) = 0;
   // Errors: not_found, invalid_value (no reason, no name, a point that it does not have, an end that is over),

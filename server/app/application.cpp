@@ -74,6 +74,7 @@ Application::Application(const Environment& environment)
       shifts_(environment.shifts),
       stop_reasons_(store_, clock_, environment.stop_reasons.empty() ? usual_stop_reasons() : environment.stop_reasons),
       links_(environment.links) {
+  store_.verdicts().judge_by(environment.rules);
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
   if (store::Nodes* const nodes = store_.nodes())
     nodes_.emplace(store_, *nodes, lines_, catalog_, events_, clock_, environment.version);

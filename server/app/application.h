@@ -68,6 +68,7 @@ class Application {
     Maintenance* maintenance = nullptr;  // of the store
     std::string event_source{};          // who we are for other systems, a URI
     std::string version{};               // of this program, for other nodes
+    std::string rules{};                 // the revision of the code that judges; empty: no verdict is stale for it
     LibraryLimits limits{};              // of what is stored
     Shifts shifts{};
     std::vector<std::string> stop_reasons{};  // of the shop; empty: the usual ones

@@ -27,6 +27,7 @@
 #include "server/cli/logging.h"
 #include "server/cli/open_store.h"
 #include "server/cli/output.h"
+#include "server/cli/rules_revision.h"
 #include "server/cli/serve_options.h"
 #include "server/cli/serve_reload.h"
 #include "server/cli/signals.h"
@@ -290,6 +291,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                                 .maintenance = &maintenance,
                                 .event_source = event_source(options),
                                 .version = std::string(kVersion),
+                                .rules = std::string(rules_revision()),
                                 .limits = limits_of(options),
                                 .shifts = plan.shifts,
                                 .stop_reasons = options.stop_reason,

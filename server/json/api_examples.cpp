@@ -26,7 +26,7 @@ constexpr std::array kExamples = {
     ApiExample{"CheckOrder", R"({"program": 77, "machine": "lathe-1", "delivery": "drip"})"},
     ApiExample{"VerdictSummary", R"({"id": 140, "program": 77, "revision": 1,
       "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357", "machine": "lathe-1",
-      "machine_revision": 4, "delivery": "drip", "verdict": "pass", "stale": false, "created_by": "the MES",
+      "machine_revision": 4, "delivery": "drip", "verdict": "pass", "rules": "2f0d3a91c4be7765", "stale": false, "created_by": "the MES",
       "created_at_ms": 1795500200000, "calls": [], "points": [], "waivers": []})"},
     ApiExample{"NewRelease", R"({"program": 77, "machine": "lathe-1", "delivery": "drip"})"},
     ApiExample{"ReleaseMove", R"({"to": "proving", "transfers": 3})"},

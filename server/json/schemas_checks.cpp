@@ -87,7 +87,9 @@ Members verdict_head() {
                  {"machine_revision", integer("of that machine's profile")},
                  {"delivery", one_of(store::kNames<store::Delivery>, "for which it was checked")},
                  {"verdict", verdict_word("pass needs everything that moves, shifts or writes to be understood")},
-                 {"stale", flag("the machine's profile has changed since")}} +
+                 {"rules", or_null(text("the revision of the code that judged; null: an older server did"))},
+                 {"stale", flag("the machine's profile, the family, a called program or the code that judges has "
+                                "changed since")}} +
          created();
 }
 

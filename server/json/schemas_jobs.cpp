@@ -118,7 +118,7 @@ Schema job_forecast() {
   return object("how long a job's program takes by its check; nothing here was seen at the machine",
                 {{"job", integer("its id")},
                  {"verdict", or_null(integer("that has the times; null: it was not checked"))},
-                 {"stale", flag("the machine or the family has changed since")},
+                 {"stale", flag("as of the verdict")},
                  {"cycle_s", or_null(number("of the whole program, in seconds; null: not known"))},
                  {"course", list_of(list_of(2, number(""), "a line and when it begins, in seconds since the start"),
                                     "some lines in their order; empty where nothing is known of them")},

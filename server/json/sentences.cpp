@@ -193,7 +193,7 @@ constexpr std::array kRows = {
     Row{"store_transition", "this state cannot follow the present one"},
     Row{"store_no_verdict", "the text was never checked for this machine and delivery"},
     Row{"store_not_passed", "the newest verdict of the text does not clear it"},
-    Row{"store_verdict_stale", "the machine or the family changed after the verdict"},
+    Row{"store_verdict_stale", "what it rests on changed after the verdict"},
     Row{"store_not_released", "no release lets this text go to this machine"},
     Row{"store_used_up", "the transfers of the proving are used up"},
     Row{"store_sign_off", "an approval needs a note of who signs it off"},

@@ -16,6 +16,7 @@ Document verdict_document(const store::Verdict& verdict) {
           {"machine_revision", verdict.of.machine_revision},
           {"delivery", store::name_of(verdict.of.delivery)},
           {"verdict", store::name_of(verdict.of.outcome)},
+          {"rules", text_or_null(verdict.rules)},
           {"stale", verdict.stale},
           {"created_by", verdict.created_by},
           {"created_at_ms", verdict.created_at_ms}};

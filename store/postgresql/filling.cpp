@@ -247,10 +247,10 @@ Result<void> refuse_a_shop(Connection& to) {
 
 }  // namespace
 
-Result<void> fill(const std::string& url, sql::Connection& from) {
+Result<void> fill(const std::string& url, sql::Connection& from, std::span<const sql::Migration> known) {
   const auto to = connect_alone(url);
   if (!to) return std::unexpected(to.error());
-  if (auto made = bring_up_to_date(**to, {}); !made) return made;
+  if (auto made = bring_up_to_date(**to, {}, known); !made) return made;
   if (auto empty = refuse_a_shop(**to); !empty) return empty;
   if (auto begun = (*to)->transact((*to)->words().begin_to_write); !begun) return begun;
   if (auto copied = copy_all(from, **to); !copied) return copied;  // the connection ends, and with it the transaction

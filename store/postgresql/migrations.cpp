@@ -15,6 +15,7 @@
 #include "store/postgresql/schema_v6.h"
 #include "store/postgresql/schema_v7.h"
 #include "store/postgresql/schema_v8.h"
+#include "store/postgresql/schema_v9.h"
 #include "store/sql/session.h"
 
 namespace dripfeed::postgresql {
@@ -111,7 +112,8 @@ std::span<const sql::Migration> migrations() {
                                       sql::Migration{5, "deleted programs", kSchemaV5},
                                       sql::Migration{6, "plans and ends of jobs", kSchemaV6},
                                       sql::Migration{7, "users of a provider", kSchemaV7},
-                                      sql::Migration{8, "neighbouring versions", kSchemaV8, 7}};
+                                      sql::Migration{8, "neighbouring versions", kSchemaV8, 7},
+                                      sql::Migration{9, "rules of verdicts", kSchemaV9, 7}};
   return kMigrations;
 }
 

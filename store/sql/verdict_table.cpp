@@ -22,30 +22,12 @@ using store::Stamp;
 using store::Verdict;
 
 constexpr std::string_view kColumns =
-    "id, program, revision, machine, machine_revision, delivery, outcome, report, sha256, stale, actor, at_ms";
+    "id, program, revision, machine, machine_revision, delivery, outcome, report, sha256, rules, stale, actor, at_ms";
 // An older machine than the newest was judged: nothing rests on that.
 constexpr std::string_view kInsert =
-    "INSERT INTO verdict (program, revision, sha256, machine, machine_revision, delivery, outcome, report, actor, "
-    "at_ms, "
-    "stale) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+    "INSERT INTO verdict (program, revision, sha256, machine, machine_revision, delivery, outcome, report, rules, "
+    "actor, at_ms, stale) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
     "CASE WHEN EXISTS (SELECT 1 FROM machine WHERE name = ? AND revision > ?) THEN 1 ELSE 0 END)";
-
-Verdict read_verdict(Query& query) {
-  Verdict verdict;
-  verdict.id = query.number();
-  verdict.of.program = query.number();
-  verdict.of.revision = query.number();
-  verdict.of.machine = query.text();
-  verdict.of.machine_revision = query.number();
-  verdict.of.delivery = query.value<store::Delivery>();
-  verdict.of.outcome = query.value<store::Outcome>();
-  verdict.of.report = query.text();
-  verdict.text_sha256 = query.text();
-  verdict.stale = query.flag();
-  verdict.created_by = query.text();
-  verdict.created_at_ms = query.signed_number();
-  return verdict;
-}
 
 void read_waivers(Session& session, Verdict& verdict) {
   Query query(session, "SELECT name, reason, at_ms, point, expires_at_ms FROM waiver WHERE verdict = ? ORDER BY n",
@@ -61,13 +43,18 @@ void read_waivers(Session& session, Verdict& verdict) {
   }
 }
 
+// A verdict rests on the texts that were called, too.
 void read_calls(Session& session, Verdict& verdict) {
-  Query query(session, "SELECT name, program, revision FROM verdict_call WHERE verdict = ? ORDER BY name", verdict.id);
+  Query query(session,
+              "SELECT c.name, c.program, c.revision, CASE WHEN p.revision > c.revision THEN 1 ELSE 0 END FROM "
+              "verdict_call c LEFT JOIN program p ON p.id = c.program WHERE c.verdict = ? ORDER BY c.name",
+              verdict.id);
   while (query.next()) {
     store::VerdictCall call;
     call.name = query.text();
     call.program = query.number();
     call.revision = query.number();
+    verdict.stale = query.flag() || verdict.stale;
     verdict.of.calls.push_back(std::move(call));
   }
 }
@@ -99,12 +86,30 @@ std::string select_where(std::string_view rest) {
 
 }  // namespace
 
+Verdict VerdictTable::read(Query& query) const {
+  Verdict verdict;
+  verdict.id = query.number();
+  verdict.of.program = query.number();
+  verdict.of.revision = query.number();
+  verdict.of.machine = query.text();
+  verdict.of.machine_revision = query.number();
+  verdict.of.delivery = query.value<store::Delivery>();
+  verdict.of.outcome = query.value<store::Outcome>();
+  verdict.of.report = query.text();
+  verdict.text_sha256 = query.text();
+  verdict.rules = query.text();
+  verdict.stale = query.flag() || (!rules_.empty() && verdict.rules != rules_);
+  verdict.created_by = query.text();
+  verdict.created_at_ms = query.signed_number();
+  return verdict;
+}
+
 Result<Verdict> VerdictTable::add(const NewVerdict& verdict, const Stamp& by) {
   return database_.write("verdict", [&](Session& session) -> Result<Verdict> {
     const auto sha256 = text_of_revision(session, verdict.program, verdict.revision);
     if (!sha256) return std::unexpected(sha256.error());
     session.run(kInsert, verdict.program, verdict.revision, *sha256, verdict.machine, verdict.machine_revision,
-                verdict.delivery, verdict.outcome, verdict.report, by.actor, by.at_ms, verdict.machine,
+                verdict.delivery, verdict.outcome, verdict.report, rules_, by.actor, by.at_ms, verdict.machine,
                 verdict.machine_revision);
     const Id id = session.last_id();
     for (const store::VerdictCall& call : verdict.calls)
@@ -113,14 +118,14 @@ Result<Verdict> VerdictTable::add(const NewVerdict& verdict, const Stamp& by) {
     std::uint64_t number = 0;
     for (const std::string& point : verdict.points)
       session.run("INSERT INTO verdict_point (verdict, n, text) VALUES (?, ?, ?)", id, ++number, point);
-    add_audit_row(
-        session,
-        {.action = "verdict.add",
-         .subject = subject_of(id),
-         .detail = fmt::format("{} for text {} on {} revision {} by {}, report sha256 {}",
-                               store::name_of(verdict.outcome), *sha256, verdict.machine, verdict.machine_revision,
-                               store::name_of(verdict.delivery), hash::sha256_hex(verdict.report))},
-        by);
+    add_audit_row(session,
+                  {.action = "verdict.add",
+                   .subject = subject_of(id),
+                   .detail = fmt::format("{} for text {} on {} revision {} by {}, report sha256 {}{}{}",
+                                         store::name_of(verdict.outcome), *sha256, verdict.machine,
+                                         verdict.machine_revision, store::name_of(verdict.delivery),
+                                         hash::sha256_hex(verdict.report), rules_.empty() ? "" : ", rules ", rules_)},
+                  by);
     if (!session.ok()) return std::unexpected(session.error());
     return get(id);
   });
@@ -156,9 +161,9 @@ Result<Verdict> VerdictTable::get(Id verdict) {
     static const std::string kSql = select_where("id = ?");
     Query query(session, kSql, verdict);
     if (!query.next()) return session.refuse(ErrorCode::not_found);
-    Verdict read = read_verdict(query);
-    read_what_belongs(session, read);
-    return read;
+    Verdict found = read(query);
+    read_what_belongs(session, found);
+    return found;
   });
 }
 
@@ -169,9 +174,9 @@ Result<std::optional<Verdict>> VerdictTable::newest(std::string_view text_sha256
         select_where("sha256 = ? AND machine = ? AND delivery = ? ORDER BY id DESC LIMIT 1");
     Query query(session, kSql, text_sha256, machine, delivery);
     if (!query.next()) return std::nullopt;
-    Verdict read = read_verdict(query);
-    read_what_belongs(session, read);
-    return read;
+    Verdict found = read(query);
+    read_what_belongs(session, found);
+    return found;
   });
 }
 
@@ -183,8 +188,9 @@ Result<store::Page<Verdict>> VerdictTable::list(const store::PageRequest& page, 
                                                      filter.program == 0 ? "? = 0" : "program = ?",
                                                      filter.machine.empty() ? "? = ''" : "machine = ?"));
     Query query(session, sql, filter.program, filter.machine, from->after, from->rows);
-    auto found =
-        collect(query, page, read_verdict, [](const Verdict& verdict) { return fmt::format("{}", verdict.id); });
+    auto found = collect(
+        query, page, [this](Query& row) { return read(row); },
+        [](const Verdict& verdict) { return fmt::format("{}", verdict.id); });
     for (Verdict& verdict : found.items) read_what_belongs(session, verdict);
     return found;
   });

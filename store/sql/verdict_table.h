@@ -2,6 +2,7 @@
 #pragma once
 
 #include "store/sql/database.h"
+#include "store/sql/session.h"
 #include "store/verdicts.h"
 
 namespace dripfeed::sql {
@@ -9,6 +10,7 @@ namespace dripfeed::sql {
 class VerdictTable final : public store::Verdicts {
  public:
   explicit VerdictTable(Database& database) : database_(database) {}
+  void judge_by(std::string rules) override { rules_ = std::move(rules); }
   store::Result<store::Verdict> add(const store::NewVerdict& verdict, const store::Stamp& by) override;
   store::Result<store::Verdict> waive(store::Id verdict, const store::NewWaiver& waiver,
                                       const store::Stamp& by) override;
@@ -19,7 +21,10 @@ class VerdictTable final : public store::Verdicts {
                                                   const store::VerdictFilter& filter) override;
 
  private:
+  store::Verdict read(Query& query) const;
+
   Database& database_;
+  std::string rules_{};
 };
 
 }  // namespace dripfeed::sql

@@ -14,6 +14,7 @@
 #include "store/sqlite/schema_v16.h"
 #include "store/sqlite/schema_v17.h"
 #include "store/sqlite/schema_v18.h"
+#include "store/sqlite/schema_v19.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -77,7 +78,8 @@ std::span<const Migration> migrations() {
                                       Migration{15, "attachments", kSchemaV15},
                                       Migration{16, "deleted programs", kSchemaV16},
                                       Migration{17, "plans and ends of jobs", kSchemaV17},
-                                      Migration{18, "users of a provider", kSchemaV18}};
+                                      Migration{18, "users of a provider", kSchemaV18},
+                                      Migration{19, "rules of verdicts", kSchemaV19}};
   return kMigrations;
 }
 

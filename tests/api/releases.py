@@ -1,5 +1,8 @@
 """The life of a release: every step that is allowed and every one that is not, what guards them, and what may be fed in which state."""
 
+import hashlib
+import pathlib
+import sqlite3
 import sys
 import time
 
@@ -183,6 +186,41 @@ def what_is_armed_is_not_withdrawn(client, control):
     client.wait_job(job, "done")
 
 
+def rules_of_the_sources():
+    """The revision of the code that judges, made here of its sources a second time."""
+    root = pathlib.Path(__file__).resolve().parents[2]
+    paths = [path for folder in ("dialects", "checks", "server/app/checks", "server/machine") for path in (root / folder).rglob("*") if path.suffix in (".cpp", ".h")]
+    paths += (root / "server/json").glob("profile_*")
+    lines = "".join(f"{path.relative_to(root)} {hashlib.sha256(path.read_bytes()).hexdigest()}\n" for path in sorted(paths, key=str))
+    return hashlib.sha256(lines.encode()).hexdigest()[:16]
+
+
+def other_rules_than_those_of_the_verdict(folder):
+    """After an upgrade that judges by other rules a verdict does not carry a release any further; one that was approved stays."""
+    client = Client(folder).start()
+    control = HandControl()
+    client.post("/machines", hand_profile(control, "lathe"))
+    texts = Texts(client)
+    waiting, approved = texts.release_in("in_review"), texts.release_in("approved")
+    verdicts = client.get("/checks")["items"]
+    expect({row["rules"] for row in verdicts} == {rules_of_the_sources()} and not any(row["stale"] for row in verdicts), f"{verdicts}")
+    client.server.stop()
+    # As an older program would have left them: the store itself does not let them be changed.
+    with sqlite3.connect(client.server.data / "dripfeed.db") as store:
+        store.execute("DROP TRIGGER verdict_rules_update")
+        store.execute("UPDATE verdict SET rules = 'older'")
+    store.close()
+    client.server.start()
+    expect(all(row["stale"] and row["rules"] == "older" for row in client.get("/checks")["items"]), "verdicts by older rules are fresh")
+    problem = client.refuse(409, "POST", f"/releases/{waiting}/transitions", {"to": "proving", "transfers": 1})
+    expect(problem["code"] == "verdict_stale", f"{problem}")
+    expect(client.post("/jobs", {"release": approved})["state"] == "queued", "an approval was taken back")
+    client.check(client.get(f"/releases/{waiting}")["program"])
+    client.post(f"/releases/{waiting}/transitions", {"to": "proving", "transfers": 1})
+    client.server.stop()
+    control.close()
+
+
 def life_of_a_release(folder):
     control = HandControl()
     client = Client(folder).start()
@@ -202,4 +240,5 @@ def life_of_a_release(folder):
 
 if __name__ == "__main__":
     in_folder(life_of_a_release)
+    in_folder(other_rules_than_those_of_the_verdict)
     sys.exit(0)

@@ -109,6 +109,46 @@ TEST_F(ReleaseTest, ANewMachineProfileMakesItsVerdictsStale) {
   EXPECT_TRUE(must(store_->verdicts().add(late, by("anna"))).stale) << "made for a profile that is gone";
 }
 
+TEST_F(ReleaseTest, OtherRulesThanThoseOfTheVerdictMakeItStale) {
+  const Verdict unstated = add_verdict(*store_, program_, "mill-1");
+  EXPECT_EQ(unstated.rules, "");
+  EXPECT_FALSE(unstated.stale) << "a program that states no rules compares none";
+  store_->verdicts().judge_by("rules 1");
+  EXPECT_TRUE(must(store_->verdicts().get(unstated.id)).stale);
+  const Verdict first = add_verdict(*store_, program_, "mill-1");
+  EXPECT_EQ(first.rules, "rules 1");
+  EXPECT_FALSE(first.stale);
+  reopen({.own = true});
+  store_->verdicts().judge_by("rules 2");
+  const Verdict read = must(store_->verdicts().get(first.id));
+  EXPECT_EQ(read.rules, "rules 1");
+  EXPECT_TRUE(read.stale);
+  EXPECT_TRUE(must(store_->verdicts().list({})).items.at(0).stale);
+  const Release release =
+      must(store_->releases().add({program_.id, program_.newest.revision, "mill-1", Delivery::drip}, by("anna")));
+  const ReleaseMove hand_in{ReleaseState::in_review, "", 0};
+  EXPECT_EQ(refusal(store_->releases().move(release.id, hand_in, by("anna"))), ErrorCode::verdict_stale);
+  EXPECT_FALSE(add_verdict(*store_, program_, "mill-1").stale);
+  must(store_->releases().move(release.id, hand_in, by("anna")));
+  store_->verdicts().judge_by("rules 3");
+  const ReleaseMove prove{ReleaseState::proving, "", 1};
+  EXPECT_EQ(refusal(store_->releases().move(release.id, prove, by("bert"))), ErrorCode::verdict_stale);
+  EXPECT_EQ(sql("UPDATE verdict SET rules = 'rules 2'"), "append-only");
+}
+
+TEST_F(ReleaseTest, ANewTextOfACalledProgramMakesTheVerdictStale) {
+  const Program called = add_program(*store_, "called");
+  NewVerdict verdict{program_.id, 1, "mill-1", 1, Delivery::drip, Outcome::pass, ""};
+  verdict.calls = {{"O9000", called.id, called.newest.revision}};
+  const Verdict made = must(store_->verdicts().add(verdict, by("anna")));
+  const Verdict other = add_verdict(*store_, program_, "mill-1");
+  EXPECT_FALSE(made.stale);
+  const Content text = must(store_->contents().put("another"));
+  must(store_->programs().add_revision(called.id, 1, {.sha256 = text.sha256}, by("anna")));
+  EXPECT_TRUE(must(store_->verdicts().get(made.id)).stale);
+  EXPECT_FALSE(must(store_->verdicts().get(other.id)).stale);
+}
+
 TEST_F(ReleaseTest, TheWholePath) {
   const Verdict verdict = add_verdict(*store_, program_, "mill-1");
   const Release release = make_draft();

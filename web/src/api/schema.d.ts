@@ -6043,6 +6043,7 @@ export interface components {
          *       "machine_revision": 4,
          *       "delivery": "drip",
          *       "verdict": "pass",
+         *       "rules": "2f0d3a91c4be7765",
          *       "stale": false,
          *       "created_by": "the MES",
          *       "created_at_ms": 1795500200000,
@@ -6074,7 +6075,9 @@ export interface components {
              * @enum {string}
              */
             verdict: "pass" | "warn" | "fail" | "unknown";
-            /** @description the machine's profile has changed since */
+            /** @description the revision of the code that judged; null: an older server did */
+            rules: string | null;
+            /** @description the machine's profile, the family, a called program or the code that judges has changed since */
             stale: boolean;
             /** @description who made it */
             created_by: string;
@@ -6211,7 +6214,9 @@ export interface components {
              * @enum {string}
              */
             verdict: "pass" | "warn" | "fail" | "unknown";
-            /** @description the machine's profile has changed since */
+            /** @description the revision of the code that judged; null: an older server did */
+            rules: string | null;
+            /** @description the machine's profile, the family, a called program or the code that judges has changed since */
             stale: boolean;
             /** @description who made it */
             created_by: string;
@@ -7866,7 +7871,7 @@ export interface components {
             job: number;
             /** @description that has the times; null: it was not checked */
             verdict: number | null;
-            /** @description the machine or the family has changed since */
+            /** @description as of the verdict */
             stale: boolean;
             /** @description of the whole program, in seconds; null: not known */
             cycle_s: number | null;
@@ -9234,6 +9239,8 @@ export interface components {
         /** @description `not_signed_in`: there is no token and no session, or it has ended; `wrong_secret`: the name, password, PIN or token is wrong */
         Problem401: {
             headers: {
+                /** @description how to authenticate */
+                "WWW-Authenticate": string;
                 [name: string]: unknown;
             };
             content: {
@@ -9258,7 +9265,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: the machine or family changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `sign_in_not_begun`: this browser did not begin this sign-in by the provider, or it took too long, or was used; `provider_refused`: the OpenID Connect provider refuses the sign-in; `id_token_refused`: what the provider signed is not taken: the detail names the rule; `name_taken`: the provider's name for the person belongs to another account here, or is not a name; `account_waits`: an administrator has to enable the account, or it is locked; `no_role`: no group of the person at the provider gives a role here; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
+        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: what it rests on changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `sign_in_not_begun`: this browser did not begin this sign-in by the provider, or it took too long, or was used; `provider_refused`: the OpenID Connect provider refuses the sign-in; `id_token_refused`: what the provider signed is not taken: the detail names the rule; `name_taken`: the provider's name for the person belongs to another account here, or is not a name; `account_waits`: an administrator has to enable the account, or it is locked; `no_role`: no group of the person at the provider gives a role here; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
         Problem409: {
             headers: {
                 [name: string]: unknown;
@@ -9470,6 +9477,12 @@ export interface operations {
             /** @description the page */
             200: {
                 headers: {
+                    /** @description what a browser that shows it may load */
+                    "Content-Security-Policy": string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
+                    /** @description the headers of the request that decide on it */
+                    Vary: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -9505,6 +9518,12 @@ export interface operations {
             /** @description a file of the page */
             200: {
                 headers: {
+                    /** @description what a browser that shows it may load */
+                    "Content-Security-Policy": string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
+                    /** @description the headers of the request that decide on it */
+                    Vary: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -9546,6 +9565,12 @@ export interface operations {
             /** @description the documentation */
             200: {
                 headers: {
+                    /** @description what a browser that shows it may load */
+                    "Content-Security-Policy": string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
+                    /** @description the headers of the request that decide on it */
+                    Vary: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -9581,6 +9606,12 @@ export interface operations {
             /** @description a page of the documentation, or its picture */
             200: {
                 headers: {
+                    /** @description what a browser that shows it may load */
+                    "Content-Security-Policy": string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
+                    /** @description the headers of the request that decide on it */
+                    Vary: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -9653,6 +9684,8 @@ export interface operations {
             /** @description sign in with a token, or a name with a password or PIN; get a cookie */
             204: {
                 headers: {
+                    /** @description the cookie of a session, or of a sign-in: HttpOnly, SameSite=Strict */
+                    "Set-Cookie": string;
                     [name: string]: unknown;
                 };
                 content?: never;
@@ -9695,6 +9728,8 @@ export interface operations {
             /** @description sign out */
             204: {
                 headers: {
+                    /** @description the cookie of a session, or of a sign-in: HttpOnly, SameSite=Strict */
+                    "Set-Cookie": string;
                     [name: string]: unknown;
                 };
                 content?: never;
@@ -9809,6 +9844,8 @@ export interface operations {
             /** @description sign in by what the provider sent back with the browser that began it; get a cookie */
             204: {
                 headers: {
+                    /** @description the cookie of a session, or of a sign-in: HttpOnly, SameSite=Strict */
+                    "Set-Cookie": string;
                     [name: string]: unknown;
                 };
                 content?: never;
@@ -9848,6 +9885,8 @@ export interface operations {
             /** @description begin to sign in by the provider: the address that the browser opens, and a cookie that it keeps meanwhile */
             200: {
                 headers: {
+                    /** @description the cookie of a session, or of a sign-in: HttpOnly, SameSite=Strict */
+                    "Set-Cookie": string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -10278,6 +10317,8 @@ export interface operations {
                 headers: {
                     /** @description the path of what was made */
                     Location: string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -10321,6 +10362,8 @@ export interface operations {
             /** @description one machine with its profile */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -10368,6 +10411,8 @@ export interface operations {
             /** @description change a profile */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -10949,6 +10994,8 @@ export interface operations {
                 headers: {
                     /** @description the path of what was made */
                     Location: string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -10992,6 +11039,8 @@ export interface operations {
             /** @description one person */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -11039,6 +11088,8 @@ export interface operations {
             /** @description change roles, disable or enable */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -11087,6 +11138,8 @@ export interface operations {
             /** @description end the lock after too many wrong secrets */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -11755,6 +11808,8 @@ export interface operations {
                 headers: {
                     /** @description the path of what was made */
                     Location: string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -11798,6 +11853,8 @@ export interface operations {
             /** @description one family with its text and parameters */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -11845,6 +11902,8 @@ export interface operations {
             /** @description a new revision of a family */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -11938,6 +11997,8 @@ export interface operations {
                 headers: {
                     /** @description the path of what was made */
                     Location: string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -11981,6 +12042,8 @@ export interface operations {
             /** @description one part */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12028,6 +12091,8 @@ export interface operations {
             /** @description a new revision of a part's values */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12129,6 +12194,8 @@ export interface operations {
                 headers: {
                     /** @description the path of what was made */
                     Location: string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12172,6 +12239,8 @@ export interface operations {
             /** @description one program */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12217,6 +12286,8 @@ export interface operations {
             /** @description give a program tags and a folder */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12263,6 +12334,8 @@ export interface operations {
             /** @description the text of a revision */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12309,6 +12382,8 @@ export interface operations {
             /** @description some lines of a revision, each with the family's line and values that it was rendered from */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12403,6 +12478,8 @@ export interface operations {
                 headers: {
                     /** @description the path of what was made */
                     Location: string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12553,6 +12630,8 @@ export interface operations {
             /** @description the toolpath of a revision, as points, and what is not known of it */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12595,6 +12674,8 @@ export interface operations {
             /** @description a small drawing of a revision's toolpath, for a list */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12643,6 +12724,8 @@ export interface operations {
             /** @description the stock of a revision from the first cut to the last, as columns of numbers that its head describes */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12689,6 +12772,8 @@ export interface operations {
             /** @description put a program aside, with a reason: it takes no revision and no release */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12739,6 +12824,8 @@ export interface operations {
             /** @description use an archived program again, with a reason */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -12789,6 +12876,8 @@ export interface operations {
             /** @description delete an archived program for good, with a reason; what releases, jobs and the ledger name of it stays */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -13017,6 +13106,12 @@ export interface operations {
             /** @description the file itself, to be saved; its type, where that is one of a list of harmless ones */
             200: {
                 headers: {
+                    /** @description as a file, under its name (RFC 6266) */
+                    "Content-Disposition": string;
+                    /** @description what a browser that shows it may load */
+                    "Content-Security-Policy": string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -14574,6 +14669,8 @@ export interface operations {
                 headers: {
                     /** @description the path of what was made */
                     Location: string;
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -14617,6 +14714,8 @@ export interface operations {
             /** @description one order */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -14664,6 +14763,8 @@ export interface operations {
             /** @description change the plan of an order */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -14716,6 +14817,8 @@ export interface operations {
             /** @description hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -14766,6 +14869,8 @@ export interface operations {
             /** @description report parts that were made */
             200: {
                 headers: {
+                    /** @description of what is there now, quoted; the revision where a change asks for it in `If-Match` */
+                    ETag: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -15420,6 +15525,8 @@ export interface operations {
             /** @description sums of the transfers that ended in a time: durations, holds, line use, forecasts; as CSV where the request accepts that */
             200: {
                 headers: {
+                    /** @description the headers of the request that decide on it */
+                    Vary: string;
                     [name: string]: unknown;
                 };
                 content: {
