@@ -156,13 +156,14 @@ struct EndedJob {
 
 class Jobs : public Repository {
  public:
-  // Queued. Errors: broken_reference (no such release or order), refused_transition (the order is not open, or is for
-  // another machine), and those of Releases::released_for.
+  // Queued, after all queued jobs of its machine whose orders are as urgent. Errors: broken_reference (no such release
+  // or order), refused_transition (the order is not open, is for another machine, or of another part than the one that
+  // the program was rendered from), and those of Releases::released_for.
   virtual Result<Job> add(const NewJob& job, const Stamp& by) = 0;
   // Errors: not_found, refused_transition; to armed also machine_busy, machine_torn, too_early (without a reason),
-  // end_not_confirmed (of another job of the machine), its order is not open, and those of Releases::released_for. The
-  // first feeding of a job counts as a transfer of a release in proving. With a job that is armed, the others of its
-  // choice that are queued are cancelled.
+  // end_not_confirmed (of another job of the machine), its order does not fit any more, and those of
+  // Releases::released_for. The first feeding of a job counts as a transfer of a release in proving. With a job that is
+  // armed, the others of its choice that are queued are cancelled.
   virtual Result<Job> move(Id job, const JobMove& move, const Stamp& by) = 0;
   // A person says that the control of this machine was reset. Errors: not_found (nothing waits), invalid_value (no
   // reason).

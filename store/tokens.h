@@ -35,7 +35,8 @@ struct NewToken {
 
 class Tokens : public Repository {
  public:
-  // Errors: exists (the hash), invalid_value (empty name or hash), broken_reference (no such user).
+  // Errors: exists (the hash), invalid_value (empty name or hash, an end that is over), broken_reference (no such
+  // user).
   virtual Result<Token> add(const NewToken& token, const Stamp& by) = 0;
   // The token with this hash, unless it is revoked; whoever asks looks at expires_at_ms. Errors: not_found.
   virtual Result<Token> find(std::string_view token_hash) = 0;

@@ -114,9 +114,43 @@ void withdraw_others(Session& session, const Job& armed, const Stamp& by) {
   }
 }
 
+// The queued jobs of a machine in their order, but for one.
+std::vector<Job> queue_without(Session& session, std::string_view machine, Id id) {
+  static const std::string kSql = jobs_where("machine = ? AND state = 'queued' AND id <> ? ORDER BY queue_rank, id");
+  Query query(session, kSql, machine, id);
+  std::vector<Job> queue;
+  while (query.next()) queue.push_back(read_job(query));
+  return queue;
+}
+
+// Gives the jobs their ranks in this order; those whose rank changed.
+std::vector<Job> rank(Session& session, std::vector<Job> queue) {
+  std::vector<Job> changed;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    if (queue[i].rank == i + 1) continue;
+    queue[i].rank = i + 1;
+    session.run("UPDATE job SET queue_rank = ? WHERE id = ?", queue[i].rank, queue[i].id);
+    changed.push_back(queue[i]);
+  }
+  return changed;
+}
+
 std::uint64_t last_rank(Session& session, std::string_view machine) {
   Query query(session, "SELECT coalesce(max(queue_rank), 0) FROM job WHERE machine = ? AND state = 'queued'", machine);
   return query.next() ? query.number() : 0;
+}
+
+// After all that are as urgent, wherever people put those.
+void place_by_priority(Session& session, Job& added) {
+  const std::uint64_t own = priority_of(session, added.order);
+  if (own == 0) return;
+  std::vector<Job> queue = queue_without(session, added.machine, added.id);
+  auto place = queue.end();
+  while (place != queue.begin() && priority_of(session, std::prev(place)->order) < own) --place;
+  if (place == queue.end()) return;
+  queue.insert(place, added);
+  for (const Job& job : rank(session, std::move(queue)))
+    if (job.id == added.id) added.rank = job.rank;
 }
 
 }  // namespace
@@ -157,7 +191,6 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     if (!release) return std::unexpected(release.error());
     if (const auto clearance = releases_.clearance_of(*release, by.at_ms); !clearance)
       return std::unexpected(clearance.error());
-    if (auto open = refuse_closed(session, job.order, release->of.machine); !open) return std::unexpected(open.error());
     Job added;
     added.release = job.release;
     added.program = release->of.program;
@@ -168,6 +201,7 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     added.link = job.link;
     added.bytes_total = job.bytes_total;
     added.order = job.order;
+    if (auto fits = refuse_unfit(session, added); !fits) return std::unexpected(fits.error());
     added.not_before_ms = job.not_before_ms;
     added.end_check = job.end_check;
     added.choice = job.choice;
@@ -176,6 +210,7 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     added.created_at_ms = by.at_ms;
     added.rank = last_rank(session, added.machine) + 1;
     added.id = insert_job(session, added);
+    place_by_priority(session, added);
     if (job.begins_choice) {
       added.choice = added.id;
       session.run("UPDATE job SET choice = ? WHERE id = ?", added.choice, added.id);
@@ -202,7 +237,7 @@ Result<Job> JobTable::move(Id job, const JobMove& move, const Stamp& by) {
     const bool breaks = store::ended(move.to) && move.to != JobState::done;
     if (move.torn && !breaks) return session.refuse(ErrorCode::invalid_value, "only a job that broke off can be torn");
     if (move.to == JobState::armed) {
-      if (auto open = refuse_closed(session, old->order, old->machine); !open) return std::unexpected(open.error());
+      if (auto fits = refuse_unfit(session, *old); !fits) return std::unexpected(fits.error());
       if (auto clear = check_clearance(*old, by.at_ms); !clear) return std::unexpected(clear.error());
       if (auto line = check_line(*old); !line) return std::unexpected(line.error());
       if (auto time = check_time(session, *old, move, by); !time) return std::unexpected(time.error());
@@ -239,25 +274,13 @@ Result<std::vector<Job>> JobTable::move_before(Id id, Id before, const Stamp& by
     const auto job = get(id);
     if (!job) return std::unexpected(job.error());
     if (job->state != JobState::queued) return session.refuse(ErrorCode::refused_transition, "it is not queued");
-    std::vector<Job> queue;
-    {
-      static const std::string kSql =
-          jobs_where("machine = ? AND state = 'queued' AND id <> ? ORDER BY queue_rank, id");
-      Query query(session, kSql, job->machine, id);
-      while (query.next()) queue.push_back(read_job(query));
-    }
+    std::vector<Job> queue = queue_without(session, job->machine, id);
     const auto place = before == 0 ? queue.end() : std::ranges::find(queue, before, &Job::id);
     if (before != 0 && place == queue.end())
       return session.refuse(ErrorCode::invalid_value,
                             fmt::format("job {} is not another one that is queued for {}", before, job->machine));
     queue.insert(place, *job);
-    std::vector<Job> changed;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      if (queue[i].rank == i + 1) continue;
-      queue[i].rank = i + 1;
-      session.run("UPDATE job SET queue_rank = ? WHERE id = ?", queue[i].rank, queue[i].id);
-      changed.push_back(queue[i]);
-    }
+    std::vector<Job> changed = rank(session, std::move(queue));
     if (changed.empty()) return changed;
     const std::string where = before == 0 ? std::string("to the end") : fmt::format("before job {}", before);
     add_audit_row(session, {.action = "job.reorder", .subject = job_subject(id), .detail = where}, by);

@@ -13,6 +13,7 @@
 namespace dripfeed::sql {
 namespace {
 
+using store::Error;
 using store::ErrorCode;
 using store::Id;
 using store::Order;
@@ -229,17 +230,33 @@ Result<Page<Order>> OrderTable::list(const store::PageRequest& page, const store
   });
 }
 
-Result<void> refuse_closed(Session& session, Id order, std::string_view machine) {
-  if (order == 0) return {};
-  Query query(session, "SELECT state, machine FROM work_order WHERE id = ?", order);
-  if (!query.next()) return session.refuse(ErrorCode::broken_reference, fmt::format("there is no order {}", order));
+Result<void> refuse_unfit(Session& session, const store::Job& job) {
+  if (job.order == 0) return {};
+  const auto refuse = [&](std::string why) {
+    return std::unexpected(Error{ErrorCode::refused_transition, std::move(why)});
+  };
+  Query query(
+      session,
+      "SELECT o.state, o.machine, o.part, coalesce(r.part, '') FROM work_order o LEFT JOIN program_revision r ON "
+      "r.program = ? AND r.revision = ? WHERE o.id = ?",
+      job.program, job.revision, job.order);
+  if (!query.next()) return session.refuse(ErrorCode::broken_reference, fmt::format("there is no order {}", job.order));
   const auto state = query.value<OrderState>();
-  const std::string of = query.text();
-  if (state != OrderState::open)
-    return session.refuse(ErrorCode::refused_transition, fmt::format("order {} is {}", order, store::name_of(state)));
-  if (!of.empty() && of != machine)
-    return session.refuse(ErrorCode::refused_transition, fmt::format("order {} is for {}", order, of));
+  const std::string machine = query.text();
+  const std::string part = query.text();
+  const std::string of_program = query.text();
+  if (state != OrderState::open) return refuse(fmt::format("order {} is {}", job.order, store::name_of(state)));
+  if (!machine.empty() && machine != job.machine) return refuse(fmt::format("order {} is for {}", job.order, machine));
+  if (!of_program.empty() && part != of_program)
+    return refuse(
+        fmt::format("the program is rendered from part {}, and order {} is of part {}", of_program, job.order, part));
   return {};
+}
+
+std::uint64_t priority_of(Session& session, Id order) {
+  if (order == 0) return 0;
+  Query query(session, "SELECT priority FROM work_order WHERE id = ?", order);
+  return query.next() ? query.number() : 0;
 }
 
 }  // namespace dripfeed::sql

@@ -1,6 +1,7 @@
 // Orders in the database.
 #pragma once
 
+#include "store/jobs.h"
 #include "store/orders.h"
 #include "store/sql/database.h"
 
@@ -23,8 +24,10 @@ class OrderTable final : public store::Orders {
   Database& database_;
 };
 
-// Inside a transaction: refuses an order that is not open, or is for another machine. 0 is none. Errors:
-// broken_reference, refused_transition.
-store::Result<void> refuse_closed(Session& session, store::Id order, std::string_view machine);
+// Inside a transaction: refuses a job whose order is not open, is for another machine, or is of another part than the
+// one that the job's program was rendered from. Errors: broken_reference, refused_transition.
+store::Result<void> refuse_unfit(Session& session, const store::Job& job);
+// Inside a transaction: how urgent it is; 0 without an order.
+std::uint64_t priority_of(Session& session, store::Id order);
 
 }  // namespace dripfeed::sql

@@ -79,6 +79,8 @@ Result<Token> TokenTable::add(const store::NewToken& token, const Stamp& by) {
     if (token.name.empty() || token.hash.empty()) {
       return session.refuse(ErrorCode::invalid_value, "a token needs a name and a hash");
     }
+    if (token.expires_at_ms != 0 && token.expires_at_ms <= by.at_ms)
+      return session.refuse(ErrorCode::invalid_value, "it would end before it is made");
     if (auto free = refuse_name_of_user(session, token); !free) return std::unexpected(free.error());
     const auto user = user_of(session, token.user);
     if (!user) return std::unexpected(user.error());

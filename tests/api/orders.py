@@ -3,7 +3,7 @@ are reported."""
 
 import sys
 
-from client import DC1, Client, HandControl, expect, hand_profile, in_folder
+from client import DC1, ROLL, Client, HandControl, expect, hand_profile, in_folder
 
 ORDER = {"number": "A-4711", "operation": "20", "part": "R-1", "quantity": 5, "machine": "lathe", "due_at_ms": 1_800_000_000_000, "priority": 3, "metadata": {"customer": "ACME", "n": 1.5}}
 
@@ -57,6 +57,40 @@ def jobs_of_an_order(client, control, order):
     client.post(f"/orders/{order}/move", {"to": "open"})
 
 
+def urgent_orders_come_first(client):
+    """Each job is queued after those as urgent as its order, wherever a person put them; a person moves it as any other."""
+    release = client.release(client.add_program(7, "O0007")["id"])["id"]
+    order = lambda number, priority: client.must("POST", "/orders", {"number": number, "part": "R-1", "quantity": 1, "priority": priority})["id"]
+    calm, urgent, most = order("calm", 0), order("urgent", 5), order("most", 9)
+    queue = lambda: [job["id"] for job in sorted(client.get("/jobs?machine=lathe&state=queued")["items"], key=lambda job: job["rank"])]
+    add = lambda **of: client.must("POST", "/jobs", {"release": release} | of)["id"]
+    plain = add()
+    of_calm, of_urgent, of_most = add(order=calm), add(order=urgent), add(order=most)
+    again = add(order=urgent)
+    expect(queue() == [of_most, of_urgent, again, plain, of_calm], f"{queue()}: not {[of_most, of_urgent, again, plain, of_calm]}")
+    client.post(f"/jobs/{plain}/move", {"before": of_most})
+    third = add(order=urgent)
+    expect(queue() == [plain, of_most, of_urgent, again, third, of_calm], f"{queue()}: what a person put first stays there")
+    for job in queue():
+        client.post(f"/jobs/{job}/cancel", {})
+
+
+def another_part_is_refused(client):
+    client.post("/families", {"text": ROLL})
+    client.post("/parts", {"number": "R-100", "family": "hyperbolic-roll", "values": {}})
+    program = client.post("/render", {"part": "R-100", "machine": "lathe", "mode": "explicit"})["program"]
+    client.check(program)
+    release = client.release(program)["id"]
+    order = lambda part: client.must("POST", "/orders", {"number": "of parts", "operation": part, "part": part, "quantity": 1})["id"]
+    other, same = order("R-200"), order("R-100")
+    client.refuse(409, "POST", "/jobs", {"release": release, "order": other}, words=["rendered from part R-100", "of part R-200"])
+    job = client.must("POST", "/jobs", {"release": release, "order": same})["id"]
+    client.must("PUT", f"/orders/{same}", {"part": "R-300", "quantity": 1}, headers={"If-Match": '"1"'})
+    client.wait_line("lathe", "idle")
+    client.refuse(409, "POST", f"/jobs/{job}/arm", words=["rendered from part R-100", "of part R-300"])
+    client.post(f"/jobs/{job}/cancel", {})
+
+
 def parts(client, order):
     client.refuse(422, "POST", f"/orders/{order}/parts", {})
     client.post(f"/orders/{order}/parts", {"good": 2, "scrap": 1, "note": "first shift"})
@@ -75,6 +109,8 @@ def life_of_an_order(folder):
     order = plans(client)
     jobs_of_an_order(client, control, order)
     parts(client, order)
+    urgent_orders_come_first(client)
+    another_part_is_refused(client)
     client.server.stop()
     control.close()
 

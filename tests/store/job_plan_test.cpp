@@ -58,7 +58,8 @@ TEST_F(JobPlanTest, IsNotArmedBeforeItsTimeWithoutAReason) {
 TEST_F(JobPlanTest, OfAChoiceOneIsArmedAndTheOthersLeave) {
   const Job one = add_job(*store_, "mill-1");
   const Job two = add_job(*store_, "mill-2");
-  const Order order = must(store_->orders().add({.number = "A-1", .plan = {.part = "R-1", .quantity = 5}}, by("anna")));
+  const Order order =
+      must(store_->orders().add({.number = "A-1", .plan = {.part = "R-100", .quantity = 5}}, by("anna")));
   const auto choose = [&](const Job& like, Id choice) {
     return must(store_->jobs().add({.release = like.release,
                                     .link = like.link,
@@ -136,7 +137,8 @@ TEST_F(JobPlanTest, TheNextJobWaitsForTheConfirmationOfAnEnd) {
 
 TEST_F(JobPlanTest, EndsAreGivenInTheirOrderWithWhatTheLineDid) {
   const Job first = add_job(*store_, "mill-1");
-  const Order order = must(store_->orders().add({.number = "A-1", .plan = {.part = "R-9", .quantity = 5}}, by("anna")));
+  const Order order =
+      must(store_->orders().add({.number = "A-1", .plan = {.part = "R-100", .quantity = 5}}, by("anna")));
   const auto run = [&](Id job, std::int64_t to_ms, const JobMove& how) {
     must(store_->jobs().move(job, {.to = JobState::armed, .forecast_ms = 700}, by("olga", to_ms - 500)));
     finish(job, to_ms - 400, to_ms, how);
@@ -145,6 +147,7 @@ TEST_F(JobPlanTest, EndsAreGivenInTheirOrderWithWhatTheLineDid) {
       {.release = first.release, .link = first.link, .bytes_total = 60, .order = order.id}, by("anna")));
   run(first.id, 5000, {.to = JobState::done, .held_ms = 7, .holds = 2, .line_ms = 300});
   run(second.id, 6000, {.to = JobState::failed, .reason = "x"});
+  must(store_->orders().change(order.id, 1, {.part = "R-9", .quantity = 5}, by("anna")));
   const Job third = must(store_->jobs().add({.release = first.release, .link = "", .bytes_total = 1}, by("anna")));
   must(store_->jobs().move(third.id, {.to = JobState::cancelled}, by("anna", 7000)));
   const auto ended = [&](const EndedFilter& filter) {

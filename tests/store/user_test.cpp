@@ -144,13 +144,15 @@ TEST_F(UserTest, RightsFollowTheGroupOfTheMachine) {
 
 TEST_F(UserTest, TokensOfAUserNameIt) {
   const User olga = add("olga");
-  must(store_->tokens().add({.name = "tablet", .hash = "h", .user = "olga", .scope = "queue", .expires_at_ms = 99},
-                            by("anna")));
+  must(store_->tokens().add({.name = "tablet", .hash = "h", .user = "olga", .scope = "queue", .expires_at_ms = 1099},
+                            by("anna", 1000)));
   const Token found = must(store_->tokens().find("h"));
   EXPECT_EQ(found.user, "olga");
   EXPECT_EQ(found.user_id, olga.id);
   EXPECT_EQ(found.scope, "queue");
-  EXPECT_EQ(found.expires_at_ms, 99);
+  EXPECT_EQ(found.expires_at_ms, 1099);
+  EXPECT_EQ(refusal(store_->tokens().add({.name = "late", .hash = "j", .expires_at_ms = 1000}, by("anna", 1000))),
+            ErrorCode::invalid_value);
   EXPECT_EQ(refusal(store_->tokens().add({.name = "x", .hash = "i", .user = "nobody"}, by("anna"))),
             ErrorCode::broken_reference);
 }

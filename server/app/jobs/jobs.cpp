@@ -191,6 +191,17 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   return std::move(**job);
 }
 
+void Jobs::announce(const store::Job& job) {
+  publish(job, "queued");
+  if (job.order == 0) return;
+  // An urgent job was put before others, whose ranks are others now.
+  const auto queue = store_.jobs().list({.limit = store::kPageLimitMax, .after = {}},
+                                        {.machine = job.machine, .state = store::JobState::queued});
+  if (!queue) return;  // whoever shows the queue reads it again
+  for (const store::Job& other : queue->items)
+    if (other.rank > job.rank) publish(other, fmt::format("job {} of an urgent order is before it", job.id));
+}
+
 Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::string_view action, std::string_view reason,
                                  std::string_view actor, std::string_view note) {
   const bool restrains = command != feed::Command::resume && command != feed::Command::resume_as_if_dc1;

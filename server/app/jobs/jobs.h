@@ -48,7 +48,7 @@ class Jobs {
   // it needs. Errors: not_found, refused.
   Result<void> refuse_changed_calls(const store::Release& release);
   // Once the transaction is durable.
-  void announce(const store::Job& job) { publish(job, "queued"); }
+  void announce(const store::Job& job);
   // The named person arms it for its machine's line, for so long or as the profile says; to be sent `rounds` times,
   // each with the control's own start; before its time only with a reason. Errors: not_found, invalid, refused with the
   // reason (torn, busy, link down, machine changed, too early, an end that is not confirmed, …).
