@@ -300,14 +300,18 @@ Response Api::answer_route(const Request& request, const Match& match) {
   if (const std::string_view why = why_not_taken(route, request); !why.empty())
     return problem_response(415, std::string(why));
   Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
-  if (route.right == Right::anybody) return route.handler(call);
+  // The page and what watches the server may be asked with any query.
+  const bool takes_any_query = !route.pattern.starts_with("/api/v1/") && route.right == Right::anybody;
+  const std::string_view unknown = takes_any_query ? std::string_view() : unknown_query(route, request);
+  const auto no_such_query = [&] {
+    return problem_response(
+        400, fmt::format("no query parameter \"{}\" here; this path takes: {}", unknown, query_names(route)));
+  };
+  if (route.right == Right::anybody) return unknown.empty() ? route.handler(call) : no_such_query();
   call.version = version_of(application_.store());
   const auto caller = admit(request, route, call.version);
   if (!caller) return caller.error();
-  if (const std::string_view name = unknown_query(route, request); !name.empty()) {
-    return problem_response(
-        400, fmt::format("no query parameter \"{}\" here; this path takes: {}", name, query_names(route)));
-  }
+  if (!unknown.empty()) return no_such_query();
   call.user = caller->name;
   call.right = right_for(route, call, *caller);
   call.caller = &*caller;

@@ -34,6 +34,7 @@ std::expected<TimeSpan, Response> span_of(const Request& request) {
   if (!from_ms) return std::unexpected(from_ms.error());
   const auto to_ms = number_of(request, "to_ms", kLatest_ms, 1, kLatest_ms);
   if (!to_ms) return std::unexpected(to_ms.error());
+  if (*from_ms >= *to_ms) return std::unexpected(problem_response(422, "from_ms must be before to_ms"));
   return TimeSpan{static_cast<std::int64_t>(*from_ms), static_cast<std::int64_t>(*to_ms)};
 }
 

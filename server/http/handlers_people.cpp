@@ -166,6 +166,7 @@ Response list_audit(const Call& call) {
   if (!from_ms) return from_ms.error();
   const auto to_ms = number_of(call.request, "to_ms", 0, 1, kLatest_ms);
   if (!to_ms) return to_ms.error();
+  if (*to_ms != 0 && *from_ms >= *to_ms) return problem_response(422, "from_ms must be before to_ms");
   const store::AuditFilter filter{.subject = query_text(call.request, "subject"),
                                   .actor = query_text(call.request, "actor"),
                                   .action = query_text(call.request, "action"),

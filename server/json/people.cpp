@@ -74,9 +74,10 @@ void read_members(ObjectReader& o, OwnSecretBody& into) {
   o.text("secret", into.secret, true);
 }
 
-// Texts of a list, each checked by `why`.
+// Texts of a list, each checked by `why`. `if_empty`: the fault of a list that is given and has none; "": it is fine.
 template <class Why>
-std::vector<std::string> read_texts(ObjectReader& o, std::string_view name, std::string about, const Why& why) {
+std::vector<std::string> read_texts(ObjectReader& o, std::string_view name, std::string about, const Why& why,
+                                    std::string_view if_empty = "") {
   constexpr std::size_t kMost = 1000;
   std::vector<std::string> texts;
   const Document* list = o.member(name, list_of(text(std::move(about)), ""));
@@ -85,6 +86,7 @@ std::vector<std::string> read_texts(ObjectReader& o, std::string_view name, std:
     o.fault(name, fmt::format("must be a list of {} texts at most", kMost));
     return texts;
   }
+  if (list->empty() && !if_empty.empty()) o.fault(name, std::string(if_empty));
   for (const Document& one : *list) {
     texts.push_back(one.is_string() ? one.get<std::string>() : std::string());
     if (const std::string fault = why(texts.back()); !fault.empty()) o.fault(name, "has a text that " + fault);
@@ -96,7 +98,9 @@ void read_members(ObjectReader& o, store::NewToken& into) {
   o.proper_name("name", into.name);
   read_role(o, into.role);
   o.text("user", into.user);
-  for (const std::string& word : read_texts(o, "scope", "what it may change", app::why_no_name)) {
+  // No token may change everything because a list came out empty.
+  const std::string_view if_empty = "names nothing: leave it out for a token that may change all that its role may";
+  for (const std::string& word : read_texts(o, "scope", "what it may change", app::why_no_name, if_empty)) {
     into.scope += into.scope.empty() ? "" : " ";
     into.scope += word;
   }

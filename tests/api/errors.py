@@ -1,8 +1,9 @@
 """Wrong requests at every route: the status, a problem document with the place, and nothing stored. One row a request."""
 
+import re
 import sys
 
-from client import ROLL, Client, HandControl, expect, hand_profile, in_folder, plain_program
+from client import ROLL, Client, HandControl, contract, expect, hand_profile, in_folder, plain_program
 
 MATCH_1 = {"If-Match": '"1"'}
 NOT_THERE = [
@@ -42,7 +43,7 @@ BODIES = [  # the route, a body that is fine but for one thing, the place that t
     ("POST", "/orders/1/move", {"to": "lost"}, "/to"), ("POST", "/orders/1/parts", {"good": -1}, "/good"),
     ("POST", "/users", {"name": "x"}, "/role"), ("POST", "/users", {"name": "", "role": "viewer"}, "/name"), ("POST", "/users", {"name": "x", "role": "boss"}, "/role"),
     ("POST", "/users", {"name": "x", "role": "viewer", "grants": [{"group": "g"}]}, "/grants/0/role"), ("POST", "/tokens", {"name": "x", "role": "viewer", "scope": "queue"}, "/scope"),
-    ("POST", "/tokens", {"name": "x", "role": "viewer", "expires_at_ms": 0}, "/expires_at_ms"), ("PUT", "/groups/g", {"machines": [1]}, "/machines"), ("PUT", "/users/x/pin", {}, "/secret"),
+    ("POST", "/tokens", {"name": "x", "role": "viewer", "expires_at_ms": 0}, "/expires_at_ms"), ("POST", "/tokens", {"name": "x", "role": "viewer", "scope": []}, "/scope"), ("PUT", "/groups/g", {"machines": [1]}, "/machines"), ("PUT", "/users/x/pin", {}, "/secret"),
     ("POST", "/families", {}, "/text"), ("POST", "/families", {"text": 5}, "/text"), ("POST", "/families", {"text": None}, "/text"), ("POST", "/families", {"text": ""}, "/text"),
     ("POST", "/families", {"text": ROLL, "nam/e": "x"}, "/nam~1e"), ("PUT", "/families/hyperbolic-roll", {"text": ["x"]}, "/text"),
     ("POST", "/parts", {"family": "hyperbolic-roll"}, "/number"), ("POST", "/parts", {"number": "", "family": "hyperbolic-roll"}, "/number"),
@@ -146,6 +147,12 @@ def refuse_all(client, profile):
     client.finish()
 
 
+def refuse_times_that_are_none(client, profile):
+    client.refuse(422, "POST", "/tokens", {"name": "x", "role": "viewer", "expires_at_ms": 1_000}, words=["end before it is made"])
+    for path in ("/history/sums", "/stop-reasons", "/audit"):
+        client.refuse(422, "GET", f"{path}?from_ms=2000&to_ms=1000", words=["from_ms must be before to_ms"])
+
+
 def refuse_states(client, profile):
     """What is there already, or is not allowed now."""
     expect(client.call("DELETE", "/machines").headers["Allow"] == "GET, POST", "a 405 without its Allow")
@@ -165,6 +172,41 @@ def refuse_bodies_that_are_no_json(client):
     for kind in ("application/json", "Application/JSON; charset=utf-8", "application/json ;x=y", "application/x-www-form-urlencoded"):
         client.refuse(422, "POST", "/families", body, headers={"Content-Type": kind}, words=["line"])  # read, and no family
     client.refuse(422, "POST", "/families", body, words=["line"])
+
+
+# Rows of MTConnect are answered in its own words; the page takes any address; those that any query reaches are asked without one.
+OF_NO_API = ("/mtconnect/", "/assets/", "/docs", "/healthz", "/metrics", "/api/openapi.json")
+NOT_STORED = {"id": "987654", "name": "nobody-of-this-name", "number": "nobody-of-this-name"}
+
+
+def wrong_requests(method, path, operation):
+    """Of a route of the description: (what is wrong, address, body)."""
+    address = re.sub(r"\{(\w+)\}", lambda found: NOT_STORED.get(found[1], "987654"), path)
+    body = operation.get("requestBody")
+    takes_json = body and "application/json" in body["content"]
+    yield "a query that it does not take", f"{address}?no_such_query=1", {} if takes_json else None
+    if "{" in path and not takes_json and method != "PUT":
+        yield "a thing that is not there", address, None
+    if takes_json:
+        for what, wrong in (("no object", b"[]"), ("no JSON", b"{"), ("a member that it does not take", b'{"no_such_member":1}'), ("bytes that are no text", b"\xff")):
+            yield what, address, wrong
+
+
+def refuse_at_each_route(client):
+    """Made of the description, so that no route is without: each wrong request is refused with a code, and stores nothing."""
+    asked = 0
+    for method, path, _, operation in contract.routes():
+        if path == "/" or path.startswith(OF_NO_API) or "text/event-stream" in str(operation["responses"].get("200", "")):
+            continue
+        for what, address, body in wrong_requests(method, path, operation):
+            headers = MATCH_1 if any(one["name"] == "If-Match" for one in operation["parameters"]) else {}
+            answer = client.call(method, address, body, headers=headers | ({"Content-Type": "application/json"} if body else {}))
+            if what == "a thing that is not there" and 200 <= answer.status < 300:
+                continue  # what is gone is gone: a removal that is asked for twice
+            expect(400 <= answer.status < 500 and answer.document["code"], f"{method} {address}: {what}: {answer}")
+            asked += 1
+    print(f"{asked} wrong requests made of the description are refused")
+    expect(asked > 400, f"only {asked}")
 
 
 def with_member(profile, member, value):
@@ -188,7 +230,7 @@ def nothing_is_stored(folder):
     client.post("/checks", {"program": 1, "machine": "lathe"})
     client.post("/releases", {"program": 1, "machine": "lathe"})
     before = client.everything()
-    for refuse in (lambda: refuse_all(client, profile), lambda: refuse_states(client, profile), lambda: refuse_bodies_that_are_no_json(client)):
+    for refuse in (lambda: refuse_all(client, profile), lambda: refuse_states(client, profile), lambda: refuse_times_that_are_none(client, profile), lambda: refuse_bodies_that_are_no_json(client), lambda: refuse_at_each_route(client)):
         refuse()
         after = client.everything()
         for name, items in before.items():

@@ -15,7 +15,7 @@ export interface NewToken {
   name: string;
   role: Role;
   user: string | null;
-  scope: string[];
+  scope: string[] | null; // null: all that its role may
   expires_at_ms: number | null;
 }
 

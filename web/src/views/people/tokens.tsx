@@ -80,7 +80,7 @@ function TokenDialog({ done }: { done: () => void }) {
       name: name.trim(),
       role,
       user: user.trim() === '' ? null : user.trim(),
-      scope,
+      scope: scope.length > 0 ? scope : null,
       expires_at_ms: days === '' ? null : Date.now() + Number(days) * kDayMs,
     };
     const made = await peopleCalls.addToken(token);
