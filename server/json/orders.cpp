@@ -23,7 +23,8 @@ void read_metadata(ObjectReader& o, std::string& into) {
   const Document* metadata = o.member("metadata", map_of(any("of the planner"), ""));
   if (metadata == nullptr) return;
   if (!metadata->is_object()) return o.fault("metadata", "must be an object");
-  into = dump(*metadata);
+  // By its names: the same order sent again is the same, in whatever order its sender's library writes them.
+  into = nlohmann::json::parse(dump(*metadata)).dump();
   if (into.size() > kLongest) o.fault("metadata", fmt::format("must not have more than {} bytes", kLongest));
 }
 

@@ -12,6 +12,9 @@ def plans(client):
     made = client.must("POST", "/orders", ORDER, role="operator")
     expect({key: made[key] for key in ORDER} == ORDER and made["state"] == "open" and made["open"] == 5, f"{made}")
     expect(client.must("POST", "/orders", ORDER)["id"] == made["id"] and len(client.get("/orders")["items"]) == 1, "the same order twice is two")
+    turned = ORDER | {"metadata": dict(reversed(ORDER["metadata"].items()))}
+    expect(client.must("POST", "/orders", turned)["id"] == made["id"], "the same metadata in another order is another plan")
+    client.refuse(409, "POST", "/orders", ORDER | {"metadata": {"customer": "ACME", "n": 2}}, words=["another plan"])
     client.refuse(409, "POST", "/orders", ORDER | {"quantity": 6}, words=["another plan"])
     other = client.must("POST", "/orders", ORDER | {"operation": "30"})["id"]
     client.refuse(422, "POST", "/orders", ORDER | {"number": "B", "machine": "nobody"}, words=["there is no machine nobody"])
