@@ -143,6 +143,7 @@ std::optional<RestartRefusal> look_at_what_is_left_out(RestartDraft& draft) {
       if (std::string name = not_repeated(draft.program, code); !name.empty()) last_lines[std::move(name)] = s.line;
   }
   std::vector<std::string> named;
+  named.reserve(last_lines.size());
   for (const auto& [name, line] : last_lines) named.push_back(fmt::format("{} (line {})", name, line));
   if (!named.empty())
     draft.assumptions.push_back(

@@ -104,8 +104,8 @@ void InlineMoves::cannot(passes::Refusal what, text::Span span) {
 
 // What a cycle's numbers meant can no longer be seen, nor changed at the machine: whoever takes the translation over is
 // to know.
-void InlineMoves::report_written(std::string name, text::Span span) {
-  cannot(std::move(name), span);
+void InlineMoves::report_written(const std::string& name, text::Span span) {
+  cannot(name, span);
   diagnostics_.back().severity = text::Severity::warning;
   diagnostics_.back().notes = {{.span = span, .text = "it is written as its moves"}};
 }

@@ -103,7 +103,7 @@ class InlineMoves {
   void find_cycles(const ir::Program& program);
   [[nodiscard]] std::string lost_with_shape(const ir::Program& program) const;
   void cannot(passes::Refusal what, text::Span span);
-  void report_written(std::string name, text::Span span);
+  void report_written(const std::string& name, text::Span span);
 
   const ir::Control& from_;
   const ir::Control& to_;
