@@ -5,8 +5,6 @@
 #include "dialects/compile/translate/convert_thin.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,6 +12,7 @@
 
 #include "dialects/compile/dialect/dialect.h"
 #include "dialects/compile/dialect/execute.h"
+#include "dialects/compile/translate/move_sums.h"
 #include "dialects/compile/translate/thin_program.h"
 
 namespace dripfeed::compile {
@@ -104,99 +103,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   while (!text.empty()) lines.push_back(take_line(text));
   return lines;
 }
-
-bool near(double a, double b) { return std::abs(a - b) <= 1e-6 * (1.0 + std::abs(a) * 1e-3); }
-
-// Where the moves of one line of the source lie and end.
-struct Reach {
-  std::array<double, ir::kAxisCount> low{};
-  std::array<double, ir::kAxisCount> high{};
-  std::array<double, ir::kAxisCount> end{};
-
-  void take(const ir::Motion& m) {
-    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
-      low[axis] = std::min(low[axis], m.end[axis]);
-      high[axis] = std::max(high[axis], m.end[axis]);
-    }
-    end = m.end;
-  }
-  [[nodiscard]] bool same(const Reach& other) const {
-    return std::ranges::equal(low, other.low, near) && std::ranges::equal(high, other.high, near) &&
-           std::ranges::equal(end, other.end, near);
-  }
-};
-
-// What the moves in the stretches of a program add up to, piece by piece; and where each line outside of them leads,
-// because the lines were translated without the stretches before them.
-class Sums final : public ir::MotionSink {
- public:
-  // `origins`: the line of the source for each line of a translation; nullptr: it is the source.
-  Sums(const std::vector<ir::PlainStretch>& stretches, const std::vector<std::uint32_t>* origins)
-      : stretches_(stretches), origins_(origins) {}
-
-  void consume(std::span<const ir::Motion> motions) override {
-    for (const ir::Motion& m : motions)
-      if (m.place.program == 0 && ir::is_move(m.kind)) add(m);
-  }
-
-  [[nodiscard]] bool same(const Sums& other) const {
-    const auto leads_alike = [](const auto& a, const auto& b) { return a.first == b.first && a.second.same(b.second); };
-    if (!std::ranges::equal(outside_, other.outside_, leads_alike)) return false;
-    return std::ranges::equal(pieces_, other.pieces_, [](const Piece& a, const Piece& b) {
-      return a.stretch == b.stretch && a.number == b.number && a.moves == b.moves && a.kinds == b.kinds &&
-             std::ranges::equal(a.ends, b.ends, near) && std::ranges::equal(a.centers, b.centers, near) &&
-             near(a.feeds, b.feeds) && near(a.speeds, b.speeds);
-    });
-  }
-
- private:
-  static constexpr std::uint32_t kLinesOfAPiece = 256;
-  struct Piece {
-    std::size_t stretch = 0;
-    std::uint32_t number = 0;  // in its stretch
-    std::uint64_t moves = 0;
-    std::uint64_t kinds = 0;
-    std::array<double, ir::kAxisCount> ends{};
-    std::array<double, 3> centers{};
-    double feeds = 0.0;
-    double speeds = 0.0;
-  };
-
-  void add(const ir::Motion& m) {
-    const std::uint32_t line = m.place.line;
-    while (at_ > 0 && line < stretches_[at_].line) --at_;
-    while (at_ + 1 < stretches_.size() && line >= stretches_[at_ + 1].line) ++at_;
-    const ir::PlainStretch& stretch = stretches_[at_];
-    if (line < stretch.line || line - stretch.line >= stretch.line_count) return add_outside(line, m);
-    const std::uint32_t number = (line - stretch.line) / kLinesOfAPiece;
-    if (pieces_.empty() || pieces_.back().stretch != at_ || pieces_.back().number != number)
-      pieces_.push_back({.stretch = at_, .number = number});
-    Piece& piece = pieces_.back();
-    ++piece.moves;
-    piece.kinds += static_cast<std::uint64_t>(m.kind) * 64 + static_cast<std::uint64_t>(m.comp) * 8 +
-                   static_cast<std::uint64_t>(m.feed_mode);
-    // Weights, so that two moves that change places do not add up to the same.
-    const auto weight = static_cast<double>(1 + piece.moves % 7);
-    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
-      if ((m.axes_commanded >> axis & 1U) != 0) piece.ends[axis] += weight * m.end[axis];
-    if (m.kind == ir::MotionKind::arc_cw || m.kind == ir::MotionKind::arc_ccw)
-      for (std::size_t i = 0; i < piece.centers.size(); ++i) piece.centers[i] += weight * m.center[i];
-    if (m.kind != ir::MotionKind::rapid) piece.feeds += m.feed;
-    piece.speeds += m.spindle_rpm;
-  }
-
-  void add_outside(std::uint32_t line, const ir::Motion& m) {
-    if (origins_ != nullptr) line = line <= origins_->size() ? (*origins_)[line - 1] : 0;
-    const auto [reach, is_new] = outside_.try_emplace(line, Reach{.low = m.end, .high = m.end});
-    reach->second.take(m);
-  }
-
-  const std::vector<ir::PlainStretch>& stretches_;
-  const std::vector<std::uint32_t>* origins_;
-  std::map<std::uint32_t, Reach> outside_;  // by line of the source
-  std::size_t at_ = 0;
-  std::vector<Piece> pieces_;
-};
 
 class ThinConverter {
  public:
@@ -290,8 +196,8 @@ class ThinConverter {
   bool moves_alike() {
     const auto translated = ThinProgram::join(text::Source("translation", thin_text_), text_, made_, to_, request_.to);
     if (translated == nullptr) return false;
-    Sums first(thin_.stretches.all, nullptr);
-    Sums second(made_, &origins_);
+    MoveSums first(thin_.stretches.all, nullptr);
+    MoveSums second(made_, &origins_);
     return ends(thin_, request_.from, first) && ends(*translated, request_.to, second) && first.same(second);
   }
 
