@@ -61,7 +61,7 @@ class ArcWords {
       if (c.number != ir::ExpressionId::none && c.letter == 'G') arc_ = false;
       const bool in_its_motion = c.function == Function::exact_stop_once || c.function == Function::no_effect;
       words_of_another |= (c.group == ModalGroup::non_modal && !in_its_motion) || c.group == ModalGroup::frame ||
-                          c.function == Function::not_modelled || c.function == Function::data_input;
+                          c.function == Function::not_modelled;
     }
     if (!arc_ || words_of_another) return;
     const auto words = program_.words_of(block);

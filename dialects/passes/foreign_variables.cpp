@@ -42,7 +42,7 @@ const ir::SystemVariableRow* row_of(const ir::Control& control, std::uint32_t nu
 bool is_the_same(std::uint32_t number, const ir::Control& from, const ir::Control& to) {
   const ir::VariableRange* here = ir::find_variable(from, ir::Bank::hash, number);
   const ir::VariableRange* there = ir::find_variable(to, ir::Bank::hash, number);
-  if (number >= kFirstOwn || here == nullptr || there == nullptr || here->use != ir::VariableUse::system) return false;
+  if (number >= kFirstOwn || here == nullptr || there == nullptr) return false;
   if (here->first != there->first || here->last != there->last || here->use != there->use) return false;
   const ir::SystemVariableRow* a = row_of(from, number);
   const ir::SystemVariableRow* b = row_of(to, number);

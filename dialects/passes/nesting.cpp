@@ -45,7 +45,7 @@ class Nesting {
       if (opens(kind) && structure_at(program_, i).partner != ir::kNoIndex) {
         open.push_back(i);
         height_[i] = 1;
-      } else if (closes(kind) && structure_at(program_, i).partner != ir::kNoIndex && !open.empty()) {
+      } else if (closes(kind) && structure_at(program_, i).partner != ir::kNoIndex) {
         const std::uint32_t inner = height_[open.back()];
         open.pop_back();
         if (!open.empty()) height_[open.back()] = std::max(height_[open.back()], inner + 1);

@@ -99,9 +99,8 @@ class Taps {
     diagnostics_.back().severity = text::Severity::warning;
   }
   static bool ends_cycle(const std::vector<ir::Code>& codes) {
-    return std::ranges::any_of(codes, [](const ir::Code& c) {
-      return c.group == ir::ModalGroup::motion || c.group == ir::ModalGroup::cycle || c.function == Function::cycle_off;
-    });
+    return std::ranges::any_of(
+        codes, [](const ir::Code& c) { return c.group == ir::ModalGroup::motion || c.group == ir::ModalGroup::cycle; });
   }
   // Whether the program comes to it from the statement before it alone, and always.
   [[nodiscard]] bool goes_straight(std::uint32_t i) const {

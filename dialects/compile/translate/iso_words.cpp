@@ -29,9 +29,7 @@ constexpr IncrementRow kIncrements[] = {
 constexpr Function kWithOwnR[] = {Function::rotate,           Function::scale,        Function::data_input,
                                   Function::repetitive_cycle, Function::hole_pattern, Function::nurbs};
 
-bool sets_motion(const ir::Code& c) {
-  return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::cycle_off;
-}
+bool sets_motion(const ir::Code& c) { return c.group == ModalGroup::motion || c.group == ModalGroup::cycle; }
 bool has_own_r(const ir::Code& c) { return std::ranges::find(kWithOwnR, c.function) != std::end(kWithOwnR); }
 // G71 U1: a depth; G10 U0.1: an offset that is changed by it.
 bool has_own_letters(const ir::Code& c) { return c.function == Function::data_input || ir::follows_shape(c); }

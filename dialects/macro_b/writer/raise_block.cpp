@@ -240,7 +240,7 @@ void BlockRaiser::code_by_name(const ir::Code& code) {
 void BlockRaiser::follow_direction(const ir::Code& code) {
   const Function f = code.function;
   if (f >= Function::plane_xy && f <= Function::plane_yz) plane_is_xy_ = f == Function::plane_xy;
-  if (code.group != ir::ModalGroup::motion && code.group != ir::ModalGroup::cycle && f != Function::cycle_off) return;
+  if (code.group != ir::ModalGroup::motion && code.group != ir::ModalGroup::cycle) return;
   moves_by_ = f == Function::nurbs ? MovesBy::curve : f == Function::drill ? MovesBy::holes : MovesBy::other;
   const auto cycle = static_cast<ir::DrillCycle>(code.argument);
   shifts_ = moves_by_ == MovesBy::holes && (cycle == ir::DrillCycle::fine_bore || cycle == ir::DrillCycle::back_bore);
