@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Programs of moves made by chance, translated and run on both sides: a translation is the same moves, or it is refused. (translate_random.py: calls.)
 
-  tests/bench/translate_moves.py [--binary build/release/dripfeed] [--from sinumerik-840d|iso-mode|fanuc|mixed-fanuc|all] [--programs 300] [--seed 1] [--keep FOLDER]
+  tests/bench/translate_moves.py [--binary build/release/dripfeed] [--from KIND|all] [--programs 300] [--seed 1] [--keep FOLDER]
 
 Each second program is a mill's: variables, arrays, conditions, loops, jumps, a subprogram with arguments, frames, arcs and drilling and boring cycles of its
 control; the others are a lathe's: turning and thread cycles, taps, polar and cylindrical interpolation. It is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
@@ -21,6 +21,7 @@ import subprocess
 import sys
 import tempfile
 
+from translate_cycles import CYCLES
 from translate_mixed import MIXED
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -636,8 +637,8 @@ class SinumerikLatheIso(SinumerikLathe):
         self.put("DIAMON\n" + made.part(self.depth == 0 and self.stands, False))
 
 
-MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "iso-mode": [SinumerikIso, SinumerikLatheIso], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, MazakLathe], "mitsubishi-m80": [Figures, MitsubishiLathe]} | {name: [maker] for name, (_, maker) in MIXED.items()}
-LANGUAGES = {"iso-mode": "sinumerik-840d"} | {name: dialect for name, (dialect, _) in MIXED.items()}
+MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "iso-mode": [SinumerikIso, SinumerikLatheIso], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, MazakLathe], "mitsubishi-m80": [Figures, MitsubishiLathe]} | {name: [maker] for name, (_, maker) in (MIXED | CYCLES).items()}
+LANGUAGES = {"iso-mode": "sinumerik-840d"} | {name: dialect for name, (dialect, _) in (MIXED | CYCLES).items()}
 MACHINES = {"fanuc": "fanuc-0i-mill", "haas": "haas-vf2", "mazak": "mazak-vcn", "mitsubishi-m80": "mitsubishi-m80-cvm800", "sinumerik-840d": "sinumerik-840d-mill"}
 LATHES = {"fanuc": "fanuc-0i-lathe", "mazak": "mazak-qtn", "sinumerik-840d": "sinumerik-840d-lathe"}
 
@@ -650,16 +651,19 @@ def dripfeed(binary, *arguments):
 OPEN = ("position that is not known", "whose frame has changed")  # where moves end then, the text does not state
 
 
-def moves_of(binary, path, dialect, kind="mill"):
+def moves_of(binary, path, dialect, kind="mill", machine=None):
     """([(kind, words)], what the run leaves open), or (None, why it did not run)."""
-    code, out, err = dripfeed(binary, "run", path, "--dialect", dialect, "--control", f"kind={kind}")
+    what = ["--machine", machine] if machine else ["--dialect", dialect, "--control", f"kind={kind}"]
+    code, out, err = dripfeed(binary, "run", path, *what)
     if code != 0:
         return None, err
-    moves = []
+    moves, rpm, turns = [], TAP_RPM, ""
     for line in out.splitlines():
         words = line.split(" ")
+        if len(words) > 3 and words[1] == "spindle" and words[3].endswith("/rpm"):
+            rpm, turns = value(words[3][1:]) or rpm, words[2]
         if len(words) > 1 and words[1] in MOVES:
-            moves.append((words[1], dict(("change", word) if word.endswith("/rev2") else (word[0], word[1:]) for word in words[2:] if word)))
+            moves.append((words[1], {"rpm": rpm, "turns": turns} | dict(("change", word) if word.endswith("/rev2") else (word[0], word[1:]) for word in words[2:] if word)))
     return moves, next((reason for reason in OPEN if reason in err), "")
 
 
@@ -697,14 +701,17 @@ def is_short(move):
 
 
 def is_one_tap(one, other):
-    """A feed a minute of a spindle that turns at TAP_RPM, or its lead, as a thread or a feed: the same thread."""
+    """A feed a minute, or its lead, as a thread or a feed, or a lead below 0 and a spindle that turns the other way: the same thread."""
     if not {one[0], other[0]} <= {"linear", "thread"} or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
         return False
     feeds = [move[1].get("F", "0") for move in (one, other)]
+    signs = [value(feed) < 0 for feed in feeds]
     if one[0] == other[0] and feeds[0].rsplit("/", 1)[-1] == feeds[1].rsplit("/", 1)[-1]:
-        return False
-    a, b = (abs(value(feed)) * (TAP_RPM if feed.endswith("/rev") else 1) for feed in feeds)
-    return abs(a - b) < 1e-3
+        right = other if signs[0] else one
+        turns_in = sum(point(right[1])) < sum(right[2])  # and back out of the hole
+        return one[0] == "thread" and signs[0] != signs[1] and right[1]["turns"] == ("ccw" if turns_in else "cw") and abs(value(feeds[0]) + value(feeds[1])) < 1e-4
+    leads = [abs(value(feed)) / (1 if feed.endswith("/rev") else move[1]["rpm"]) for feed, move in zip(feeds, (one, other))]
+    return abs(leads[0] - leads[1]) < 1e-4  # printed with four decimals
 
 
 def difference(a, b, breaks_chips=False):
@@ -774,7 +781,8 @@ def try_one(binary, dialect, seed, keep):
     with tempfile.TemporaryDirectory() as name:
         source = pathlib.Path(name) / "program.nc"
         source.write_text(text)
-        original, left_open = moves_of(binary, source, dialect, kind)
+        machine_of_source = getattr(maker, "machine", None)
+        original, left_open = moves_of(binary, source, dialect, kind, machine_of_source)
         if original is None:
             return [("", "", "not run")]
         if any(abs(float(words[axis])) > MOST_MM for _, words in original for axis in "XYZ" if axis in words):
@@ -784,7 +792,7 @@ def try_one(binary, dialect, seed, keep):
                 if target == dialect:
                     continue
                 machine = (MACHINES if kind == "mill" else LATHES).get(target) if named else None
-                for_whom = ["--machine", machine] if machine else []
+                for_whom = ["--machine", machine or machine_of_source] if machine or machine_of_source else []
                 if not machine or kind != "mill":
                     for_whom += ["--control", f"kind={kind}"]
                 code, out, err = dripfeed(binary, "convert", source, "--from", dialect, "--to", target, "--mode", mode, *for_whom)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Faults put into the translator, one at a time: a test must fail for each.
 
-  tests/bench/translate_mutants.py COPY --build COMMAND --tests BINARY [--filter SUITES] [--list] [--count 200] [--seed 1] [--jobs 2] [--folders F ...]
+  tests/bench/translate_mutants.py COPY --build COMMAND --tests BINARY ... [--filter SUITES] [--list] [--count 200] [--seed 1] [--jobs 2] [--folders F ...]
 
 COPY is a copy of the source tree that may be spoilt: the script writes into it. All mutants are built at once: each has a number, and the
 environment names the one that is on. COMMAND builds COPY (run in it); lines of mutants that do not compile are taken back, and it is run again. The tests
@@ -176,7 +176,7 @@ def build(copy, command, chosen):
 
 def suites_of(binary, pattern):
     listed = subprocess.run([binary, "--gtest_list_tests", f"--gtest_filter={pattern}"], capture_output=True, text=True).stdout
-    return [line.split("#")[0].strip() for line in listed.splitlines() if line and not line.startswith((" ", "Running"))]
+    return [(binary, line.split("#")[0].strip()) for line in listed.splitlines() if line and not line.startswith((" ", "Running"))]
 
 
 def run(binary, pattern, **environment):
@@ -191,7 +191,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("copy", type=pathlib.Path)
     options.add_argument("--build", required=True)
-    options.add_argument("--tests", required=True)
+    options.add_argument("--tests", required=True, nargs="+")
     options.add_argument("--filter", default="*")
     options.add_argument("--folders", nargs="+", default=FOLDERS)
     options.add_argument("--count", type=int, default=200)
@@ -208,13 +208,14 @@ def main():
         print("\n".join(describe(n) for n in range(len(chosen))))
         return print(f"{len(chosen)} of {total}")
     dropped = build(given.copy, given.build, chosen)
-    suites = suites_of(given.tests, given.filter)
+    suites = [suite for binary in given.tests for suite in suites_of(binary, given.filter)]
     reached = collections.defaultdict(list)
     with tempfile.TemporaryDirectory() as folder:
         def record(suite):
-            file = pathlib.Path(folder) / suite.strip(".").replace("/", "_")
-            if run(given.tests, suite + "*", DRIPFEED_MUTANTS=str(file)) != 0:
-                sys.exit(f"{suite} fails without a mutant")
+            binary, name = suite
+            file = pathlib.Path(folder) / f"{pathlib.Path(binary).name}_{name.strip('.').replace('/', '_')}"
+            if run(binary, name + "*", DRIPFEED_MUTANTS=str(file)) != 0:
+                sys.exit(f"{name} fails without a mutant")
             return suite, [int(n) for n in file.read_text().split()] if file.exists() else []
         with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
             for suite, numbers in pool.map(record, suites):
@@ -222,7 +223,7 @@ def main():
                     reached[number].append(suite)
     live = [n for n in range(len(chosen)) if n not in dropped]
     def kill(number):
-        return number, any(run(given.tests, suite + "*", DRIPFEED_MUTANT=str(number)) != 0 for suite in reached[number])
+        return number, any(run(binary, name + "*", DRIPFEED_MUTANT=str(number)) != 0 for binary, name in reached[number])
     survivors, killed = [], 0
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         for number, is_dead in pool.map(kill, [n for n in live if reached[n]]):
