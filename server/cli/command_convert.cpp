@@ -1,5 +1,6 @@
 // dripfeed convert: from one control's language to another's; to its own it prints the program back, byte for byte.
 #include <memory>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -37,7 +38,7 @@ app::Result<ChosenControl> control_for(const ConvertOptions& options, const std:
 }
 
 int convert(const ConvertOptions& options) {
-  const auto source = read_source(options.file);
+  auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
     return kWrongUse;
@@ -62,11 +63,13 @@ int convert(const ConvertOptions& options) {
   }
   compile::ProgramLibrary library(from->control, find_in(folders_for(options.text, options.file)));
   const auto mode = options.mode == "macro" ? compile::ConvertMode::macro : compile::ConvertMode::explicit_blocks;
-  const compile::ConvertResult result = compile::convert(
-      {.source = *source, .from = from->control, .to = to->control, .mode = mode, .library = &library});
-  if (options.text.json && !write_output(options.text.output, json::translation(result, *source) + "\n"))
+  // A long text has a long table of lines: moved, not copied.
+  const compile::ConvertRequest request = {
+      .source = std::move(*source), .from = from->control, .to = to->control, .mode = mode, .library = &library};
+  const compile::ConvertResult result = compile::convert(request);
+  if (options.text.json && !write_output(options.text.output, json::translation(result, request.source) + "\n"))
     return kWrongUse;
-  if (!options.text.json) print_diagnostics(result.diagnostics, *source, from->control.title);
+  if (!options.text.json) print_diagnostics(result.diagnostics, request.source, from->control.title);
   const bool own_bytes = options.from == options.to && mode == compile::ConvertMode::macro;
   if (!own_bytes && text::has_error(result.diagnostics)) return kFailed;
   if (options.text.json) return kDone;

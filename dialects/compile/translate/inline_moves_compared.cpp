@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -47,23 +49,55 @@ bool only_stops(const ir::Motion& first, const ir::Motion& second) {
          kDetour_mm;
 }
 
-// `origin_of`: the source's line for a line of the run.
-template <class Origin>
-std::vector<PlacedMove> moves_of(const RecordedRun& run, Origin&& origin_of) {
-  std::vector<PlacedMove> out;
-  for (const Visit& visit : run.visits) {
-    const std::uint32_t line = origin_of(visit.line);
-    for (ir::Motion m : run.motions_of(visit)) {
-      if (!leads_somewhere(m)) continue;
-      if (!out.empty() && only_stops(out.back().motion, m)) {
-        m.start = out.back().motion.start;
-        out.pop_back();
-      }
-      out.push_back({line, m});
+// The moves of a run one after the other: a long program's are not kept twice.
+class MovesInOrder {
+ public:
+  // `origin_of`: the source's line for a line of the run.
+  MovesInOrder(const RecordedRun& run, std::function<std::uint32_t(std::uint32_t)> origin_of)
+      : run_(run), origin_of_(std::move(origin_of)), ahead_(read()) {
+    next();
+  }
+
+  [[nodiscard]] bool ended() const { return !now_; }
+  [[nodiscard]] const ir::Motion& motion() const { return now_->motion; }
+  [[nodiscard]] std::uint32_t line() const { return now_->line; }
+  // Of the last one, also where all have ended; 1 where there was none.
+  [[nodiscard]] std::uint32_t last_line() const { return last_line_; }
+  [[nodiscard]] bool is_after_rapid() const { return is_after_rapid_; }
+
+  void next() {
+    is_after_rapid_ = !now_ || now_->motion.kind == ir::MotionKind::rapid;
+    now_ = std::exchange(ahead_, std::nullopt);
+    if (!now_) return;
+    last_line_ = now_->line;
+    while ((ahead_ = read()) && only_stops(now_->motion, ahead_->motion)) {
+      ahead_->motion.start = now_->motion.start;
+      now_ = ahead_;
+      last_line_ = now_->line;
     }
   }
-  return out;
-}
+
+ private:
+  std::optional<PlacedMove> read() {
+    for (; visit_ < run_.visits.size(); ++visit_, motion_ = 0) {
+      const auto motions = run_.motions_of(run_.visits[visit_]);
+      while (motion_ < motions.size()) {
+        const ir::Motion& m = motions[motion_++];
+        if (leads_somewhere(m)) return PlacedMove{origin_of_(run_.visits[visit_].line), m};
+      }
+    }
+    return std::nullopt;
+  }
+
+  const RecordedRun& run_;
+  std::function<std::uint32_t(std::uint32_t)> origin_of_;
+  std::size_t visit_ = 0;
+  std::size_t motion_ = 0;  // of the visit: the next one
+  std::uint32_t last_line_ = 1;
+  bool is_after_rapid_ = true;
+  std::optional<PlacedMove> ahead_;
+  std::optional<PlacedMove> now_;
+};
 
 }  // namespace
 
@@ -117,8 +151,8 @@ std::optional<InlineMoves::Difference> InlineMoves::first_difference(const ir::P
   options.limits = limits_;
   options.skip_switches = settings_[setting];
   const RecordedRun run = record(translation, to_, standard, options, {}, {});
-  const auto wanted = moves_of(runs_[setting], [](std::uint32_t line) { return line; });
-  const auto made = moves_of(
+  MovesInOrder wanted(runs_[setting], [](std::uint32_t line) { return line; });
+  MovesInOrder made(
       run, [&](std::uint32_t line) { return line == 0 || line > origin_lines.size() ? 0 : origin_lines[line - 1]; });
   const bool inch =
       to_.semantics.power_on_unit == ir::Function::unit_inch ||
@@ -128,46 +162,43 @@ std::optional<InlineMoves::Difference> InlineMoves::first_difference(const ir::P
     const auto at = tap_lines_.find(line);
     return at == tap_lines_.end() ? 0U : at->second;
   };
-  std::size_t i = 0;
-  std::size_t j = 0;
-  const auto same = [&](const PlacedMove& a, const PlacedMove& b) {
-    const std::uint32_t tap = tap_line(a.line);
-    if (tap != 0 && tap == tap_line(b.line)) return comparison.same_of_tap(a.motion, b.motion);
-    const bool of_cycle = cycles_.contains(a.line) && b.line == a.line;
-    const bool enters =
-        a.motion.kind != ir::MotionKind::rapid && (i == 0 || wanted[i - 1].motion.kind == ir::MotionKind::rapid);
-    return comparison.same(a.motion, b.motion,
+  const auto same = [&] {
+    const std::uint32_t tap = tap_line(wanted.line());
+    if (tap != 0 && tap == tap_line(made.line())) return comparison.same_of_tap(wanted.motion(), made.motion());
+    const bool of_cycle = cycles_.contains(wanted.line()) && made.line() == wanted.line();
+    const bool enters = wanted.motion().kind != ir::MotionKind::rapid && wanted.is_after_rapid();
+    return comparison.same(wanted.motion(), made.motion(),
                            !of_cycle ? CyclePart::none
                            : enters  ? CyclePart::entry
                                      : CyclePart::other);
   };
-  while (i < wanted.size() && j < made.size()) {
-    if (same(wanted[i], made[j])) {
-      ++i, ++j;
-    } else if (comparison.stays(wanted[i].motion)) {
-      ++i;  // as short as an increment of the control: rounded, it is none
-    } else if (comparison.stays(made[j].motion)) {
-      ++j;
+  while (!wanted.ended() && !made.ended()) {
+    if (same()) {
+      wanted.next();
+      made.next();
+    } else if (comparison.stays(wanted.motion())) {
+      wanted.next();  // as short as an increment of the control: rounded, it is none
+    } else if (comparison.stays(made.motion())) {
+      made.next();
     } else {
-      return Difference{wanted[i].line,
-                        fmt::format("{}; in the translation {}", describe_move(wanted[i].motion, made[j].motion),
-                                    describe_move(made[j].motion, wanted[i].motion))};
+      return Difference{wanted.line(),
+                        fmt::format("{}; in the translation {}", describe_move(wanted.motion(), made.motion()),
+                                    describe_move(made.motion(), wanted.motion()))};
     }
   }
-  while (i < wanted.size() && comparison.stays(wanted[i].motion)) ++i;
-  while (j < made.size() && comparison.stays(made[j].motion)) ++j;
-  if (i < wanted.size())
-    return Difference{wanted[i].line,
-                      describe_move(wanted[i].motion, wanted[i].motion) + ", which the translation does not make"};
-  if (j < made.size())
-    return Difference{made[j].line, "the translation also makes " + describe_move(made[j].motion, made[j].motion)};
+  while (!wanted.ended() && comparison.stays(wanted.motion())) wanted.next();
+  while (!made.ended() && comparison.stays(made.motion())) made.next();
+  if (!wanted.ended())
+    return Difference{wanted.line(),
+                      describe_move(wanted.motion(), wanted.motion()) + ", which the translation does not make"};
+  if (!made.ended())
+    return Difference{made.line(), "the translation also makes " + describe_move(made.motion(), made.motion())};
   const bool ended =
       run.result.ended == interpreter::Ended::end || (returns_ && run.result.ended == runs_[setting].result.ended);
   if (const auto lost = first_lost_write(translation, run, origin_lines, setting))
     return Difference{*lost, "the translation does not write what is written here"};
   if (run.is_whole && ended) return std::nullopt;
-  const std::uint32_t last = wanted.empty() ? 1 : wanted.back().line;
-  return Difference{owners_.empty() ? last : owners_.front(), "the translation does not reach its end"};
+  return Difference{owners_.empty() ? wanted.last_line() : owners_.front(), "the translation does not reach its end"};
 }
 
 // In order; the translation may write more, to variables that it needs itself.
