@@ -141,7 +141,7 @@ class CyclesFanuc(MixedFanuc):
         """A bolt circle by arithmetic, in a loop."""
         first, second = {"G17": "XY", "G18": "ZX", "G19": "YZ"}[self.plane]
         code = self.one_of("G81", "G82", "G83", "G85")
-        self.put("#1=0", f"{self.one_of('G98', 'G99')} {code} {self.across()} {self.deep}{self.length(-20, -5)} R{self.length(1, 5)}{self.words(code)}", f"WHILE[#1LT{self.chance.randint(2, 5)}]DO1",
+        self.put(f"G00 {self.deep}{self.scaled(30)}", "#1=0", f"{self.one_of('G98', 'G99')} {code} {self.across()} {self.deep}{self.length(-20, -5)} R{self.length(1, 5)}{self.words(code)}", f"WHILE[#1LT{self.chance.randint(2, 5)}]DO1",
                  f"{first}[{self.length(9, 20)}*COS[#1*60.]] {second}[{self.length(9, 20)}*SIN[#1*60.]]", "#1=#1+1.", "END1", "G80", f"G00 {self.deep}{self.scaled(30)}")
 
     def spindle(self):

@@ -18,7 +18,7 @@ constexpr int kMostDecimals = 9;
 constexpr double kNoise = 1e-9;
 constexpr int kNoLimit = 1000;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit_of_number(char c) { return c >= '0' && c <= '9'; }
 
 NativeNumber refused(std::string why) { return {.text = std::nullopt, .why = std::move(why)}; }
 
@@ -39,7 +39,7 @@ NativeNumber number_in_place(const NativeConstant& old, std::string_view old_tex
   const int most = most_digits == 0 ? kNoLimit : std::max(static_cast<int>(most_digits), int{old.digits});
   std::string out;
   text::append_word_number(out, value, std::clamp(most - whole_digits(value), 0, kMostDecimals), !old.has_point);
-  if (std::ranges::count_if(out, is_digit) > most + (std::abs(value) < 1.0 ? 1 : 0))
+  if (std::ranges::count_if(out, is_digit_of_number) > most + (std::abs(value) < 1.0 ? 1 : 0))
     return refused(
         fmt::format("{} has more than the {} digits that the control reads", text::format_shortest(value), most));
   return {.text = std::move(out), .why = {}};

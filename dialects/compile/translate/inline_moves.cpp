@@ -123,8 +123,9 @@ std::vector<text::Diagnostic> InlineMoves::lower(ir::Program& program) {
   if (const std::string& what = not_compared_; !what.empty()) {
     runs_.clear();
     for (std::size_t i = 0; i < kinds_.size(); ++i)
-      if (const ir::Statement& s = program.statements[i];
-          kinds_[i] != WithoutCounterpart::no && kinds_[i] != WithoutCounterpart::tap_part)
+      if (const ir::Statement& s = program.statements[i]; kinds_[i] != WithoutCounterpart::no &&
+                                                          kinds_[i] != WithoutCounterpart::pecks &&
+                                                          kinds_[i] != WithoutCounterpart::tap_part)
         cannot(passes::together(name_of(kinds_[i], program, s) + " together with " + what), s.span);
     return std::move(diagnostics_);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dialects/compile/dialect/motion_codes.h"
+#include "dialects/compile/translate/own_pecks.h"
 #include "dialects/ir/called_cycle.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -49,7 +50,9 @@ class Walk {
     if (calls_too || call.computed != ir::ExpressionId::none) return WithoutCounterpart::no;
     if (ir::is_called(call, ir::CalledSort::removal) || ir::is_called(call, ir::CalledSort::milling))
       return WithoutCounterpart::removal;
-    return drills(call) && from_.kind != ir::MachineKind::mill ? WithoutCounterpart::drilling : WithoutCounterpart::no;
+    if (!drills(call)) return WithoutCounterpart::no;
+    if (from_.kind != ir::MachineKind::mill) return WithoutCounterpart::drilling;
+    return has_own_pecks(program_, call, to_) ? WithoutCounterpart::pecks : WithoutCounterpart::no;
   }
 
   WithoutCounterpart of_block(const ir::Block& block) {
@@ -105,6 +108,7 @@ std::string name_of(WithoutCounterpart kind, const ir::Program& program, const i
   switch (kind) {
     case WithoutCounterpart::arc: return "an arc";
     case WithoutCounterpart::drilling: return "a drilling cycle of a lathe";
+    case WithoutCounterpart::pecks: return "a deep hole";
     case WithoutCounterpart::removal: return "stock removal";
     case WithoutCounterpart::tap:
     case WithoutCounterpart::tap_part: return "a tap";

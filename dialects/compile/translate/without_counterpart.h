@@ -10,8 +10,9 @@
 
 namespace dripfeed::compile {
 
-// Taps are found by tap_statements().
-enum class WithoutCounterpart : std::uint8_t { no, arc, drilling, removal, tap, tap_part };
+// Taps are found by tap_statements(). Pecks: a deep hole whose strokes the other control's cycle would make otherwise;
+// where they cannot be written as moves, that cycle is the nearest that it has.
+enum class WithoutCounterpart : std::uint8_t { no, arc, drilling, pecks, removal, tap, tap_part };
 
 // For each statement, in the order of the text: what is in effect counts from the block that says it to the next one
 // that says something else.

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "dialects/macro_b/writer/complete.h"
+#include "dialects/macro_b/writer/drill_levels.h"
 #include "dialects/macro_b/writer/flatten.h"
 #include "dialects/macro_b/writer/global_data.h"
 #include "dialects/macro_b/writer/place_globals.h"
@@ -313,6 +314,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   }
   append(result.diagnostics, complete_statements(p, to.title));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
+  if (from.dialect != to.dialect) append(result.diagnostics, drill_levels(p, from, to));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_frames(p, to));
   if (from.dialect != to.dialect) append(result.diagnostics, refuse_global_data(p, globals, to));
   const bool by_number = ir::has_numbered_variables(from);

@@ -232,7 +232,8 @@ TEST(DrillingToSinumerik, WhatThePictureOfTheHoleLeavesOpenIsReported) {
   EXPECT_TRUE(messages(kHead + "S600 M3\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
   EXPECT_FALSE(messages(kHead + "S600 M3\nM29 S600\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
   const std::string own = "G17 G90 G710 G94 F100 S1000 M3\nT1 D1 M6\nG0 X0 Y0 Z10\n";
-  EXPECT_TRUE(messages(own + "CYCLE83(10,0,2,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
+  EXPECT_TRUE(messages(own + "MCALL CYCLE83(10,0,2,-20,,-5,,0,0,0,1,1)\nX5\nMCALL\nM30\n", kTo, "fanuc")
+                  .contains("counts from R"));
   EXPECT_FALSE(messages(own + "CYCLE83(10,0,0,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
 }
 
