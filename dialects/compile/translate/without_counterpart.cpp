@@ -2,9 +2,11 @@
 #include "dialects/compile/translate/without_counterpart.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "dialects/compile/dialect/motion_codes.h"
 #include "dialects/compile/translate/own_pecks.h"
+#include "dialects/facts/axis_words.h"
 #include "dialects/ir/called_cycle.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -35,24 +37,46 @@ class Walk {
   std::vector<WithoutCounterpart> run() {
     std::vector<WithoutCounterpart> out;
     out.reserve(program_.statements.size());
-    for (const ir::Statement& s : program_.statements) {
-      if (s.kind == StatementKind::call)
-        out.push_back(of_call(program_.calls[s.payload]));
-      else
-        out.push_back(s.kind == StatementKind::block ? of_block(program_.blocks[s.payload]) : WithoutCounterpart::no);
-    }
+    for (const ir::Statement& s : program_.statements) out.push_back(of(s));
     return out;
   }
 
  private:
+  WithoutCounterpart of(const ir::Statement& s) {
+    switch (s.kind) {
+      case StatementKind::call: return of_call(program_.calls[s.payload]);
+      case StatementKind::modal_call: {
+        const ir::Call& call = program_.calls[s.payload];
+        makes_pecks_ = pecks(call);
+        return makes_pecks_ ? WithoutCounterpart::pecks : WithoutCounterpart::no;
+      }
+      case StatementKind::modal_call_end:
+        return std::exchange(makes_pecks_, false) ? WithoutCounterpart::pecks : WithoutCounterpart::no;
+      case StatementKind::block: return of_block(program_.blocks[s.payload]);
+      default: return WithoutCounterpart::no;
+    }
+  }
+
+  [[nodiscard]] bool pecks(const ir::Call& call) const {
+    return from_.dialect != to_.dialect && from_.kind == ir::MachineKind::mill &&
+           call.computed == ir::ExpressionId::none && drills(call) && has_own_pecks(program_, call, to_);
+  }
+  // A position, or several, where a modal call drills.
+  [[nodiscard]] bool is_position(const ir::Block& block) const {
+    return makes_pecks_ && !facts::has_own_words(program_, block) &&
+           std::ranges::any_of(program_.words_of(block), moves);
+  }
+
   [[nodiscard]] WithoutCounterpart of_call(const ir::Call& call) const {
     const bool calls_too = from_.dialect == to_.dialect;
     if (calls_too || call.computed != ir::ExpressionId::none) return WithoutCounterpart::no;
     if (ir::is_called(call, ir::CalledSort::removal) || ir::is_called(call, ir::CalledSort::milling))
       return WithoutCounterpart::removal;
-    if (!drills(call)) return WithoutCounterpart::no;
-    if (from_.kind != ir::MachineKind::mill) return WithoutCounterpart::drilling;
-    return has_own_pecks(program_, call, to_) ? WithoutCounterpart::pecks : WithoutCounterpart::no;
+    const bool positions = ir::is_called(call, ir::CalledSort::holes_in_row) ||
+                           ir::is_called(call, ir::CalledSort::holes_on_circle) ||
+                           ir::is_called(call, ir::CalledSort::holes_anywhere);
+    if (pecks(call) || (makes_pecks_ && positions)) return WithoutCounterpart::pecks;
+    return drills(call) && from_.kind != ir::MachineKind::mill ? WithoutCounterpart::drilling : WithoutCounterpart::no;
   }
 
   WithoutCounterpart of_block(const ir::Block& block) {
@@ -66,6 +90,7 @@ class Walk {
       motion_ = motion_of(c);
       names = motion_ != WithoutCounterpart::no;
     }
+    if (is_position(block)) return WithoutCounterpart::pecks;
     const auto words = program_.words_of(block);
     return motion_ != WithoutCounterpart::no && (names || std::ranges::any_of(words, moves)) ? motion_
                                                                                              : WithoutCounterpart::no;
@@ -86,6 +111,7 @@ class Walk {
   const ir::Control& from_;
   const ir::Control& to_;
   WithoutCounterpart motion_ = WithoutCounterpart::no;  // in effect
+  bool makes_pecks_ = false;                            // a modal call in effect does
 };
 
 }  // namespace
@@ -98,6 +124,7 @@ std::vector<WithoutCounterpart> without_counterpart(const ir::Program& program, 
 std::string name_of(WithoutCounterpart kind, const ir::Program& program, const ir::Statement& statement) {
   if (statement.kind == StatementKind::call || statement.kind == StatementKind::modal_call)
     return std::string(program.strings.at(program.calls[statement.payload].name));
+  if (statement.kind == StatementKind::modal_call_end) return "the end of a modal call";
   for (const ir::Code& c : program.codes_of(program.blocks[statement.payload])) {
     const bool meant =
         c.function == Function::repetitive_cycle || c.function == Function::drill || c.function == Function::arc_via ||

@@ -19,8 +19,8 @@ using ir::Function;
 
 class DrillLevels {
  public:
-  DrillLevels(ir::Program& program, const ir::Control& from, const ir::Control& to, bool counts_from_initial)
-      : program_(program), from_(from), to_(to), counts_from_initial_(counts_from_initial), facts_(program, from) {}
+  DrillLevels(ir::Program& program, const ir::Control& from, const ir::Control& to)
+      : program_(program), from_(from), to_(to), facts_(program, from) {}
 
   std::vector<text::Diagnostic> run() {
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i)
@@ -70,7 +70,7 @@ class DrillLevels {
           w.span, to_.title));
       return;
     }
-    w.value = program_.add_constant(counts_from_initial_ ? *initial + *written : *written - *initial,
+    w.value = program_.add_constant(from_.semantics.drill_r_from_initial ? *initial + *written : *written - *initial,
                                     program_.at(w.value).span);
   }
 
@@ -89,7 +89,6 @@ class DrillLevels {
   ir::Program& program_;
   const ir::Control& from_;
   const ir::Control& to_;
-  bool counts_from_initial_;
   facts::Resolved facts_;
   std::vector<text::Diagnostic> diagnostics_;
 };
@@ -97,12 +96,11 @@ class DrillLevels {
 }  // namespace
 
 std::vector<text::Diagnostic> drill_levels(ir::Program& program, const ir::Control& from, const ir::Control& to) {
-  // Drilling codes of a SINUMERIK are those of its other language, which is that of Fanuc.
-  const bool counts =
-      ir::has_numbered_variables(from) ? from.semantics.drill_r_from_initial : from.kind == ir::MachineKind::lathe;
-  if (counts == to.semantics.drill_r_from_initial) return {};
+  // What is written for taps of other languages is in the terms of `to` already.
+  const bool alike = from.semantics.drill_r_from_initial == to.semantics.drill_r_from_initial;
+  if (alike || !ir::has_numbered_variables(from)) return {};
   const bool drills = std::ranges::find(program.codes, Function::drill, &ir::Code::function) != program.codes.end();
-  return drills ? DrillLevels(program, from, to, counts).run() : std::vector<text::Diagnostic>();
+  return drills ? DrillLevels(program, from, to).run() : std::vector<text::Diagnostic>();
 }
 
 }  // namespace dripfeed::macro_b

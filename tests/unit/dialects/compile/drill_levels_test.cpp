@@ -86,6 +86,24 @@ TEST(OwnPecks, TheyAreWrittenAsTheirMoves) {
   }
 }
 
+TEST(OwnPecks, ThoseOfAModalCallStandAtEachPosition) {
+  for (const std::string holes : {"X10 Y5\nX20\n", "HOLES1(5,5,30,4,8,3)\n", "M8\nG91 X5\nG90\nHOLES2(0,0,20,0,0,4)\n",
+                                  "X10\nCYCLE802(111111111,111111111,8,8,-6,4)\nF80\nY7\n"}) {
+    const std::string text =
+        "G17 G710 G90 G94 G40 G54\nT1 D1 M6\nS500 M3\nF100\nG0 X0 Y0 Z30\n"
+        "MCALL CYCLE83(30,2,1,-20,,,5,1,,,1,1)\n" +
+        holes + "MCALL\nG0 Z50\nX10\nG1 Y3\nM30\n";
+    const auto here = real_moves(run_text(text, control("sinumerik-840d", ir::MachineKind::mill)).motions);
+    for (const std::string to : {"fanuc", "haas"}) {
+      const ConvertResult made = translated(text, "sinumerik-840d", to);
+      const std::string messages = messages_of(made.diagnostics, text::Source("program", text));
+      ASSERT_FALSE(text::has_error(made.diagnostics)) << holes << messages;
+      EXPECT_EQ(made.not_verified, "");
+      expect_same(here, real_moves(run_text(made.text, control(to, ir::MachineKind::mill)).motions), 1.1e-3, made.text);
+    }
+  }
+}
+
 TEST(OwnPecks, ThoseOfTheOtherControlStayACycle) {
   for (const auto& [values, code] :
        {std::pair("30,2,0,-20,,,5,0,,,1,1,,,,,1", "G83"), std::pair("30,2,0,-20,,,5,0,,,1,0", "G73"),

@@ -197,8 +197,10 @@ TEST(DrillingFromSinumerik, LevelsThatAreComputedWithoutAClearance) {
 TEST(DrillingFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
   expect_refused("DEF REAL TOP=10\n" + kOwnHead + "MCALL CYCLE81(TOP,2,1,-8)\nX1\nMCALL\nM30\n", kTo, "fanuc",
                  "which side");
-  expect_refused(kOwnHead + "MCALL CYCLE83(TOP,2,1,-20,,,8,0,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "program:6");
-  expect_refused(kOwnHead + "MCALL CYCLE83(40,2,1,-20,,,8,2,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "grow less");
+  expect_refused(kOwnHead + "MCALL CYCLE83(TOP,2,1,-20,,,8,0,,,1,1)\nX=$AA_IW[X]\nMCALL\nM30\n", kTo, "fanuc",
+                 "program:6");
+  expect_refused(kOwnHead + "MCALL CYCLE83(40,2,1,-20,,,8,2,,,1,1)\nX=$AA_IW[X]\nMCALL\nM30\n", kTo, "fanuc",
+                 "grow less");
   expect_refused(kOwnHead + "CYCLE86(40,2,1,-20,,0,3,1,1,1,30)\nM30\n", kTo, "fanuc", "CYCLE86");
 }
 
@@ -232,7 +234,7 @@ TEST(DrillingToSinumerik, WhatThePictureOfTheHoleLeavesOpenIsReported) {
   EXPECT_TRUE(messages(kHead + "S600 M3\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
   EXPECT_FALSE(messages(kHead + "S600 M3\nM29 S600\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
   const std::string own = "G17 G90 G710 G94 F100 S1000 M3\nT1 D1 M6\nG0 X0 Y0 Z10\n";
-  EXPECT_TRUE(messages(own + "MCALL CYCLE83(10,0,2,-20,,-5,,0,0,0,1,1)\nX5\nMCALL\nM30\n", kTo, "fanuc")
+  EXPECT_TRUE(messages(own + "MCALL CYCLE83(10,0,2,-20,,-5,,0,0,0,1,1)\nX=$AA_IW[X]\nMCALL\nM30\n", kTo, "fanuc")
                   .contains("counts from R"));
   EXPECT_FALSE(messages(own + "CYCLE83(10,0,0,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
 }

@@ -259,7 +259,7 @@ TEST(LatheTap, PecksOfATapAndAnAxisOfADrillAreRefused) {
   expect_has(pecks, "a tap by pecks (Q)");
   const std::string head = "G17 G71 G90 G94 G40 G54\nT1 D1 M6\nG97 S300 M3\nG0 X0 Y0 Z60 F100\n";
   for (const std::string cycle :
-       {"MCALL CYCLE83(60,0,2,-20,,,5,0,,,1,1,1)\nX5\nMCALL\n", "CYCLE84(60,0,2,-20,,0,3,,1.5,0,300,300,1)\n",
+       {"MCALL CYCLE83(60,0,2,-20,,,5,0,,,1,1,1)\nX=$AA_IW[X]\nMCALL\n", "CYCLE84(60,0,2,-20,,0,3,,1.5,0,300,300,1)\n",
         "CYCLE840(60,0,2,-20,,0,4,3,0,,1.5,2)\n", "CYCLE840(60,0,2,-20,,0,4,3,0,,1.5,0,1)\n"})
     expect_has(refusal(head + cycle + "M30\n", kSinumerik, "fanuc", MachineKind::mill), "of its own");
 }
