@@ -99,6 +99,13 @@ class MovesInOrder {
   std::optional<PlacedMove> now_;
 };
 
+// Why a run does not know where a move ends.
+std::string what_is_open(const RecordedRun& run) {
+  const auto& open = run.result.not_interpreted;
+  const auto why = std::ranges::find(open, false, &interpreter::NotInterpreted::effects_known);
+  return why == open.end() ? "a move whose end is not known" : why->name;
+}
+
 }  // namespace
 
 std::vector<text::Diagnostic> InlineMoves::compare(const ir::Program& translation,
@@ -181,9 +188,10 @@ std::optional<InlineMoves::Difference> InlineMoves::first_difference(const ir::P
     } else if (comparison.stays(made.motion())) {
       made.next();
     } else {
+      const bool open = leaves_end_open(wanted.motion(), made.motion());
       return Difference{wanted.line(),
                         fmt::format("{}; in the translation {}", describe_move(wanted.motion(), made.motion()),
-                                    describe_move(made.motion(), wanted.motion()))};
+                                    open ? what_is_open(run) : describe_move(made.motion(), wanted.motion()))};
     }
   }
   while (!wanted.ended() && comparison.stays(wanted.motion())) wanted.next();

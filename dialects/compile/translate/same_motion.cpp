@@ -37,6 +37,10 @@ bool may_stand_for(ir::MotionKind a, ir::MotionKind b) {
 
 }  // namespace
 
+bool leaves_end_open(const ir::Motion& a, const ir::Motion& b) {
+  return (b.gaps & ir::kEndUnknown) != 0 && (a.gaps & ir::kEndUnknown) == 0;
+}
+
 SameMotion::SameMotion(const ir::Control& from, const ir::Control& to, bool inch)
     : x_factor_(diameter(to) / diameter(from)),
       tolerance_mm_(1.1 * std::max(passes::least_increment_mm(from, inch), passes::least_increment_mm(to, inch))) {}
@@ -86,6 +90,7 @@ bool SameMotion::same_of_tap(const ir::Motion& a, const ir::Motion& b) const {
 }
 
 bool SameMotion::same_end(const ir::Motion& a, const ir::Motion& b) const {
+  if (leaves_end_open(a, b)) return false;
   const std::uint16_t unknown = a.axes_unknown | b.axes_unknown;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
     const bool named = ((a.axes_commanded | b.axes_commanded) & (1U << axis)) != 0;

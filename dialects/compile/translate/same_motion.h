@@ -12,6 +12,9 @@ namespace dripfeed::compile {
 // The first cut after a rapid, and what else a cycle does.
 enum class CyclePart : std::uint8_t { none, entry, other };
 
+// The translation's control, or a setting of it, decides where `b` ends, and `a` is known.
+bool leaves_end_open(const ir::Motion& a, const ir::Motion& b);
+
 class SameMotion {
  public:
   // `inch`: one of the two may be written in inches.

@@ -84,6 +84,13 @@ TEST(SameMotion, OnlyAnAxisThatIsNamedMustBeKnown) {
   EXPECT_FALSE(mills().same(with(unknown(kZ), [](Motion& m) { m.axes_commanded |= kZ; }), cut(), CyclePart::none));
 }
 
+TEST(SameMotion, AnEndThatASettingDecidesIsNoEnd) {
+  const Motion open = with(cut(), [](Motion& m) { m.gaps = ir::kEndUnknown; });
+  EXPECT_FALSE(mills().same(cut(), open, CyclePart::none));
+  EXPECT_TRUE(mills().same(open, open, CyclePart::none));
+  EXPECT_TRUE(mills().same(open, cut(), CyclePart::none));
+}
+
 TEST(SameMotion, ADiameterIsTwiceARadius) {
   const ir::Control lathe = control("fanuc", ir::MachineKind::lathe);
   ir::Control by_radius = lathe;

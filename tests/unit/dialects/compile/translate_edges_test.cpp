@@ -151,6 +151,22 @@ TEST(TranslateEdges, HolesByAngleAreWrittenOutUpToAThousand) {
   EXPECT_TRUE(holes("1001").states("a number of holes by angle that is not known here"));
 }
 
+// --- frames
+
+// By its setting data (SD42440, which is usually 1) a SINUMERIK goes by the change of the frame as well.
+TEST(TranslateEdges, AnIncrementAfterAChangeOfTheFrameIsRefusedByItsReason) {
+  const auto shifted = [](const std::string& frame, const std::string& moves, ConvertMode mode = ConvertMode::macro) {
+    return make(kFanuc + frame + "\n" + moves + "\nG90\nG00 Z60.\nM30\n", kFanucMill, "sinumerik-840d", mode);
+  };
+  for (const std::string frame : {"G52 X5.", "G51.1 X0.", "G68 X0. Y0. R30."}) {
+    const Made made = shifted(frame, "G91\nG01 X1. Y1.\nX2.");
+    EXPECT_TRUE(made.refused) << frame << made.text;
+    EXPECT_TRUE(made.states("an increment along an axis whose frame has changed (SD42440")) << frame << made.messages;
+    EXPECT_FALSE(shifted(frame, "G01 X1. Y1.\nG91\nX2. Y3.").refused) << frame;
+  }
+  EXPECT_FALSE(shifted("G52 X5.", "G91\nG01 X1. Y1.\nX2.", ConvertMode::explicit_blocks).refused);
+}
+
 // --- values
 
 TEST(TranslateEdges, OnlyValuesFromOutsideAreReported) {
