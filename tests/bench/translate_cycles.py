@@ -33,15 +33,15 @@ class CyclesSinumerik(MixedSinumerik):
         turn, infeed = self.one_of("0", "30", "-45", "90", "123"), self.one_of("0", self.length(1, 4), self.scaled(50))
         side, base = self.one_of("0", self.scaled(0.3)), self.one_of("0", self.scaled(0.2))
         direction = self.one_of(0, 1, 2, 3)
-        way_in = self.one_of((11, ""), (21, f",,,,{self.scaled(3)},{self.scaled(1.5)}"), (31, f",,,,15,{self.scaled(1)}"), (12, ""), (14, ""), (1, ""))
+        entry = self.one_of((11, ""), (21, f",,,,{self.scaled(3)},{self.scaled(1.5)}"), (31, f",,,,15,{self.scaled(1)}"), (12, ""), (14, ""), (1, ""))
         rays = f"{self.chance.randint(1, 4)},{self.length(32, 45)}"
         ring = f"{place},{self.length(14, 25)},{turn},{self.one_of('90', '72', '45')}"
         wide_slot = self.length(13, 20)
         step = self.one_of("", self.length(2, 5))
-        three = way_in[1].removeprefix(",") if way_in[1] else ""
+        three = entry[1].removeprefix(",") if entry[1] else ""
         call = self.one_of(
-            f"POCKET3({head},{depth},{size},{wide},{corner},{place},{turn},{infeed},{side},{base},{along},{down},{direction},{way_in[0]},{step}" + (f",,,,{three.lstrip(',')}" if three else "") + ")",
-            f"POCKET4({head},{depth},{self.length(15, 25)},{place},{infeed},{side},{base},{along},{down},{direction},{way_in[0]},{step}" + (f",,,{three.lstrip(',')}" if three else "") + ")",
+            f"POCKET3({head},{depth},{size},{wide},{corner},{place},{turn},{infeed},{side},{base},{along},{down},{direction},{entry[0]},{step}" + (f",,,,{three.lstrip(',')}" if three else "") + ")",
+            f"POCKET4({head},{depth},{self.length(15, 25)},{place},{infeed},{side},{base},{along},{down},{direction},{entry[0]},{step}" + (f",,,{three.lstrip(',')}" if three else "") + ")",
             f"POCKET1({head},{both},{size},{wide},{corner},{place},{turn},{down},{along},{infeed},{self.one_of(2, 3)},{side},{self.one_of(0, 1, 2)},{self.one_of('', self.scaled(5))},{self.one_of('', '250')})",
             f"POCKET2({head},{both},{self.length(15, 25)},{place},{down},{along},{infeed},{self.one_of(2, 3)},{side},{self.one_of(0, 1, 2)})",
             f"SLOT1({head},{both},{rays},{wide_slot},{ring},{down},{along},{infeed},{direction},{side},{self.one_of(0, 1, 2)},{self.one_of('', self.scaled(5))},{self.one_of('', '250')})",

@@ -701,7 +701,7 @@ def is_short(move):
 
 
 def is_one_tap(one, other):
-    """A feed a minute, or its lead, as a thread or a feed, or a lead below 0 and a spindle that turns the other way: the same thread."""
+    """A feed a minute, or its lead, as a thread or a feed, or a lead below 0 and a spindle that turns counterclockwise: the same thread."""
     if not {one[0], other[0]} <= {"linear", "thread"} or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
         return False
     feeds = [move[1].get("F", "0") for move in (one, other)]

@@ -159,7 +159,7 @@ TEST(DrillingFromSinumerik, PecksFromAboveAndBelowTheRetractionPlane) {
   const std::string holes = "MCALL CYCLE83(10,2,0,-20,,,8,0,,,1,1,,,,,1)\nX10 Y10\nX20\nMCALL\nM30\n";
   for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
     for (const std::string height : {"", "Z8\n"}) {
-      const std::string text = kOwnHead + height + holes;
+      const std::string text = std::string(kOwnHead).append(height).append(holes);
       const ConvertResult result = translated(text, kTo, to);
       ASSERT_FALSE(text::has_error(result.diagnostics)) << messages_of(result.diagnostics, text::Source("p", text));
       EXPECT_EQ(result.not_verified, "");
@@ -207,8 +207,9 @@ TEST(DrillingFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
 // A level that is stated by itself counts from there on (a retract past a clamp).
 TEST(DrillingToSinumerik, AReturnLevelByItself) {
   for (const std::string level : {"G98\n", "G98 M08\n", "G90 G98\n"}) {
-    const std::string to = expect_same_holes(
-        kHead + "G99 G81 X10. Z-5. R2. F100.\nX20.\n" + level + "X30.\nG99\nX40.\nG80\nM30\n", "fanuc", kTo);
+    std::string from = kHead + "G99 G81 X10. Z-5. R2. F100.\nX20.\n";
+    from.append(level).append("X30.\nG99\nX40.\nG80\nM30\n");
+    const std::string to = expect_same_holes(from, "fanuc", kTo);
     EXPECT_TRUE(to.contains("MCALL CYCLE81(40,2,,-5)\nG0 X30.\nMCALL CYCLE81(2,2,,-5)\nG0 X40.\n")) << to;
   }
 }

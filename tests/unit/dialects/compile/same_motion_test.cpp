@@ -146,7 +146,7 @@ TEST(SameMotion, WithinACycleATapMayBeAThread) {
   EXPECT_FALSE(compared.same(cut(), back, CyclePart::entry));
 }
 
-TEST(SameMotion, ALeftHandThreadTurnsTheOtherWay) {
+TEST(SameMotion, ALeftHandThreadTurnsCounterclockwise) {
   const Motion left = with(cut(MotionKind::thread), [](Motion& m) { m.feed = -1.5; });
   const auto right = [](double lead, SpindleState spindle, double rpm = 500.0) {
     return with(cut(MotionKind::thread), [&](Motion& m) {
