@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -12,6 +13,7 @@
 #include "dialects/macro_b/reader/infer.h"
 #include "dialects/macro_b/reader/scan.h"
 #include "dialects/macro_b/tables/grammar.h"
+#include "dialects/macro_b/writer/print.h"
 #include "dialects/macro_b/writer/raise.h"
 #include "dialects/text/diagnostic.h"
 #include "dialects/text/source.h"
@@ -51,6 +53,9 @@ struct Stages {
   }
   static ir::PrintResult print(const ir::Program& program, const ir::Control& its) {
     return macro_b::print(program, its, grammar());
+  }
+  static void append_position(std::string& out, ir::Address axis, double value, const ir::Control& its) {
+    macro_b::append_position(out, axis, value, its);
   }
 };
 

@@ -131,12 +131,7 @@ class Rounding {
   }
 
   [[nodiscard]] double nearest(double value, bool rotary) const {
-    const double increment = rotary
-                                 ? control_.semantics.least_increment_deg
-                                 : control_.semantics.least_increment_mm * (inch_ || either_unit_ ? kInchesPerMm : 1.0);
-    if (!(increment > 0.0)) return value;
-    const double per_unit = std::nearbyint(1.0 / increment);
-    return std::nearbyint(value * per_unit) / per_unit + 0.0;
+    return nearest_position(value, rotary, inch_ || either_unit_, control_);
   }
 
   ir::Program& program_;
@@ -152,6 +147,14 @@ class Rounding {
 }  // namespace
 
 void round_positions(ir::Program& program, const ir::Control& control) { Rounding(program, control).run(); }
+
+double nearest_position(double value, bool rotary, bool inch, const ir::Control& control) {
+  const double increment = rotary ? control.semantics.least_increment_deg
+                                  : control.semantics.least_increment_mm * (inch ? kInchesPerMm : 1.0);
+  if (!(increment > 0.0)) return value;
+  const double per_unit = std::nearbyint(1.0 / increment);
+  return std::nearbyint(value * per_unit) / per_unit + 0.0;
+}
 
 double least_increment_mm(const ir::Control& control, bool inch) {
   const double increment = control.semantics.least_increment_mm;

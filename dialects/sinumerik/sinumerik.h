@@ -63,5 +63,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
 // Canonical text of a raised program: no head line (the file name is the program's), one block a line, LF, axis words
 // always with a decimal point.
 ir::PrintResult print(const ir::Program& program, const ir::Control& control);
+// X12.5: the word of an axis with a computed position, as `print` writes it.
+void append_position(std::string& out, ir::Address axis, double value, const ir::Control& control);
 
 }  // namespace dripfeed::sinumerik

@@ -203,9 +203,9 @@ void append_fixed(std::string& out, double value, int decimals) {
 }
 
 void append_word_number(std::string& out, double value, int decimals, bool bare_integer) {
-  const std::size_t start = out.size();
   append_fixed(out, value, decimals);
-  const std::size_t point = out.find('.', start);
+  const auto fraction = static_cast<std::size_t>(std::clamp(decimals, 0, kMaxDecimals));
+  const std::size_t point = fraction == 0 || !std::isfinite(value) ? std::string::npos : out.size() - fraction - 1;
   if (point == std::string::npos) {
     if (std::isfinite(value) && !bare_integer) out.push_back('.');
     return;

@@ -11,6 +11,7 @@
 #include "server/cli/family_options.h"
 #include "server/cli/optimize_report.h"
 #include "server/cli/output.h"
+#include "server/cli/text_spool.h"
 
 namespace dripfeed::cli {
 
@@ -31,7 +32,9 @@ void optimize(RenderedFamily& rendered) {
 
 int render(const RenderOptions& asked) {
   const FamilyOptions& options = asked.family;
-  auto rendered = render_family(options);
+  TextSpool spool;
+  // JSON has the text in one piece, and its place index; the optimizer reads it.
+  auto rendered = options.text.json || asked.optimize ? render_family(options) : render_family(options, spool);
   if (!rendered) {
     print_error(rendered.error());
     return rendered.error().code == app::ErrorCode::refused ? kFailed : kWrongUse;
@@ -46,7 +49,7 @@ int render(const RenderOptions& asked) {
     return write_output(options.text.output, render_document(result, rendered->source)) ? kDone : kWrongUse;
   fmt::print(stderr, "{}: {}; {} blocks, {} bytes, {} variables\n", compile::name_of(result.mode), result.because,
              result.blocks, result.bytes, result.variables);
-  return write_output(options.text.output, result.text) ? kDone : kWrongUse;
+  return spool.write_output(options.text.output, result.text, rendered->splices) ? kDone : kWrongUse;
 }
 
 }  // namespace

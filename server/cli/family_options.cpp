@@ -86,7 +86,19 @@ bool is_family(const text::Source& source) {
 
 namespace {
 
-app::Result<RenderedFamily> render_text(const FamilyOptions& options, text::Source family, bool wants_lines) {
+// What a caller wants besides the text, or of it.
+struct Wanted {
+  bool lines = false;
+  compile::TextSink* sink = nullptr;
+};
+
+// Whatever the machine takes for it.
+bool is_in_blocks(const compile::RenderRequest& request) {
+  return request.mode == compile::RenderMode::explicit_blocks ||
+         (request.mode == compile::RenderMode::automatic && request.delivery == ir::Delivery::drip);
+}
+
+app::Result<RenderedFamily> render_text(const FamilyOptions& options, text::Source family, Wanted wanted) {
   TextOptions text = options.text;
   // The family says what kind of machine it is for.
   if (text.machine.empty() && text.control.empty() && compile::describe_family(family).machine != ir::MachineKind::mill)
@@ -105,23 +117,35 @@ app::Result<RenderedFamily> render_text(const FamilyOptions& options, text::Sour
       .heading = {}};
   RenderedFamily out{
       .source = std::move(family), .chosen = std::move(*chosen), .values = std::move(*values), .result = {}};
+  if (wanted.sink != nullptr && is_in_blocks(request)) {
+    compile::StreamedRendering made = compile::render_streamed(request, *wanted.sink);
+    out.result = std::move(made.result);
+    out.splices = std::move(made.splices);
+    return out;
+  }
   out.result = app::render_for(request, out.chosen.profile ? &*out.chosen.profile : nullptr);
-  if (wants_lines && !text::has_error(out.result.diagnostics)) out.lines = compile::family_lines(request, out.result);
+  if (wanted.lines && !text::has_error(out.result.diagnostics)) out.lines = compile::family_lines(request, out.result);
   return out;
 }
 
-}  // namespace
-
-app::Result<RenderedFamily> render_family(const FamilyOptions& options) {
+app::Result<RenderedFamily> render_file(const FamilyOptions& options, Wanted wanted) {
   auto source = read_source(find_family(options.file));
   if (!source) return std::unexpected(source.error());
-  auto rendered = render_text(options, std::move(*source), false);
+  auto rendered = render_text(options, std::move(*source), wanted);
   if (rendered) print_diagnostics(rendered->result.diagnostics, rendered->source, rendered->chosen.control.title);
   return rendered;
 }
 
+}  // namespace
+
+app::Result<RenderedFamily> render_family(const FamilyOptions& options) { return render_file(options, {}); }
+
+app::Result<RenderedFamily> render_family(const FamilyOptions& options, compile::TextSink& sink) {
+  return render_file(options, {.sink = &sink});
+}
+
 app::Result<RenderedFamily> render_family(const FamilyOptions& options, text::Source family) {
-  return render_text(options, std::move(family), true);
+  return render_text(options, std::move(family), {.lines = true});
 }
 
 text::Source rendered_source(const RenderedFamily& rendered) {

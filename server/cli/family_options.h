@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dialects/compile/render/render.h"
+#include "dialects/compile/render/streamed_render.h"
 #include "server/app/checks/examine.h"
 #include "server/cli/inputs.h"
 
@@ -41,10 +42,13 @@ struct RenderedFamily {
   ChosenControl chosen;
   std::vector<family::Override> values;
   compile::RenderResult result;
-  std::vector<std::uint32_t> lines = {};  // by line of the text: the family's; where they were asked for
+  std::vector<std::uint32_t> lines = {};      // by line of the text: the family's; where they were asked for
+  std::vector<compile::Splice> splices = {};  // of the text; where a sink was given
 };
 // Renders; faults of the family are printed. Errors: what cannot be read, no control named.
 app::Result<RenderedFamily> render_family(const FamilyOptions& options);
+// The same for the text alone, of which `sink` gets what can be written while the program runs.
+app::Result<RenderedFamily> render_family(const FamilyOptions& options, compile::TextSink& sink);
 // The same of a text that was read, with its faults in `result` alone, and with `lines`.
 app::Result<RenderedFamily> render_family(const FamilyOptions& options, text::Source family);
 

@@ -23,10 +23,6 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-bool write_all(std::FILE* file, std::string_view text) {
-  return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-}
-
 }  // namespace
 
 void print_error(std::string_view sentence) { say(sentence); }
@@ -82,13 +78,18 @@ void print_not_validated(std::string_view file) {
 }
 
 bool write_output(const std::string& path, std::string_view text) {
+  return write_output_by(
+      path, [text](std::FILE* file) { return std::fwrite(text.data(), 1, text.size(), file) == text.size(); });
+}
+
+bool write_output_by(const std::string& path, const std::function<bool(std::FILE*)>& write) {
   if (path.empty() || path == "-") {
-    if (write_all(stdout, text)) return true;
+    if (write(stdout) && std::fflush(stdout) == 0) return true;
     print_error(fmt::format("standard output: {}", std::strerror(errno)));
     return false;
   }
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "wb"));
-  if (file && write_all(file.get(), text)) return true;
+  if (file && write(file.get()) && std::fflush(file.get()) == 0) return true;
   print_error(fmt::format("{}: {}", path, std::strerror(errno)));
   return false;
 }

@@ -1,6 +1,7 @@
 // What the command prints: texts to standard output or a file, messages to standard error, errors with their places.
 #pragma once
 
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ void print_not_validated(std::string_view file);
 
 // Writes the whole text to `path` ("" or "-": standard output). False, with a message, when it cannot.
 bool write_output(const std::string& path, std::string_view text);
+// The same by `write`, which is false, with errno, when it cannot.
+bool write_output_by(const std::string& path, const std::function<bool(std::FILE*)>& write);
 
 // Puts the text into the place of the file in one step, with its permissions. "" or why it cannot.
 std::string replace_file(const std::string& path, const std::string& text);

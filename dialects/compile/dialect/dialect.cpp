@@ -41,8 +41,8 @@ std::vector<ir::LanguageWord> words_by() {
 template <macro_b::UsualControl control, const macro_b::Grammar& (*grammar)()>
 constexpr Dialect numbered(std::string_view name, std::string_view title) {
   using S = macro_b::Stages<control, grammar>;
-  return {name,        title,    control,  S::infer_control, S::read, S::plain_scanner,
-          S::validate, S::raise, S::print, words_by<grammar>};
+  return {name,        title,    control,  S::infer_control,   S::read,          S::plain_scanner,
+          S::validate, S::raise, S::print, S::append_position, words_by<grammar>};
 }
 
 constexpr std::array kDialects = {
@@ -51,8 +51,9 @@ constexpr std::array kDialects = {
     numbered<mazak::control, mazak::grammar>("mazak", "Mazak EIA/ISO"),
     numbered<mitsubishi::control, mitsubishi::grammar>("mitsubishi-m80", "Mitsubishi M70, M80"),
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, read_sinumerik,
-            sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print, sinumerik::language_words,
-            CommentStyle::semicolon, sinumerik::standard_cycle, sinumerik::add_definitions},
+            sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print,
+            sinumerik::append_position, sinumerik::language_words, CommentStyle::semicolon, sinumerik::standard_cycle,
+            sinumerik::add_definitions},
 };
 
 std::vector<ir::LanguageWord> no_words() { return {}; }
@@ -64,6 +65,7 @@ constexpr Dialect kLinuxCnc = {"linuxcnc",
                                linuxcnc::read,
                                linuxcnc::plain_scanner,
                                linuxcnc::validate,
+                               nullptr,
                                nullptr,
                                nullptr,
                                no_words};

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct Dialect {
   // Makes a program of `from` legal for `to`, a control of this dialect.
   ir::RaiseResult (*raise)(const ir::Program& program, const ir::Control& from, const ir::Control& to);
   ir::PrintResult (*print)(const ir::Program& program, const ir::Control& control);
+  // The word of an axis with a computed position, as `print` writes it.
+  void (*append_position)(std::string& out, ir::Address axis, double value, const ir::Control& control);
   // The words of the language that are no codes.
   std::vector<ir::LanguageWord> (*words)();
   CommentStyle comments = CommentStyle::brackets;

@@ -170,13 +170,17 @@ void BlockWriter::plane(const ir::Motion& motion) {
   add(function_of(motion.plane));
 }
 
+// A thread's F is its lead, whatever the mode; inverse time is given in every block.
+bool BlockWriter::has_feed(const ir::Motion& motion) const {
+  if (motion.kind == MotionKind::rapid || motion.feed == 0.0) return true;
+  return motion.kind != MotionKind::thread && motion.feed_mode == feed_mode_ &&
+         motion.feed_mode != ir::FeedMode::inverse_time && motion.feed == feed_;
+}
+
 void BlockWriter::feed(const ir::Motion& motion) {
-  if (motion.kind == MotionKind::rapid || motion.feed == 0.0) return;
-  // A thread's F is its lead, whatever the mode; inverse time is given in every block.
+  if (has_feed(motion)) return;
   const bool thread = motion.kind == MotionKind::thread;
   const bool same_mode = thread || motion.feed_mode == feed_mode_;
-  const bool every_block = thread || motion.feed_mode == ir::FeedMode::inverse_time;
-  if (same_mode && motion.feed == feed_ && !every_block) return;
   if (!same_mode) add(function_of(motion.feed_mode));
   if (!thread) feed_mode_ = motion.feed_mode;
   // The lead of a thread is no feed on a control that has a word of its own for it.
@@ -196,6 +200,12 @@ bool BlockWriter::counts_along_x(const ir::Motion& motion) const {
 void BlockWriter::center(const ir::Motion& motion) {
   for (std::size_t axis = 0; axis < kCenterAddresses.size(); ++axis)
     if (is_in_plane(motion.plane, axis)) add_length(kCenterAddresses[axis], motion.center[axis]);
+}
+
+bool BlockWriter::states_positions_alone(const ir::Motion& motion) const {
+  const bool straight = ir::is_move(motion.kind) && !is_arc(motion.kind) && motion.kind != MotionKind::thread;
+  return straight && has_moved_ && !restates_ && function_of(motion) == motion_ && has_feed(motion) &&
+         !motion.machine_coordinates && !motion.exact_stop && carried_.empty() && unit_mm_ == 1.0;
 }
 
 void BlockWriter::move(const ir::Motion& motion) {

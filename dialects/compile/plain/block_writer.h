@@ -27,6 +27,8 @@ class BlockWriter {
   void safe_start(ir::Plane plane, ir::FeedMode feed_mode);
   // `line` is what Statement::line of its blocks becomes.
   void write(const ir::Motion& motion, std::uint32_t line);
+  // Whether the move's block would name positions and nothing else.
+  [[nodiscard]] bool states_positions_alone(const ir::Motion& motion) const;
   // The motions of one hole that is tapped in the X-Y plane, as the cycle that makes them.
   void write_tap(std::span<const ir::Motion> hole, std::uint32_t line);
   // The end of a subprogram.
@@ -52,6 +54,7 @@ class BlockWriter {
   void message(const ir::Motion& motion);
   void plane(const ir::Motion& motion);
   void feed(const ir::Motion& motion);
+  [[nodiscard]] bool has_feed(const ir::Motion& motion) const;
   void center(const ir::Motion& motion);
   [[nodiscard]] bool counts_along_x(const ir::Motion& motion) const;
   void add(ir::Function function, std::int16_t argument = 0) { codes_.push_back({function, argument}); }

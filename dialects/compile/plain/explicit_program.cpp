@@ -65,6 +65,8 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
         keeps_taps_(options.keep_taps && std::ranges::any_of(source.codes, passes::is_tap)) {
     for (const ir::Statement& s : source.statements)
       if (options.keep_skips && s.skip_level != 0) skips_.emplace(s.line, s.skip_level);
+    const bool has_runs = options.runs != nullptr && options.runs->serves(out.control);
+    if (has_runs && !keeps_taps_ && skips_.empty()) runs_ = options.runs;
   }
 
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
@@ -102,6 +104,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
   void finish(const interpreter::RunResult& run) {
     release();
+    if (runs_ != nullptr) runs_->finish();
     if (!started_) start(nullptr);
     carry_until(~std::uint64_t{0});
     for (text::Diagnostic& lost : writes_.found()) out_.lost.push_back(std::move(lost));
@@ -115,6 +118,9 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     watch_spindle(motion);
     const bool cuts = ir::is_move(motion.kind) && motion.kind != ir::MotionKind::rapid;
     if (cuts && motion.feed == 0.0) lose(passes::not_known("a cut whose feed is not known"));
+    const bool has_run = runs_ != nullptr && states_positions_alone(motion);
+    if (has_run && runs_->add(motion)) return;
+    if (runs_ != nullptr && !has_run) runs_->end();
     carry_until(motion.place.ordinal);
     if (!std::exchange(started_, true)) start(&motion);
     const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
@@ -124,7 +130,13 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
       write_skipped(motion, line, skip->second);
     else
       writer_.write(motion, line);
+    if (has_run) runs_->sample(motion, line);
     ended_ = ended_ || motion.kind == ir::MotionKind::end;
+  }
+
+  [[nodiscard]] bool states_positions_alone(const ir::Motion& motion) const {
+    const bool waits = next_pending_ < pending_.size() && pending_[next_pending_].ordinal <= motion.place.ordinal;
+    return started_ && !waits && writer_.states_positions_alone(motion);
   }
 
   // What the block sets counts for it alone.
@@ -239,6 +251,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   BlockWriter writer_;
   bool want_changes_;
   bool keeps_taps_;
+  PositionRuns* runs_ = nullptr;
   std::map<std::uint32_t, std::uint8_t> skips_;  // by line of the main program
   std::vector<ir::Motion> held_;                 // of the block at hand, where taps are kept
   std::set<std::string, std::less<>> lost_;

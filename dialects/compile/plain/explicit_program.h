@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dialects/compile/dialect/run_texts.h"
+#include "dialects/compile/plain/position_runs.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
@@ -43,6 +44,10 @@ struct ExplicitProgram {
 inline constexpr interpreter::Limits kWrittenLimits{
     .blocks = 2'000'000, .loop_passes = 2'000'000, .motions = 4'000'000};
 
+// Where runs go to a sink: fifty million blocks are about 1 GB of text.
+inline constexpr interpreter::Limits kStreamedLimits{
+    .blocks = 50'000'000, .loop_passes = 50'000'000, .motions = 100'000'000};
+
 struct ExplicitOptions {
   interpreter::Limits limits = kWrittenLimits;
   std::vector<interpreter::InitialValue> initial_values;
@@ -54,6 +59,9 @@ struct ExplicitOptions {
   // decided as off.
   bool keep_skips = false;
   bool own_unit = false;  // in inches where the program is written in them throughout; otherwise in mm
+  // Takes blocks that state positions alone, which the program then lacks; of a program that taps or has lines with
+  // block skip it takes none.
+  PositionRuns* runs = nullptr;
 };
 
 // Runs `program` as `control` would. The result is whole when run.ended is `end` or `text_end` and no diagnostic is an

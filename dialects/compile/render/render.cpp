@@ -21,6 +21,7 @@
 #include "dialects/compile/render/family_lines.h"
 #include "dialects/compile/render/named_tools.h"
 #include "dialects/compile/render/native_verbs.h"
+#include "dialects/compile/render/streamed_render.h"
 #include "dialects/compile/render/wrapped_family.h"
 #include "dialects/compile/translate/cone_leads.h"
 #include "dialects/compile/translate/thread_leads.h"
@@ -52,7 +53,8 @@ bool jumps(const ir::Program& program) {
 
 class Renderer {
  public:
-  Renderer(const RenderRequest& request, const Dialect& dialect) : request_(request), dialect_(dialect) {}
+  Renderer(const RenderRequest& request, const Dialect& dialect, PositionRuns* runs = nullptr)
+      : request_(request), dialect_(dialect), runs_(runs) {}
 
   RenderResult render() {
     family::ReadFamilyResult read = family::read_family(request_.family);
@@ -88,6 +90,7 @@ class Renderer {
     return std::move(result_);
   }
 
+  [[nodiscard]] std::vector<Splice> take_splices() { return std::move(splices_); }
   // After render() of a family that is rewritten: by line of the text, the family's.
   [[nodiscard]] std::vector<std::uint32_t> take_lines() { return std::move(printed_.origin_lines); }
 
@@ -229,10 +232,20 @@ class Renderer {
     return longest;
   }
 
+  // With runs, blocks in great number are no matter of memory.
+  ExplicitProgram run_built() {
+    return explicit_program(built_, control_, interpreter::no_programs(),
+                            {.limits = runs_ == nullptr ? kWrittenLimits : kStreamedLimits,
+                             .initial_values = {},
+                             .want_changes = runs_ == nullptr,
+                             .keep_taps = true,
+                             .keep_skips = true,
+                             .runs = runs_});
+  }
+
   void explicit_blocks(std::string_view because) {
-    ExplicitProgram made =
-        explicit_program(built_, control_, interpreter::no_programs(),
-                         {.initial_values = {}, .want_changes = true, .keep_taps = true, .keep_skips = true});
+    const std::size_t reported = result_.diagnostics.size();
+    ExplicitProgram made = run_built();
     report_lists(made.run);
     if (text::has_error(result_.diagnostics)) return;
     ProgramLibrary none(control_, {});
@@ -243,7 +256,14 @@ class Renderer {
     result_.mode = RenderMode::explicit_blocks;
     result_.because = because;
     print(raised.program);
-    index_places(made);
+    if (runs_ == nullptr) return index_places(made);
+    if (std::optional<std::vector<Splice>> found = runs_->splices(printed_)) {
+      splices_ = std::move(*found);
+      return printed_.origin_lines.clear();
+    }
+    runs_ = nullptr;
+    result_.diagnostics.resize(reported);
+    explicit_blocks(because);
   }
 
   // Of a program that is written for `from`.
@@ -278,8 +298,9 @@ class Renderer {
 
   void describe_text() {
     result_.text = std::move(printed_.text);
-    result_.bytes = result_.text.size();
-    result_.blocks = count_blocks(result_.text);
+    const bool has_runs = !splices_.empty();
+    result_.bytes = result_.text.size() + (has_runs ? runs_->bytes() : 0);
+    result_.blocks = count_blocks(result_.text) + (has_runs ? runs_->blocks() : 0);
     result_.variables = printed_.variables;
     for (std::uint32_t i = 0; i < printed_.origin_lines.size(); ++i) {
       if (in_profile(printed_.origin_lines[i])) add_profile_line(i + 1);
@@ -302,6 +323,8 @@ class Renderer {
 
   const RenderRequest& request_;
   const Dialect& dialect_;
+  PositionRuns* runs_;  // nullptr: all blocks are of the program
+  std::vector<Splice> splices_;
   std::shared_ptr<const family::Family> family_;
   family::BoundFamily bound_;
   ir::Program built_;
@@ -359,10 +382,28 @@ std::vector<std::uint32_t> family_lines(const RenderRequest& request, const Rend
   return renderer.take_lines();
 }
 
-RenderResult render(const RenderRequest& request) {
-  if (const Dialect* dialect = find_dialect(request.target.dialect)) return Renderer(request, *dialect).render();
+namespace {
+
+RenderResult without_dialect(const ir::Control& target) {
   RenderResult out;
-  out.diagnostics.push_back(passes::diagnose("the family", {}, fmt::format("'{}'", request.target.dialect)));
+  out.diagnostics.push_back(passes::diagnose("the family", {}, fmt::format("'{}'", target.dialect)));
+  return out;
+}
+
+}  // namespace
+
+RenderResult render(const RenderRequest& request) {
+  const Dialect* dialect = find_dialect(request.target.dialect);
+  return dialect == nullptr ? without_dialect(request.target) : Renderer(request, *dialect).render();
+}
+
+StreamedRendering render_streamed(const RenderRequest& request, TextSink& sink) {
+  const Dialect* dialect = find_dialect(request.target.dialect);
+  if (dialect == nullptr) return {without_dialect(request.target), {}};
+  PositionRuns runs(*dialect, request.target, sink);
+  Renderer renderer(request, *dialect, &runs);
+  StreamedRendering out{renderer.render(), {}};
+  out.splices = renderer.take_splices();
   return out;
 }
 

@@ -33,8 +33,21 @@ constexpr std::string_view kWholeAddresses = "DHLNOPT";  // take no decimal poin
 constexpr std::int16_t kLastPlainOffset = 6;  // G59
 constexpr int kComputedDecimals = 4;
 constexpr int kWrittenDecimals = 6;
+constexpr int kLongestFraction = 9;
 
 std::string skip_sign(std::uint8_t level) { return level == 1 ? "/" : fmt::format("/{}", level); }
+
+// Computed values get the decimals that the trace has, and an inch one more than the control has for a millimetre;
+// written ones keep theirs.
+int decimals_of(double value, bool computed, const ir::Control& control) {
+  constexpr double kUnder100 = 99.0;  // two digits before the point: no logarithm for most positions
+  const double magnitude = std::abs(value);
+  const auto digits = static_cast<int>(control.limits.digits);
+  const int wanted = computed ? std::max(kComputedDecimals, control.limits.linear_decimals + 1) : kWrittenDecimals;
+  if (magnitude < kUnder100 && digits - 2 >= wanted) return std::min(wanted, kLongestFraction);
+  const int whole_digits = magnitude < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
+  return std::clamp(std::min(digits - whole_digits, wanted), 0, kLongestFraction);
+}
 
 std::string_view string_of(const ir::Program& program, ExpressionId id) {
   return id == ExpressionId::none ? std::string_view() : program.strings.at(program.at(id).string);
@@ -63,6 +76,11 @@ const ir::CodeRow* find_function(const ir::Control& control, Function function, 
     if (row != table.end()) return &*row;
   }
   return nullptr;
+}
+
+void append_position(std::string& out, Address axis, double value, const ir::Control& control) {
+  out.push_back(ir::letter_of(axis));
+  text::append_word_number(out, value, decimals_of(value, true, control), false);
 }
 
 std::string comment_text(std::string_view text) {
@@ -264,14 +282,7 @@ std::string ProgramPrinter::word(const ir::Word& word, bool p_is_angle) const {
   // T0606: two digits each for the tool and its offset.
   const bool pairs = out == "T" && control_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (whole) return out + fmt::format("{:0{}}", std::llround(value.value), pairs ? 4 : 0);
-  const double magnitude = std::abs(value.value);
-  const int whole_digits = magnitude < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
-  const int room = static_cast<int>(control_.limits.digits) - whole_digits;
-  // Computed values get the decimals that the trace has, and an inch one more than the control has for a millimetre;
-  // written ones keep theirs.
-  const int wanted =
-      value.span.empty() ? std::max(kComputedDecimals, control_.limits.linear_decimals + 1) : kWrittenDecimals;
-  text::append_word_number(out, value.value, std::clamp(std::min(room, wanted), 0, 9), !value.has_point);
+  text::append_word_number(out, value.value, decimals_of(value.value, value.span.empty(), control_), !value.has_point);
   return out;
 }
 

@@ -61,6 +61,8 @@ class ProgramPrinter {
   std::size_t next_label_ = 0;
 };
 
+// X12.5: the word of an axis with a computed position.
+void append_position(std::string& out, ir::Address axis, double value, const ir::Control& control);
 // Upper case without brackets and tape marks: what may stand in a comment.
 std::string comment_text(std::string_view text);
 // "O0012" for a name of that form, otherwise "O0001(NAME)".

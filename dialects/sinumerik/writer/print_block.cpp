@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/polynomial_words.h"
+#include "dialects/sinumerik/sinumerik.h"
 #include "dialects/sinumerik/tables/codes.h"
 #include "dialects/sinumerik/tables/name_index.h"
 #include "dialects/text/number.h"
@@ -98,6 +100,12 @@ void separated(std::string& out, const std::string& word) {
   if (word.empty()) return;
   if (!out.empty()) out += ' ';
   out += word;
+}
+
+// Computed values get the decimals that the trace has, and an inch one more than the control has for a millimetre;
+// written ones keep theirs.
+int decimals_of_position(bool computed, const ir::Control& control) {
+  return std::max(control.limits.linear_decimals + 1, computed ? kComputedDecimals : kPlainDecimals);
 }
 
 bool is_coded_mode(std::string_view name) {
@@ -206,9 +214,12 @@ std::string BlockPrinter::word(const ir::Word& w, std::span<const ir::Word> word
 }
 
 int BlockPrinter::position_decimals(const ir::Expression& e) const {
-  // Computed values get the decimals that the trace has, and an inch one more than the control has for a millimetre;
-  // written ones keep theirs.
-  return std::max(control_.limits.linear_decimals + 1, e.span.empty() ? kComputedDecimals : kPlainDecimals);
+  return decimals_of_position(e.span.empty(), control_);
+}
+
+void append_position(std::string& out, Address axis, double value, const ir::Control& control) {
+  out.push_back(ir::letter_of(axis));
+  text::append_word_number(out, value, decimals_of_position(true, control), false);
 }
 
 }  // namespace dripfeed::sinumerik
