@@ -45,6 +45,7 @@ BindResult Binder::bind() {
     if (step.kind == StepKind::tool) check_tool(step);
     if (step.kind == StepKind::drill_begin) check_holes(step);
     if (step.kind == StepKind::thread) check_thread(step);
+    if (step.kind == StepKind::cylinder_begin) check_cylinder(step);
     if (step.kind == StepKind::message) check_message(step);
     if (step.kind == StepKind::engrave) check_engraving(step);
     check_indices(step);

@@ -130,6 +130,15 @@ void Binder::check_thread(const Step& step) {
     report(DiagnosticId::thread_invalid, step.span, {fmt::format("its pitch is {}", text::format_shortest(*value))});
 }
 
+void Binder::check_cylinder(const Step& step) {
+  if (names_unknown(family_.arena, step.values[0], known_))
+    return report(DiagnosticId::family_syntax, step.span, {"the diameter of a cylinder may depend on parameters only"});
+  const std::optional<double> diameter = compute(step.values[0]);
+  if (diameter && *diameter <= 0.0)
+    report(DiagnosticId::family_syntax, step.span,
+           {fmt::format("the diameter of a cylinder is {}", text::format_shortest(*diameter))});
+}
+
 void Binder::check_engraving(const Step& step) {
   const std::string fault = fault_of_engraving(result_.bound.texts.at(step.target));
   if (fault.empty()) return;

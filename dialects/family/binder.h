@@ -84,6 +84,7 @@ class Binder {
   void check_loop(const Step& step);
   // Its pitch is its last word.
   void check_thread(const Step& step);
+  void check_cylinder(const Step& step);
   void check_engraving(const Step& step);
   // No control can write what it computes into a message.
   void check_message(const Step& step);

@@ -88,6 +88,8 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"mirror", &BodyReader::mirror},
       {"repeat", &BodyReader::repeat},
       {"native", &BodyReader::native},
+      {"polar", &BodyReader::polar},
+      {"cylinder", &BodyReader::cylinder},
   });
   return kVerbs;
 }
@@ -134,6 +136,7 @@ void BodyReader::read() {
     cursor_.syntax(verb_, "after a chamfer or rounding stands the cut or arc that it leads to");
   if (ended_) {
     if (!is_subprogram_) warn_of_reversed_milling();
+    if (!is_subprogram_) check_increments();
     return;
   }
   if (open_.empty()) {
@@ -154,6 +157,8 @@ Step BodyReader::step(StepKind kind) const {
 
 void BodyReader::add(Step step) {
   if (cursor_.line_failed() || !may_stand_here(step.kind)) return;
+  if (face_ && !on_face_) enter_face(step);
+  if (cursor_.line_failed()) return;
   const bool cuts = step.kind == StepKind::cut || step.kind == StepKind::arc_cw || step.kind == StepKind::arc_ccw;
   if (std::exchange(corner_waits_, false) && (!cuts || skip_level_ != 0))
     return cursor_.syntax(verb_, "after a chamfer or rounding stands the cut or arc that it leads to");
@@ -277,7 +282,9 @@ void BodyReader::axis_words(Step& step) {
     if (std::ranges::find(begin, family_.words.end(), axis.address, &StepWord::address) != family_.words.end()) {
       return cursor_.syntax(cursor_.peek().span, fmt::format("{} is given twice", axis.name));
     }
-    if (family_.machine == ir::MachineKind::lathe && !axis.on_lathe) {
+    if (face_ && axis.address == ir::Address::c)
+      return cursor_.syntax(cursor_.peek().span, "y stands for the turning of c here");
+    if (family_.machine == ir::MachineKind::lathe && !axis.on_lathe && !(face_ && axis.address == ir::Address::y)) {
       return cursor_.syntax(cursor_.peek().span, fmt::format("a lathe has no {} axis", axis.name));
     }
     cursor_.advance();

@@ -20,7 +20,7 @@ namespace dripfeed::family {
 // The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
 // in turning_reader.cpp, curves in along_reader.cpp and point_curve_reader.cpp, faces and pockets in
 // milling_reader.cpp, roughing in rough_reader.cpp, native text in native_verb_reader.cpp, mirrored and
-// repeated moves in copies_reader.cpp, blocks, assignments and
+// repeated moves in copies_reader.cpp, faces and cylinders in face_reader.cpp, blocks, assignments and
 // calls in flow_reader.cpp.
 class BodyReader {
  public:
@@ -85,6 +85,8 @@ class BodyReader {
   void native();
   void mirror();
   void repeat();
+  void polar();
+  void cylinder();
 
   // Steps that stand for a verb.
   struct Groove {
@@ -206,6 +208,13 @@ class BodyReader {
   void open_if(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
   void set_name(ir::SymbolId target, ir::ExpressionId value);
 
+  // Polar and cylindrical interpolation, see face_reader.cpp.
+  void open_face(StepKind kind, ir::ExpressionId diameter);
+  void close_face();
+  [[nodiscard]] bool may_stand_on_face(StepKind kind);
+  void enter_face(const Step& cut);
+  void check_increments();
+
   // What the last tool, compensation and plane in the order of the text are.
   void tool_changes(ir::ExpressionId diameter);
 
@@ -272,7 +281,9 @@ class BodyReader {
   Dimension feed_dimension_ = kFeedPerMin;
   bool compensated_ = false;
   bool other_plane_ = false;
-  std::optional<Rough> rough_;  // whose contour is read
+  std::optional<Rough> rough_;    // whose contour is read
+  std::optional<StepKind> face_;  // what began it; nothing outside of one
+  bool on_face_ = false;          // its first cut is read
 };
 
 }  // namespace dripfeed::family

@@ -14,6 +14,7 @@
 #include "dialects/family/message_text.h"
 #include "dialects/family/value_writer.h"
 #include "dialects/ir/motion.h"
+#include "dialects/ir/transformation_use.h"
 
 namespace dripfeed::family {
 
@@ -182,6 +183,10 @@ class Builder {
       case StepKind::optional_stop: emit_.block({Function::optional_stop}, {}); break;
       case StepKind::plane: emit_.block({kPlanes[step.number]}, {}); break;
       case StepKind::native: native(step); break;
+      case StepKind::polar_begin: polar_begin(); break;
+      case StepKind::polar_end: polar_end(); break;
+      case StepKind::cylinder_begin: cylinder_begin(step); break;
+      case StepKind::cylinder_end: transformation(ir::kTransformationEnds, {}); break;
       case StepKind::require:
       case StepKind::contour: break;  // checked before
     }
@@ -395,6 +400,25 @@ class Builder {
     const std::vector<EmittedWord> value = {{ir::Address::f, say_feed(step)}};
     if (has_one_feed_mode_) return emit_.block(std::span<const EmittedCode>(), value);
     emit_.block({step.dimension == kFeedPerRev ? Function::feed_per_rev : Function::feed_per_min}, value);
+  }
+
+  // The plane of the face counts inside of it.
+  void polar_begin() {
+    transformation(ir::kFaceByY, {});
+    emit_.block({Function::plane_xy}, {});
+  }
+  void polar_end() {
+    emit_.block({Function::plane_zx}, {});
+    transformation(ir::kTransformationEnds, {});
+  }
+  void cylinder_begin(const Step& step) {
+    const double diameter = evaluate(family_.arena, step.values[0], bound_.values).value;
+    transformation(ir::kCylinderByY, {{{ir::Address::r, emit_.constant(diameter)}}});
+  }
+  void transformation(std::int16_t use, std::span<const EmittedWord> words) {
+    const EmittedCode code{Function::transformation, use};
+    emit_.block(std::span(&code, 1), words);
+    motion_ = Function::none;
   }
 
   // Seconds, as controls say it that count a dwell in F.

@@ -79,6 +79,7 @@ void BuildNames::need(ExpressionId id) {
 void BuildNames::need(const Step& step) {
   // The shape of a tool is for the checks, and a message is a text when it is written.
   if (step.kind == StepKind::tool || step.kind == StepKind::message || step.kind == StepKind::require) return;
+  if (step.kind == StepKind::cylinder_begin) return;  // its diameter is a number in the text
   for (const ExpressionId value : step.values) need(value);
   for (std::uint32_t i = 0; i < step.word_count; ++i) {
     const StepWord& word = family_.words[step.first_word + i];

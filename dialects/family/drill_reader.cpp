@@ -91,6 +91,7 @@ bool BodyReader::may_stand_here(StepKind kind) {
     cursor_.syntax(verb_, "in the contour of 'rough' stand only cut, arc, let, and calls of such");
     return false;
   }
+  if (face_ && !may_stand_on_face(kind)) return false;
   if (open_drills_ == 0 || std::ranges::find(kAmongHoles, kind) != kAmongHoles.end()) return true;
   cursor_.syntax(verb_, "among holes stand only at, loops, if, let and set: end the cycle before");
   return false;

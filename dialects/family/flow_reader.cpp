@@ -104,6 +104,10 @@ void BodyReader::end() {
     end_rough();
     return scope_.close();
   }
+  if (open.kind == StepKind::polar_begin || open.kind == StepKind::cylinder_begin) {
+    close_face();
+    return scope_.close();
+  }
   if (open.kind == StepKind::profile_begin) --open_profiles_;
   if (open.kind == StepKind::drill_begin) --open_drills_;
   scope_.close();
@@ -169,6 +173,7 @@ void BodyReader::call() {
   if (steps_.size() + sub->steps.size() > kMostSteps)
     return cursor_.syntax(at, fmt::format("with all its calls the program has more than {} steps", kMostSteps));
   for (Step copy : sub->steps) {
+    if (face_ && !on_face_) enter_face(copy);
     if (copy.kind == StepKind::tool) tool_changes(ir::ExpressionId::none);
     if (copy.kind == StepKind::compensate) compensated_ = copy.number != 0;
     if (copy.kind == StepKind::plane) other_plane_ = copy.number != 0;

@@ -277,10 +277,14 @@ enum class StepKind : std::uint8_t {
   dwell,    // values[0]
   stop,
   optional_stop,
-  plane,    // number: 0 xy, 1 zx, 2 yz
-  native,   // number: row of Family::natives
-  require,  // values[0]: a condition that the values of a verb fulfil; text
-  contour,  // number: row of Family::contours, which its values fulfil
+  plane,        // number: 0 xy, 1 zx, 2 yz
+  native,       // number: row of Family::natives
+  require,      // values[0]: a condition that the values of a verb fulfil; text
+  contour,      // number: row of Family::contours, which its values fulfil
+  polar_begin,  // y is a length across x on the face, until the end
+  polar_end,
+  cylinder_begin,  // values[0]: its diameter; y is a length on its circumference
+  cylinder_end,
 };
 
 // Of a feed: it counts until kFeedBefore, which gives back the one before it.

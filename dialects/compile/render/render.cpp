@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -18,6 +19,7 @@
 #include "dialects/compile/plain/explicit_program.h"
 #include "dialects/compile/plain/index_places.h"
 #include "dialects/compile/render/annotate.h"
+#include "dialects/compile/render/faces.h"
 #include "dialects/compile/render/family_lines.h"
 #include "dialects/compile/render/named_tools.h"
 #include "dialects/compile/render/native_verbs.h"
@@ -25,6 +27,7 @@
 #include "dialects/compile/render/wrapped_family.h"
 #include "dialects/compile/translate/cone_leads.h"
 #include "dialects/compile/translate/thread_leads.h"
+#include "dialects/compile/translate/translate_faces.h"
 #include "dialects/family/build.h"
 #include "dialects/family/native_text.h"
 #include "dialects/family/read.h"
@@ -106,7 +109,8 @@ class Renderer {
       for (std::uint32_t i = 0; i < step.word_count; ++i) {
         const ir::Address address = family_->words[step.first_word + i].address;
         const char letter = address <= ir::Address::z ? ir::letter_of(address) : 0;
-        const bool is_axis = letter != 0 && control_.axes.contains(letter);
+        const bool is_turned = letter == 'Y' && family_->machine == ir::MachineKind::lathe;  // by C
+        const bool is_axis = letter != 0 && !is_turned && control_.axes.contains(letter);
         if (!is_axis || request_.target.axes.contains(letter) || refused.contains(letter)) continue;
         refused.push_back(letter);
         report(
@@ -234,13 +238,20 @@ class Renderer {
 
   // With runs, blocks in great number are no matter of memory.
   ExplicitProgram run_built() {
-    return explicit_program(built_, control_, interpreter::no_programs(),
-                            {.limits = runs_ == nullptr ? kWrittenLimits : kStreamedLimits,
-                             .initial_values = {},
-                             .want_changes = runs_ == nullptr,
-                             .keep_taps = true,
-                             .keep_skips = true,
-                             .runs = runs_});
+    HiddenFaces faces;
+    if (has_faces(built_)) {
+      runs_ = nullptr;
+      faces.hide(built_, control_);
+    }
+    ExplicitProgram made = explicit_program(built_, control_, interpreter::no_programs(),
+                                            {.limits = runs_ == nullptr ? kWrittenLimits : kStreamedLimits,
+                                             .initial_values = {},
+                                             .want_changes = runs_ == nullptr,
+                                             .keep_taps = true,
+                                             .keep_skips = true,
+                                             .runs = runs_});
+    faces.show(made);
+    return made;
   }
 
   void explicit_blocks(std::string_view because) {
@@ -268,9 +279,11 @@ class Renderer {
 
   // Of a program that is written for `from`.
   ir::RaiseResult raise(ir::Program program, const ir::Control& from) {
-    std::vector<text::Diagnostic> taps = passes::translate_taps(program, from, request_.target);
+    std::vector<text::Diagnostic> faults = passes::translate_taps(program, from, request_.target);
+    if (has_faces(program))
+      std::ranges::move(translate_faces(program, from, request_.target), std::back_inserter(faults));
     ir::RaiseResult raised = dialect_.raise(program, from, request_.target);
-    raised.diagnostics.insert(raised.diagnostics.begin(), taps.begin(), taps.end());
+    raised.diagnostics.insert(raised.diagnostics.begin(), faults.begin(), faults.end());
     return raised;
   }
 

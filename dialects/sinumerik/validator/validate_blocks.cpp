@@ -1,9 +1,12 @@
 // One block at a time: G groups, addresses that stand twice or too often, length, axes that the machine lacks.
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/polynomial_words.h"
+#include "dialects/ir/transformation_use.h"
 #include "dialects/sinumerik/tables/codes.h"
 #include "dialects/sinumerik/tables/name_index.h"
 #include "dialects/sinumerik/validator/validate.h"
@@ -85,13 +88,20 @@ void check_counts(const Check& check, const ir::Statement& s, const ir::Block& b
   too_often(check, s.span, of(ir::Address::s), kMostSpeeds, "S");
 }
 
-void check_addresses(const Check& check, const ir::Block& block) {
+// Under TRANSMIT and TRACYL Y is an axis of the channel that C turns for.
+bool turns_for_y(const ir::Program& program) {
+  return std::ranges::any_of(program.codes, [](const ir::Code& c) {
+    return c.function == ir::Function::transformation && (c.argument == ir::kFaceByY || c.argument == ir::kCylinderByY);
+  });
+}
+
+void check_addresses(const Check& check, const ir::Block& block, std::string_view axes) {
   const auto codes = check.program.codes_of(block);
   const auto dwell = std::ranges::find(codes, ir::Function::dwell, &ir::Code::function);
   for (const ir::Word& word : check.program.words_of(block)) {
     const bool no_address = word.address == ir::Address::o;
-    const bool no_axis = check.control.from_profile && ir::is_axis(word.address) &&
-                         check.control.axes.find(letter_of(word.address)) == std::string::npos;
+    const bool no_axis =
+        check.control.from_profile && ir::is_axis(word.address) && !axes.contains(letter_of(word.address));
     if (no_address || no_axis)
       check.report(DiagnosticId::unknown_address, word.span, {std::string(1, letter_of(word.address))});
     // P is how often a subprogram runs; F or S is how long G4 waits.
@@ -125,13 +135,14 @@ void check_lengths(const Check& check) {
 
 void check_blocks(const Check& check) {
   check_lengths(check);
+  const std::string axes = turns_for_y(check.program) ? check.control.axes + "Y" : check.control.axes;
   for (const ir::Statement& s : check.program.statements) {
     if (s.kind != StatementKind::block) continue;
     const ir::Block& block = check.block_of(s);
     check_groups(check, block);
     check_words(check, block);
     check_counts(check, s, block);
-    check_addresses(check, block);
+    check_addresses(check, block, axes);
   }
 }
 

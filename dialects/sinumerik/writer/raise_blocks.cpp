@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/idle_code.h"
@@ -16,6 +18,7 @@
 #include "dialects/sinumerik/tables/name_index.h"
 #include "dialects/sinumerik/writer/raise.h"
 #include "dialects/sinumerik/writer/tool_offsets.h"
+#include "dialects/text/number.h"
 
 namespace dripfeed::sinumerik {
 
@@ -152,6 +155,7 @@ class BlockRaiser {
     if (raising_.is_own()) return own_code(c);
     if (c.function == Function::transformation && raising_.program.strings.at(c.name).starts_with("TRA"))
       return program_.codes.push_back(c);  // settled
+    if (c.function == Function::transformation && begins_by_y()) return transformation(c);
     // What would begin it is refused: by itself it ends nothing.
     if (c.function == Function::transformation && c.argument == ir::kTransformationEnds) return;
     if (c.function == Function::no_effect || c.function == Function::continuous_path) warn_of_lost_code(c);
@@ -167,6 +171,22 @@ class BlockRaiser {
       return raising_.cannot(written.empty() ? std::string(ir::name_of(c.function)) : std::string(written), c.span);
     }
     add(c, name);
+  }
+
+  // Of a program that was built: its faces and cylinders are those of here, without a name.
+  [[nodiscard]] bool begins_by_y() const {
+    return std::ranges::any_of(old_codes_, [](const ir::Code& c) {
+      return c.function == Function::transformation && c.name == ir::StringId::none &&
+             (c.argument == ir::kFaceByY || c.argument == ir::kCylinderByY);
+    });
+  }
+  void transformation(const ir::Code& c) {
+    if (c.argument == ir::kTransformationEnds) return add(c, "TRAFOOF");
+    if (c.argument == ir::kFaceByY) return add(c, "TRANSMIT");
+    const ir::Word* diameter = find(Address::r);
+    const std::optional<double> value = diameter == nullptr ? std::nullopt : literal(*diameter);
+    if (!value) return raising_.cannot(passes::computed("a cylinder whose diameter is computed"), c.span);
+    add(c, fmt::format("TRACYL({})", text::format_shortest(*value)));
   }
 
   // Look-ahead, smoothing, high precision of the other control, with their words.
@@ -217,6 +237,7 @@ class BlockRaiser {
     if (std::ranges::any_of(codes_, is_fixed_point)) return program_.words.push_back(w);
     if (loses_code_ && ir::is_word_of_idle_code(w.address)) return;
     if (dwell_) return dwell_word(w);
+    if (w.address == Address::r && has(Function::transformation)) return;  // in its brackets
     w.value = in_units(w);
     incremental_letter(w, raising_.from);
     const bool no_address = w.address == Address::other || w.address == Address::e || w.address == Address::l ||

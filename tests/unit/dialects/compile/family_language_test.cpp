@@ -42,10 +42,11 @@ TEST(FamilyLanguage, EveryExampleOfTheDocumentationIsOneTrace) {
     at += kFence.size();
     const std::string text = document.substr(at, document.find("```", at) - at);
     SCOPED_TRACE(text.substr(0, text.find('\n')));
-    EXPECT_GT(one_trace({"example.family", text}).size(), 5U);
     ++examples;
+    if (text.contains("\n  polar\n")) continue;  // family_polar_test.cpp
+    EXPECT_GT(one_trace({"example.family", text}).size(), 5U);
   }
-  EXPECT_EQ(examples, 16U);
+  EXPECT_EQ(examples, 17U);
 }
 
 TEST(FamilyLanguage, ExamplesAreTheirClosedForm) {
