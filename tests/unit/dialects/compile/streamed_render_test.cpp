@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/unit/dialects/compile/family_run.h"
@@ -61,10 +62,12 @@ std::size_t expect_same_bytes_everywhere(const text::Source& family, const std::
   for (const std::string& dialect : dialect_names()) {
     for (const ir::Delivery delivery : {ir::Delivery::memory, ir::Delivery::drip}) {
       ir::Control target = control(dialect, kind_of(family));
-      fewest = std::min(fewest, expect_same_bytes(request_of(family, target, delivery), name + " " + dialect));
+      fewest = std::min(fewest,
+                        expect_same_bytes(request_of(family, target, delivery), fmt::format("{} {}", name, dialect)));
       target.from_profile = true;
       target.semantics.least_increment_mm = 0.01;
-      fewest = std::min(fewest, expect_same_bytes(request_of(family, target, delivery), name + " in 0.01 " + dialect));
+      fewest = std::min(
+          fewest, expect_same_bytes(request_of(family, target, delivery), fmt::format("{} {}, 0.01", name, dialect)));
     }
   }
   return fewest;
