@@ -90,7 +90,12 @@ bool write_output_by(const std::string& path, const std::function<bool(std::FILE
   }
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "wb"));
   if (file && write(file.get()) && std::fflush(file.get()) == 0) return true;
-  print_error(fmt::format("{}: {}", path, std::strerror(errno)));
+  const std::string why = std::strerror(errno);
+  // The beginning of a program must not lie where a control might fetch it as one.
+  std::error_code failed;
+  const bool is_removed =
+      file && std::filesystem::is_regular_file(path, failed) && std::filesystem::remove(path, failed);
+  print_error(fmt::format("{}: {}{}", path, why, is_removed ? "; nothing of it is left" : ""));
   return false;
 }
 

@@ -24,10 +24,10 @@ void TextSpool::write(std::string_view text) {
 
 bool TextSpool::copy(const compile::Splice& splice, std::FILE* to) {
   std::array<char, std::size_t{1} << 16U> buffer;
-  if (std::fseek(file_.get(), static_cast<long>(splice.begin), SEEK_SET) != 0) fail();
-  for (std::uint64_t left = splice.end - splice.begin; left > 0 && fault_.empty();) {
+  if (std::fseek(file_.get(), static_cast<long>(splice.begin), SEEK_SET) != 0) return false;
+  for (std::uint64_t left = splice.end - splice.begin; left > 0;) {
     const std::size_t size = std::min<std::uint64_t>(left, buffer.size());
-    if (std::fread(buffer.data(), 1, size, file_.get()) != size) fail();
+    if (std::fread(buffer.data(), 1, size, file_.get()) != size) return false;
     if (std::fwrite(buffer.data(), 1, size, to) != size) return false;
     left -= size;
   }
@@ -36,7 +36,11 @@ bool TextSpool::copy(const compile::Splice& splice, std::FILE* to) {
 
 bool TextSpool::write_output(const std::string& path, std::string_view text,
                              const std::vector<compile::Splice>& splices) {
-  const bool is_written = write_output_by(path, [&](std::FILE* to) {
+  if (!fault_.empty()) {
+    print_error(fault_);
+    return false;
+  }
+  return write_output_by(path, [&](std::FILE* to) {
     const auto write = [&](std::string_view piece) {
       return std::fwrite(piece.data(), 1, piece.size(), to) == piece.size();
     };
@@ -47,8 +51,6 @@ bool TextSpool::write_output(const std::string& path, std::string_view text,
     }
     return write(text.substr(at));
   });
-  if (!fault_.empty()) print_error(fault_);
-  return is_written && fault_.empty();
 }
 
 }  // namespace dripfeed::cli

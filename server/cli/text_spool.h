@@ -16,8 +16,6 @@ namespace dripfeed::cli {
 class TextSpool final : public compile::TextSink {
  public:
   void write(std::string_view text) override;
-  // The reason, once something could not be written or read.
-  [[nodiscard]] const std::string& fault() const { return fault_; }
   // `text` with its splices to `path` ("" or "-": standard output). False, with a message, when it cannot.
   bool write_output(const std::string& path, std::string_view text, const std::vector<compile::Splice>& splices);
 
@@ -30,7 +28,7 @@ class TextSpool final : public compile::TextSink {
   void fail();
 
   std::unique_ptr<std::FILE, Close> file_;
-  std::string fault_;
+  std::string fault_;  // once something could not be written
 };
 
 }  // namespace dripfeed::cli

@@ -34,6 +34,15 @@ def render(family, machine, cuts, *more):
                           capture_output=True, text=True, timeout=120)
 
 
+def with_little_room(family, output, most_bytes, cuts):
+    """Where no file may grow beyond so many bytes, as on a full disk: the error's text."""
+    limited = f"trap '' XFSZ; ulimit -f {most_bytes // 1024}; exec \"$0\" \"$@\""
+    done = subprocess.run(["bash", "-c", limited, BINARY, "render", str(family), "--machine", "fanuc-0i-mill", "--mode", "explicit", "--set", f"cuts={cuts}", "--output", str(output)],
+                          capture_output=True, text=True, timeout=120)
+    expect(done.returncode == 2, f"it ended with {done.returncode}: {done.stderr}")
+    return done.stderr
+
+
 def memory_kb(family, output, cuts):
     arguments = [BINARY, "render", str(family), "--machine", "fanuc-0i-mill", "--mode", "explicit", "--set", f"cuts={cuts}", "--output", str(output)]
     child = os.posix_spawn(BINARY, arguments, os.environ, file_actions=[(os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0)])
@@ -54,6 +63,14 @@ with tempfile.TemporaryDirectory() as name:
         expect(text == answer["text"] and len(text) == answer["bytes"], f"{machine}: file and JSON differ")
         expect(f"{answer['blocks']} blocks, {answer['bytes']} bytes" in done.stderr, f"{machine}: {done.stderr}")
         expect(render(family, machine, 40_000).stdout == text, f"{machine}: standard output differs")
+    # Steps below the least increment: many positions print as the one before.
+    for machine in ("fanuc-0i-mill", "sinumerik-840d-mill"):
+        fine = ("--set", "turn_by=0.001 deg")
+        text = render(family, machine, 40_000, *fine).stdout
+        expect(text == json.loads(render(family, machine, 40_000, "--json", *fine).stdout)["text"] and text.count("\n") > 10_000, f"{machine}: fine steps differ")
+    for most_bytes, cuts in ((100 * 1024, 40_000), (4 * 1024, 300)):
+        words = with_little_room(family, output, most_bytes, cuts)
+        expect("File too large" in words and (not output.exists() or cuts == 40_000), f"{words}: {output.exists()}")
     small = memory_kb(family, output, 1000)
     large = memory_kb(family, output, 1_000_000)
     expect(output.stat().st_size > 14_000_000 and large < small + 8_000, f"{small} and {large} kB for {output.stat().st_size} bytes")

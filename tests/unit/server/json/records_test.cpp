@@ -257,10 +257,12 @@ TEST(Records, ListsAndOpenApi) {
       HasSubstr(R"("post":{"operationId":"post_a_id_b_name","summary":"t","description":"Needs the role `admin`.")"));
   EXPECT_THAT(text, HasSubstr(R"("requestBody":{"required":false,"content":{"application/json":)"
                               R"({"schema":{"$ref":"#/components/schemas/ArmOrder"}}}})"));
-  EXPECT_THAT(text,
-              HasSubstr(R"("201":{"description":"t","headers":{"Location":{"description":"the path of what was made",)"
-                        R"("required":true,"schema":{"type":"string"}}},"content":{"application/json":{"schema":)"
-                        R"({"$ref":"#/components/schemas/JobPage"}},"image/svg+xml":{"schema":{"type":"string"}}}})"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          R"("201":{"description":"t","headers":{"Location":{"description":"the path of what was made",)"
+          R"("required":true,"schema":{"type":"string","pattern":"^/"}}},"content":{"application/json":{"schema":)"
+          R"({"$ref":"#/components/schemas/JobPage"}},"image/svg+xml":{"schema":{"type":"string"}}}})"));
   EXPECT_THAT(text, HasSubstr(R"("JobPage":{"type":"object",)"));
   EXPECT_THAT(text,
               HasSubstr(R"("ArmOrder":{"type":"object","description":"how a job is armed","properties":{"minutes":)"
