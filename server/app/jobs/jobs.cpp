@@ -50,7 +50,7 @@ Jobs::Jobs(store::Store& store, Lines& lines, Books& books, Events& events, cons
       events_(events),
       clock_(clock),
       documents_(documents),
-      called_(std::move(called)),
+      called_(called),
       hook_(std::move(hook)) {}
 
 store::Stamp Jobs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
@@ -173,7 +173,7 @@ Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string
                                  .bytes_total = fit->bytes_total,
                                  .order = plan.order,
                                  .not_before_ms = plan.not_before_ms,
-                                 .end_check = plan.end_check.empty() ? std::move(fit->end_check) : plan.end_check,
+                                 .end_check = plan.end_check.empty() ? fit->end_check : plan.end_check,
                                  .choice = plan.choice,
                                  .begins_choice = plan.begins_choice},
                                 stamp(actor)));
