@@ -20,6 +20,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "server/io/steady_clock.h"
 #include "server/json/records.h"
 
 namespace dripfeed::cli {
@@ -44,14 +45,9 @@ bool write_whole(int descriptor, std::string_view text, const std::atomic<bool>&
   return true;
 }
 
-std::int64_t now_ms() {
-  using std::chrono::system_clock;
-  return std::chrono::duration_cast<std::chrono::milliseconds>(system_clock::now().time_since_epoch()).count();
-}
-
 // A sentence of the command itself as a line.
 std::string line_of(LogForm form, std::string_view sentence) {
-  return form == LogForm::json ? json::log_line(now_ms(), "info", sentence) + "\n"
+  return form == LogForm::json ? json::log_line(io::SteadyClock().wall_ms(), "info", sentence) + "\n"
                                : fmt::format("dripfeed: {}\n", sentence);
 }
 
@@ -89,6 +85,8 @@ LineQueue::~LineQueue() {
   shared_->changed.wait_for(lock, kPatience, [this] { return shared_->idle; });
   shared_->given_up = true;
 }
+
+LogForm LineQueue::form() const { return shared_->form; }
 
 void LineQueue::push(std::string line) {
   {
@@ -148,7 +146,6 @@ struct Outputs {
   std::mutex mutex;
   std::shared_ptr<LineQueue> messages;
   std::shared_ptr<LineQueue> announcements;
-  LogForm form = LogForm::text;
 };
 Outputs& outputs() {
   static Outputs* const only = new Outputs;  // never destroyed: a thread may log while the process ends
@@ -218,7 +215,6 @@ Logging::Logging(LogForm form) {
     const std::lock_guard lock(outputs().mutex);
     outputs().messages = std::make_shared<LineQueue>(STDERR_FILENO, form);
     outputs().announcements = std::make_shared<LineQueue>(STDOUT_FILENO);
-    outputs().form = form;
   }
   const auto sink = std::make_shared<QueueSink>();
   if (form == LogForm::json) sink->set_formatter(std::make_unique<JsonFormatter>());
@@ -231,16 +227,14 @@ Logging::~Logging() {
   const std::lock_guard lock(outputs().mutex);
   std::swap(messages, outputs().messages);
   std::swap(announcements, outputs().announcements);
-  outputs().form = LogForm::text;
 }
 
 void say(std::string_view sentence) {
-  LogForm form = LogForm::text;
-  {
+  const auto form = [] {
     const std::lock_guard lock(outputs().mutex);
-    form = outputs().form;
-  }
-  put(&Outputs::messages, STDERR_FILENO, line_of(form, sentence));
+    return outputs().messages ? outputs().messages->form() : LogForm::text;
+  };
+  put(&Outputs::messages, STDERR_FILENO, line_of(form(), sentence));
 }
 
 void announce(std::string_view line) { put(&Outputs::announcements, STDOUT_FILENO, fmt::format("{}\n", line)); }

@@ -33,6 +33,7 @@ class LineQueue {
 
   // The oldest lines make room for a new one. Never throws but where memory is out.
   void push(std::string line);
+  [[nodiscard]] LogForm form() const;
 
  private:
   struct Shared;

@@ -108,6 +108,16 @@ std::expected<std::uint64_t, Response> expected_revision(const Request& request)
   return revision;
 }
 
+std::expected<TimeSpan, Response> span_of(const Request& request) {
+  constexpr std::uint64_t kLatest_ms = std::uint64_t{1} << 53U;
+  const auto from_ms = number_of(request, "from_ms", 0, 0, kLatest_ms);
+  if (!from_ms) return std::unexpected(from_ms.error());
+  const auto to_ms = number_of(request, "to_ms", kLatest_ms, 1, kLatest_ms);
+  if (!to_ms) return std::unexpected(to_ms.error());
+  if (*from_ms >= *to_ms) return std::unexpected(problem_response(422, "from_ms must be before to_ms"));
+  return TimeSpan{static_cast<std::int64_t>(*from_ms), static_cast<std::int64_t>(*to_ms)};
+}
+
 std::string query_text(const Request& request, const std::string& name) {
   const auto found = request.query.find(name);
   return found == request.query.end() ? std::string() : found->second;
@@ -251,6 +261,13 @@ Response too_low(const Route& route, const Caller& caller, Right right) {
                                            caller.name, name_of(right)));
 }
 
+std::optional<Response> refuse_query(const Route& route, const Request& request) {
+  const std::string_view name = unknown_query(route, request);
+  if (name.empty()) return std::nullopt;
+  return problem_response(400,
+                          fmt::format("no query parameter \"{}\" here; this path takes: {}", name, query_names(route)));
+}
+
 }  // namespace
 
 // Who calls, if they may.
@@ -300,18 +317,15 @@ Response Api::answer_route(const Request& request, const Match& match) {
   if (const std::string_view why = why_not_taken(route, request); !why.empty())
     return problem_response(415, std::string(why));
   Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
-  // The page and what watches the server may be asked with any query.
-  const bool takes_any_query = !route.pattern.starts_with("/api/v1/") && route.right == Right::anybody;
-  const std::string_view unknown = takes_any_query ? std::string_view() : unknown_query(route, request);
-  const auto no_such_query = [&] {
-    return problem_response(
-        400, fmt::format("no query parameter \"{}\" here; this path takes: {}", unknown, query_names(route)));
-  };
-  if (route.right == Right::anybody) return unknown.empty() ? route.handler(call) : no_such_query();
+  if (route.right == Right::anybody) {
+    // The page and what watches the server may be asked with any query.
+    auto refused = route.pattern.starts_with("/api/v1/") ? refuse_query(route, request) : std::nullopt;
+    return refused ? std::move(*refused) : route.handler(call);
+  }
   call.version = version_of(application_.store());
   const auto caller = admit(request, route, call.version);
   if (!caller) return caller.error();
-  if (!unknown.empty()) return no_such_query();
+  if (auto refused = refuse_query(route, request)) return std::move(*refused);
   call.user = caller->name;
   call.right = right_for(route, call, *caller);
   call.caller = &*caller;

@@ -118,6 +118,12 @@ std::expected<store::PageRequest, Response> page_of(const Request& request);
 // A number in the query, from `low` to `high`; `standard` where it is not given; or 422.
 std::expected<std::uint64_t, Response> number_of(const Request& request, const std::string& name,
                                                  std::uint64_t standard, std::uint64_t low, std::uint64_t high);
+struct TimeSpan {
+  std::int64_t from_ms = 0;
+  std::int64_t to_ms = 0;
+};
+// ?from_ms= and &to_ms=, without them all of time; or 422.
+std::expected<TimeSpan, Response> span_of(const Request& request);
 // An id in the path; or 404.
 std::expected<store::Id, Response> id_of(std::string_view text);
 // Of a query; 0 where it is not given.

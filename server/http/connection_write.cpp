@@ -49,14 +49,9 @@ void Connection::fill_head(Message& message, const Response& response) const {
   message.keep_alive(keep_alive_);
   if (!response.content_type.empty()) message.set(bhttp::field::content_type, response.content_type);
   message.set("X-Content-Type-Options", "nosniff");
-  message.set(bhttp::field::cache_control, "no-store");  // unless the answer says otherwise
-  for (const auto& [name, value] : response.headers) {
-    // Each cookie has a header of its own (RFC 6265, 3).
-    if (name == "Set-Cookie")
-      message.insert(name, value);
-    else
-      message.set(name, value);
-  }
+  // One name may come more than once: each cookie has a header of its own (RFC 6265, 3).
+  for (const auto& [name, value] : response.headers) message.insert(name, value);
+  if (message.count(bhttp::field::cache_control) == 0) message.set(bhttp::field::cache_control, "no-store");
 }
 
 // What was refused before it was read whole took no time of ours.

@@ -12,8 +12,6 @@ namespace dripfeed::http {
 
 namespace {
 
-constexpr std::uint64_t kLatest_ms = std::uint64_t{1} << 53U;
-
 // ?by=; by machine where it is not given.
 std::expected<app::SumsBy, Response> sums_by(const Request& request) {
   const std::string given = query_text(request, "by");
@@ -22,20 +20,6 @@ std::expected<app::SumsBy, Response> sums_by(const Request& request) {
     if (app::kSumsByNames[i] == given) return static_cast<app::SumsBy>(i);
   return std::unexpected(
       problem_response(422, fmt::format("sums are by machine, part, day or shift, not by \"{}\"", given)));
-}
-
-struct TimeSpan {
-  std::int64_t from_ms = 0;
-  std::int64_t to_ms = 0;
-};
-
-std::expected<TimeSpan, Response> span_of(const Request& request) {
-  const auto from_ms = number_of(request, "from_ms", 0, 0, kLatest_ms);
-  if (!from_ms) return std::unexpected(from_ms.error());
-  const auto to_ms = number_of(request, "to_ms", kLatest_ms, 1, kLatest_ms);
-  if (!to_ms) return std::unexpected(to_ms.error());
-  if (*from_ms >= *to_ms) return std::unexpected(problem_response(422, "from_ms must be before to_ms"));
-  return TimeSpan{static_cast<std::int64_t>(*from_ms), static_cast<std::int64_t>(*to_ms)};
 }
 
 std::expected<store::EndedFilter, Response> ended_filter(const Request& request) {

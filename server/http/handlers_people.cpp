@@ -159,19 +159,15 @@ Response remove_group(const Call& call) {
 }
 
 Response list_audit(const Call& call) {
-  constexpr std::uint64_t kLatest_ms = std::uint64_t{1} << 53U;
   const auto page = page_of(call.request);
   if (!page) return page.error();
-  const auto from_ms = number_of(call.request, "from_ms", 0, 0, kLatest_ms);
-  if (!from_ms) return from_ms.error();
-  const auto to_ms = number_of(call.request, "to_ms", 0, 1, kLatest_ms);
-  if (!to_ms) return to_ms.error();
-  if (*to_ms != 0 && *from_ms >= *to_ms) return problem_response(422, "from_ms must be before to_ms");
+  const auto span = span_of(call.request);
+  if (!span) return span.error();
   const store::AuditFilter filter{.subject = query_text(call.request, "subject"),
                                   .actor = query_text(call.request, "actor"),
                                   .action = query_text(call.request, "action"),
-                                  .from_ms = static_cast<std::int64_t>(*from_ms),
-                                  .to_ms = static_cast<std::int64_t>(*to_ms)};
+                                  .from_ms = span->from_ms,
+                                  .to_ms = span->to_ms};
   return list_response(store_of(call).audit().list(*page, filter),
                        [](const store::AuditRow& row) { return json::audit_row(row); });
 }

@@ -1,5 +1,5 @@
-// The number of the M function is the row of the face, after those of native texts. What ends a face and what ends a
-// cylinder are told apart by what began it: blocks stand in the order of the run.
+// The number of the M function is the row of the face, after those of native texts. One code ends a face
+// as well as a cylinder: which of the two it ends follows from the code before it that began one.
 #include "dialects/compile/render/faces.h"
 
 #include <algorithm>

@@ -72,12 +72,7 @@ class Pecks {
   [[nodiscard]] ir::ExpressionId value(CycleValue which) const { return ir::value_of(program_, call_, which); }
   // 0 where it is left out; nothing where it is computed.
   [[nodiscard]] std::optional<double> number(CycleValue which) const {
-    const ir::ExpressionId id = value(which);
-    if (id == ir::ExpressionId::none) return 0.0;
-    const ir::Expression& e = program_.at(id);
-    if (e.op == ir::Operator::constant) return e.value;
-    const bool negative = e.op == ir::Operator::negate && program_.at(e.a).op == ir::Operator::constant;
-    return negative ? std::optional(-program_.at(e.a).value) : std::nullopt;
+    return value(which) == ir::ExpressionId::none ? 0.0 : ir::number_of(program_, call_, which);
   }
 
   const ir::Program& program_;

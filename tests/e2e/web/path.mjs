@@ -1,5 +1,5 @@
 // The toolpath beside its text, against the real server: a picture that one turns, points at and goes along, the
-// same in words, what is not known of it, and a long path: 108,500 segments,
+// same in words, what is not known of it, and a long path: about 185,000 segments,
 // or a million, as many as are drawn at most, with PATH_RINGS=4600 (docs/measurements.md; minutes on a busy computer).
 import { fileURLToPath } from 'node:url';
 import { accessible, expect, kSoftwarePictures, live, main, shot, signIn, soon, until, withPage } from './browser.mjs';
