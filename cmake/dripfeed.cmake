@@ -93,7 +93,7 @@ endfunction()
 # dripfeed_patience(SECONDS): with sanitizers a test is slow, and runs at the lowest priority while others run (deploy/test).
 function(dripfeed_patience seconds)
   if(DRIPFEED_SANITIZE)
-    math(EXPR longer "5 * ${${seconds}}")
+    math(EXPR longer "10 * ${${seconds}}")
     set(${seconds} ${longer} PARENT_SCOPE)
   endif()
 endfunction()

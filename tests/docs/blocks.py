@@ -16,7 +16,7 @@ import pages
 ELSEWHERE = {
     ('*', 'console'): 'tests/docs/sessions.py',
     ('diagnostics.md', 'nc'): 'tests/docs/examples.py',
-    ('families.md', 'family'): 'tests/unit/dialects/compile/family_language_test.cpp',
+    ('families.md', 'family'): 'tests/unit/dialects/compile/render/family_language_test.cpp',
     ('families.md', 'wrapped'): 'tests/unit/dialects/compile/wrapped_family_test.cpp',
     ('editor.md', 'json'): 'tests/docs/documents.py',
     ('editor.md', 'lua'): 'tests/e2e/neovim.py',

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dialects/compile/render/render.h"
-#include "tests/unit/dialects/compile/family_run.h"
+#include "tests/unit/dialects/compile/render/family_run.h"
 
 namespace dripfeed::compile::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dialects/compile/render/list_table.h"
-#include "tests/unit/dialects/compile/family_run.h"
+#include "tests/unit/dialects/compile/render/family_run.h"
 
 namespace dripfeed::compile::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/dialects/compile/family_run.h"
+#include "tests/unit/dialects/compile/render/family_run.h"
 
 namespace dripfeed::compile::test {
 namespace {

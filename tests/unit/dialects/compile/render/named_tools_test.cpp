@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "tests/unit/dialects/compile/family_run.h"
+#include "tests/unit/dialects/compile/render/family_run.h"
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
 namespace dripfeed::compile::test {
