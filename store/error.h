@@ -22,11 +22,14 @@ enum class ErrorCode : std::uint8_t {
   not_released,        // no release lets this text go to this machine
   transfers_used_up,   // a release in proving has had its transfers
   sign_off_missing,    // a release is approved by a person with a note
+  not_proved,          // an operator signs off what a transfer has shown
+  not_signed_off,      // a release is approved after its operator signed the proving off
   four_eyes,           // who wrote or released a text wants to approve it
   machine_busy,        // another job of the machine is armed or runs
   not_leased,          // the machine's line is another node's
   machine_torn,        // a block was torn; a person must confirm the reset of the control first
   too_early,           // a job may not be armed before its time
+  on_hold,             // a person put the job on hold
   end_not_confirmed,   // the end of another job of the machine waits for a person
   key_reused,          // an idempotency key came back with another request
   append_only,         // the row may never change

@@ -22,9 +22,11 @@ inline constexpr std::array<std::string_view, 5> kAlarmEvents{"raised", "cleared
 inline constexpr std::array<std::string_view, 5> kProgramEvents{"added", "revised", "archived", "fetched_back",
                                                                 "deleted"};
 // Of a job and of an order, besides their states.
-inline constexpr std::array<std::string_view, 3> kJobEvents{"scheduled", "end_confirmed", "stop_reason"};
+inline constexpr std::array<std::string_view, 5> kJobEvents{"scheduled", "end_confirmed", "stop_reason", "on_hold",
+                                                            "off_hold"};
 inline constexpr std::array<std::string_view, 3> kOrderEvents{"added", "changed", "parts"};
-inline constexpr std::string_view kPing = "ping";  // of a webhook, to be tried
+inline constexpr std::string_view kReleaseSignedOff = "signed_off";  // besides its states
+inline constexpr std::string_view kPing = "ping";                    // of a webhook, to be tried
 
 struct NewEvent {
   EventTopic topic = EventTopic::job;

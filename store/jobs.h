@@ -78,7 +78,10 @@ struct Job {
   std::optional<std::int64_t> forecast_ms;  // of its program by its check, as it was when the job was armed
 
   std::int64_t not_before_ms = 0;  // it may not be armed before; 0: at any time
-  Id choice = 0;                   // first job of the choice that it belongs to, of which one is armed; 0: none
+  std::string hold_by;             // who put it on hold: it is not armed meanwhile; "": it is not on hold
+  std::string hold_reason;
+  Id retry_of = 0;  // job that ended, of which it is another transfer; 0: none
+  Id choice = 0;    // first job of the choice that it belongs to, of which one is armed; 0: none
 
   std::string end_check;  // what a person confirms after its end, before the next job of its machine; "": nothing
   std::string end_confirmed_by;
@@ -100,6 +103,7 @@ struct NewJob {
   Id order = 0;  // that it belongs to; 0: none
   std::int64_t not_before_ms = 0;
   std::string end_check{};
+  Id retry_of = 0;             // job that ended; 0: none
   Id choice = 0;               // that it joins; 0: none
   bool begins_choice = false;  // it is the first of one
 };
@@ -157,11 +161,12 @@ struct EndedJob {
 class Jobs : public Repository {
  public:
   // Queued, after all queued jobs of its machine whose orders are as urgent. Errors: broken_reference (no such release
-  // or order), refused_transition (the order is not open, is for another machine, or of another part than the one that
-  // the program was rendered from), and those of Releases::released_for.
+  // or order), refused_transition (`retry_of` has not ended or is of another release, the order is not open, is for
+  // another machine, or of another part than the one that the program was rendered from), and those of
+  // Releases::released_for.
   virtual Result<Job> add(const NewJob& job, const Stamp& by) = 0;
   // Errors: not_found, refused_transition; to armed also machine_busy, machine_torn, too_early (without a reason),
-  // end_not_confirmed (of another job of the machine), its order does not fit any more, and those of
+  // on_hold, end_not_confirmed (of another job of the machine), its order does not fit any more, and those of
   // Releases::released_for. The first feeding of a job counts as a transfer of a release in proving. With a job that is
   // armed, the others of its choice that are queued are cancelled.
   virtual Result<Job> move(Id job, const JobMove& move, const Stamp& by) = 0;
@@ -174,6 +179,10 @@ class Jobs : public Repository {
   // When a queued job may be armed; 0: at any time. Nothing is armed by it. Errors: not_found, refused_transition (it
   // is not queued).
   virtual Result<Job> schedule(Id job, std::int64_t not_before_ms, const Stamp& by) = 0;
+  // A queued job on hold is not armed until it is taken off hold; it keeps its place. Errors: not_found,
+  // refused_transition (it is not queued; it is on hold already, or not on hold), invalid_value (no reason).
+  virtual Result<Job> hold(Id job, std::string_view reason, const Stamp& by) = 0;
+  virtual Result<Job> end_hold(Id job, const Stamp& by) = 0;
   // A person confirms what the job's end asks for. Errors: not_found, refused_transition (nothing of it is asked for).
   virtual Result<Job> confirm_end(Id job, std::string_view note, const Stamp& by) = 0;
   // The job of the machine whose end waits for a confirmation; the oldest one.

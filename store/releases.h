@@ -49,6 +49,8 @@ struct Release {
   ReleaseState state = ReleaseState::draft;
   std::uint64_t transfers_allowed = 0;  // while proving
   std::uint64_t transfers_done = 0;     // jobs that began to feed while proving
+  std::string proved_by;                // the operator who signed the proving off; "": no one yet
+  std::string proof;                    // what they wrote
   std::string created_by;
   std::int64_t created_at_ms = 0;
   std::string approved_by;  // the sign-off, once it is approved
@@ -91,10 +93,15 @@ class Releases : public Repository {
   // obsolete).
   virtual Result<Release> add(const NewRelease& release, const Stamp& by) = 0;
   // Errors: not_found, refused_transition, no_verdict, verdict_not_passed, verdict_stale, sign_off_missing,
-  // invalid_value (proving without transfers), four_eyes (to approved, where the machine's group wants another person
-  // than who wrote or released the text). A restart is shown, and then released for one transfer by its proving alone:
+  // invalid_value (proving without transfers), not_signed_off (to approved, unless the machine's group waives the
+  // operator), four_eyes (to approved, where the machine's group wants another person than who wrote or released the
+  // text). A restart is shown, and then released for one transfer by its proving alone:
   // invalid_value (another text than it has, more transfers), four_eyes at the proving, refused_transition to approved.
   virtual Result<Release> move(Id release, const ReleaseMove& move, const Stamp& by) = 0;
+  // An operator signs off what the transfers of this proving have shown. Errors: not_found, refused_transition (it is
+  // not being proved, or is a restart), sign_off_missing (no note), not_proved (no transfer has ended well since the
+  // proving began).
+  virtual Result<Release> sign_off(Id release, std::string_view note, const Stamp& by) = 0;
   // Errors: not_found.
   virtual Result<Release> get(Id release) = 0;
   // Newest first.

@@ -67,6 +67,7 @@ struct MachineGroup {
   std::string name;
   std::vector<std::string> machines;  // by name
   bool four_eyes = false;             // who wrote or released a text must not approve it
+  bool operator_sign_off = true;      // an operator signs each proving off before it is approved
 };
 
 class Users : public Repository {

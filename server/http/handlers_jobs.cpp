@@ -104,14 +104,24 @@ Response list_jobs(const Call& call) {
                        [](const store::Job& j) { return json::job(j); });
 }
 
-Response add_job(const Call& call) {
-  const auto body = json::read_job_body(call.request.body);
+Response sign_off_release(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto body = json::read_sign_off_body(call.request.body);
   if (!body) return problem_response(body.error());
+  app::Application& app = call.api.application();
+  return release_response(
+      200, app.store().releases().sign_off(*id, body->note, {std::string(call.user), app.clock().wall_ms()}));
+}
+
+namespace {
+
+Response queue_job(const Call& call, store::Id release, const app::JobPlan& plan) {
   app::Jobs& jobs = call.api.application().jobs();
   std::optional<store::Job> added;
   bool is_text_known = true;
   const auto add = [&] {
-    const auto job = jobs.add_known(body->release, call.user, body->plan);
+    const auto job = jobs.add_known(release, call.user, plan);
     if (!job) return problem_response(job.error());
     is_text_known = job->has_value();
     if (!is_text_known) return problem_response(503, std::string(app::Jobs::kMachineChanges));
@@ -120,11 +130,27 @@ Response add_job(const Call& call) {
   };
   Response response = call.commit(add);
   if (!is_text_known) {
-    if (const auto read = jobs.read_text(body->release); !read) return problem_response(read.error());
+    if (const auto read = jobs.read_text(release); !read) return problem_response(read.error());
     response = call.commit(add);
   }
   if (added && response.status == 201) jobs.announce(*added);
   return response;
+}
+
+}  // namespace
+
+Response add_job(const Call& call) {
+  const auto body = json::read_job_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  return queue_job(call, body->release, body->plan);
+}
+
+Response retry_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto old = call.api.application().store().jobs().get(*id);
+  if (!old) return problem_response(app::from_store(old.error()));
+  return queue_job(call, old->release, {.order = old->order, .end_check = old->end_check, .retry_of = old->id});
 }
 
 Response get_job(const Call& call) {
@@ -172,6 +198,20 @@ Response schedule_job(const Call& call) {
   const auto body = json::read_schedule_body(call.request.body);
   if (!body) return problem_response(body.error());
   return job_response(call.api.application().jobs().schedule(*id, body->not_before_ms, call.user));
+}
+
+Response hold_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto body = json::read_reason_body(call.request.body, true);
+  if (!body) return problem_response(body.error());
+  return job_response(call.api.application().jobs().hold(*id, body->reason, call.user));
+}
+
+Response end_hold_of_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  return job_response(call.api.application().jobs().end_hold(*id, call.user));
 }
 
 Response confirm_job_end(const Call& call) {

@@ -147,7 +147,9 @@ Response put_group(const Call& call) {
   const auto known = store_of(call).users().groups();
   if (!known) return problem_response(app::from_store(known.error()));
   const auto before = std::ranges::find(*known, group.name, &store::MachineGroup::name);
-  group.four_eyes = body->four_eyes.value_or(before != known->end() && before->four_eyes);
+  const store::MachineGroup as_it_is = before == known->end() ? store::MachineGroup{} : *before;
+  group.four_eyes = body->four_eyes.value_or(as_it_is.four_eyes);
+  group.operator_sign_off = body->operator_sign_off.value_or(as_it_is.operator_sign_off);
   const auto put = store_of(call).users().put_group(group, stamp_of(call));
   if (!put) return problem_response(app::from_store(put.error()));
   return json_response(200, json::machine_group(*put));

@@ -70,7 +70,9 @@ Document alarm_data(const LoggedEvent& event) {
 }
 
 Document release_data(const LoggedEvent& event) {
-  return {{"release", event.of.subject},   {"state", event.of.word},
+  const bool stays = event.of.word == store::kReleaseSignedOff;  // it is still proved
+  const std::string_view state = stays ? store::name_of(store::ReleaseState::proving) : std::string_view(event.of.word);
+  return {{"release", event.of.subject},   {"state", state},
           {"machine", event.of.machine},   {"program", event.of.program},
           {"revision", event.of.revision}, {"note", text_or_null(shortened(event.of.text))}};
 }

@@ -57,7 +57,12 @@ constexpr GlossaryRow kRows[] = {
     {"HandOver/node", "name of the server that gets the line, as GET /nodes lists it"},
     {"machines", "names of all machines of the group"},
     {"four_eyes",
-     "whether a person who wrote or released a text may not approve it on these machines; not given: false"},
+     "whether a person who wrote or released a text may not approve it on these machines; not given: the rule stays, "
+     "at first false"},
+    {"operator_sign_off",
+     "whether an operator signs a proving off before a release is approved for these machines; not given: the rule "
+     "stays, at first true"},
+    {"SignOff/note", "what the operator has seen and measured"},
     {"text", "the whole text"},
     {"DiagnoseOrder/dialect",
      "in which the text is read; not given: the machine's, or the one that the text looks like"},

@@ -42,8 +42,8 @@ std::set<unsigned> statuses_of(const OpenApiRoute& route) {
   };
   const bool signs_in = route.open && !is_read;
   add(!route.open || signs_in, {401, 403});
-  if (has_type(route, "application/xml")) return all;  // all else as MTConnect has it
   add(route.path.contains('{') || has_body || signs_in, {404});
+  if (has_type(route, "application/xml")) return all;  // all else as MTConnect has it
   add(!is_read, {409, 413, 415});
   add(has_body, {413, 415, 507});
   add(has_body || route.once || route.paged || !route.query.empty() || has_type(route, "text/event-stream"), {422});

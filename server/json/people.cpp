@@ -113,6 +113,9 @@ void read_members(ObjectReader& o, GroupBody& into) {
   bool four_eyes = false;
   o.flag("four_eyes", four_eyes);
   if (o.has("four_eyes")) into.four_eyes = four_eyes;
+  bool operator_sign_off = true;
+  o.flag("operator_sign_off", operator_sign_off);
+  if (o.has("operator_sign_off")) into.operator_sign_off = operator_sign_off;
 }
 
 void read_members(ObjectReader& o, store::AuditRow& into) {
@@ -161,7 +164,7 @@ Schemas people_request_schemas() {
                                  "a token: of a user or of a program; \"scope\" limits what it may change"),
       described<GroupBody>(
           "GroupChange", read_members,
-          "all machines of a group, none of which is in another one, and its rules; without four_eyes they stay"),
+          "all machines of a group, none of which is in another one, and its rules; a rule that is not given stays"),
   };
 }
 
@@ -238,7 +241,10 @@ std::string new_token(const store::Token& token, std::string_view secret) {
 std::string machine_group(const store::MachineGroup& group) {
   Document machines = Document::array();
   for (const std::string& machine : group.machines) machines.push_back(machine);
-  return dump({{"name", group.name}, {"machines", std::move(machines)}, {"four_eyes", group.four_eyes}});
+  return dump({{"name", group.name},
+               {"machines", std::move(machines)},
+               {"four_eyes", group.four_eyes},
+               {"operator_sign_off", group.operator_sign_off}});
 }
 
 std::string audit_row(const store::AuditRow& row) {

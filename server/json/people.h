@@ -54,6 +54,7 @@ app::Result<store::NewToken> read_token_body(std::string_view body);
 struct GroupBody {
   std::vector<std::string> machines;
   std::optional<bool> four_eyes;  // nothing: as it is
+  std::optional<bool> operator_sign_off;
 };
 app::Result<GroupBody> read_group_body(std::string_view body);
 

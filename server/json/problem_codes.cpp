@@ -47,6 +47,12 @@ constexpr std::array kCodes = {
     ProblemCode{"transfers_used_up", 409, "transfers used up", "the proving has had its transfers", 0, "store_used_up"},
     ProblemCode{"sign_off_missing", 409, "sign-off missing", "an approval needs a note of who signs it off", 0,
                 "store_sign_off"},
+    ProblemCode{"not_proved", 409, "not proved",
+                "an operator signs off what a transfer has shown: none has ended well since the proving began", 0,
+                "store_not_proved"},
+    ProblemCode{"not_signed_off", 409, "not signed off",
+                "a release is approved for this machine after an operator signed its proving off", 0,
+                "store_not_signed_off"},
     ProblemCode{"four_eyes", 409, "four eyes", "who wrote or released a text may not approve it", 0, "store_four_eyes"},
     ProblemCode{"machine_busy", 409, "machine busy", "a job has the machine's line", 0,
                 "store_machine_busy job_on_line job_holds_profile job_waits line_busy_settings line_still_used "
@@ -56,6 +62,8 @@ constexpr std::array kCodes = {
                 "store_machine_torn torn_reset_first maybe_torn block_torn_here block_torn_confirm other_session "
                 "line_confirm_first"},
     ProblemCode{"too_early", 409, "too early", "the job may not be armed before its time", 0, "store_too_early"},
+    ProblemCode{"on_hold", 409, "on hold", "a person put the job on hold: the detail names who, and why", 0,
+                "store_on_hold"},
     ProblemCode{
         "end_not_confirmed", 409, "end not confirmed",
         "a person must first confirm the end of another job of the machine: the detail names it and what is asked", 0,

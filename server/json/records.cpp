@@ -88,6 +88,11 @@ Document seconds_or_null(std::optional<std::int64_t> ms) {
   return ms ? Document(static_cast<double>(*ms) / 1e3) : Document(nullptr);
 }
 
+Document hold_document(const store::Job& job) {
+  if (job.hold_by.empty()) return nullptr;
+  return {{"by", job.hold_by}, {"reason", job.hold_reason}};
+}
+
 Document job_document(const store::Job& job) {
   return {{"id", job.id},
           {"state", store::name_of(job.state)},
@@ -123,6 +128,8 @@ Document job_document(const store::Job& job) {
           {"line_s", seconds_or_null(job.line_ms)},
           {"forecast_s", seconds_or_null(job.forecast_ms)},
           {"not_before_ms", time_or_null(job.not_before_ms)},
+          {"on_hold", hold_document(job)},
+          {"retry_of", id_or_null(job.retry_of)},
           {"choice", id_or_null(job.choice)},
           {"end_check", text_or_null(job.end_check)},
           {"needs_end_confirmation", job.needs_end_confirmation()},
@@ -226,6 +233,8 @@ std::string release(const store::Release& release) {
                {"restart", restart_document(release.of.restart)},
                {"transfers_allowed", release.transfers_allowed},
                {"transfers_done", release.transfers_done},
+               {"proved_by", text_or_null(release.proved_by)},
+               {"proof", text_or_null(release.proof)},
                {"created_by", release.created_by},
                {"created_at_ms", release.created_at_ms},
                {"approved_by", text_or_null(release.approved_by)},

@@ -274,6 +274,8 @@ void read_members(ObjectReader& o, app::AcceptOrder& into) {
   if (!into.name.empty() && into.program != 0) o.fault("name", "a program has its name");
 }
 
+void read_members(ObjectReader& o, SignOffBody& into) { o.words("note", into.note, true); }
+
 void read_members(ObjectReader& o, ShelveBody& into) {
   constexpr std::int64_t kLongest_min = 480;  // a shift
   o.integer("minutes", into.minutes, 1, kLongest_min, true);
@@ -342,6 +344,8 @@ app::Result<ReleaseBody> read_release_body(std::string_view body) { return read_
 app::Result<RestartBody> read_restart_body(std::string_view body, bool makes) {
   return read_by<RestartBody>(makes ? read_shown_restart : read_restart, body);
 }
+app::Result<SignOffBody> read_sign_off_body(std::string_view body) { return read_by<SignOffBody>(read_members, body); }
+
 app::Result<ReasonBody> read_reason_body(std::string_view body, bool required) {
   return read_by<ReasonBody>(required ? read_reason : read_optional_reason, or_empty(body));
 }
@@ -399,6 +403,7 @@ Schemas request_schemas() {
       described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for no person"),
       described<store::NewWaiver>("NewWaiver", read_members, "a person answers for a verdict, or for a point of it"),
       described<HandOverBody>("HandOver", read_members, "which server gets a machine's line, and why"),
+      described<SignOffBody>("SignOff", read_members, "what an operator states of a proving"),
       described<ReasonBody>("Reason", read_reason, "why a person does it"),
       described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, where they state it"),
       described<store::WebhookSettings>("NewWebhook", read_new_webhook, "who receives which events"),

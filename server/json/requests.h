@@ -135,6 +135,12 @@ app::Result<RestartBody> read_restart_body(std::string_view body, bool makes);
 // A verdict is waived, or one point of it.
 app::Result<store::NewWaiver> read_waiver_body(std::string_view body);
 
+// What an operator states of a proving.
+struct SignOffBody {
+  std::string note;
+};
+app::Result<SignOffBody> read_sign_off_body(std::string_view body);
+
 struct ReasonBody {
   std::string reason;
 };

@@ -48,7 +48,9 @@ Schema release() {
                         {"sha256", text("of the text, in hexadecimal")},
                         {"restart", restart()},
                         {"transfers_allowed", integer("while it is proved")},
-                        {"transfers_done", integer("of these")}} +
+                        {"transfers_done", integer("of these")},
+                        {"proved_by", or_null(text("the operator who signed the proving off; null: no one yet"))},
+                        {"proof", or_null(text("what they wrote"))}} +
                     created() +
                     Members{{"approved_by", or_null(text("who approved it"))},
                             {"sign_off", or_null(text("what they wrote"))},
@@ -95,6 +97,9 @@ Schema job() {
                or_null(number("of a drip feed, how long its check expected it to take, when it was armed; "
                               "null: not known"))},
               {"not_before_ms", or_null(time_ms("before which it is armed only with a reason; null: at any time"))},
+              {"on_hold", or_null(object("a queued job on hold is not armed; null: it is not on hold",
+                                         {{"by", text("who put it on hold")}, {"reason", text("what they wrote")}}))},
+              {"retry_of", or_null(integer("the job that ended, of which it is another transfer; null: none"))},
               {"choice", or_null(integer("of which one job is armed; null: it stands alone"))},
               {"end_check",
                or_null(text("what a person confirms after its end, before the next job of its machine is armed"))},

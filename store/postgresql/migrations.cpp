@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "store/postgresql/schema_v1.h"
+#include "store/postgresql/schema_v10.h"
 #include "store/postgresql/schema_v2.h"
 #include "store/postgresql/schema_v3.h"
 #include "store/postgresql/schema_v4.h"
@@ -113,7 +114,8 @@ std::span<const sql::Migration> migrations() {
                                       sql::Migration{6, "plans and ends of jobs", kSchemaV6},
                                       sql::Migration{7, "users of a provider", kSchemaV7},
                                       sql::Migration{8, "neighbouring versions", kSchemaV8, 7},
-                                      sql::Migration{9, "rules of verdicts", kSchemaV9, 7}};
+                                      sql::Migration{9, "rules of verdicts", kSchemaV9, 7},
+                                      sql::Migration{10, "sign-off of operators", kSchemaV10, 7}};
   return kMigrations;
 }
 

@@ -1,5 +1,5 @@
-// What is planned of jobs and the result of them: the time before which one is not armed, the confirmation of an end,
-// and the jobs that ended in a time.
+// What is planned of jobs and the result of them: the time before which one is not armed, holds in the queue, the
+// confirmation of an end, and the jobs that ended in a time.
 #include <algorithm>
 #include <utility>
 
@@ -51,6 +51,41 @@ Result<Job> JobTable::schedule(Id id, std::int64_t not_before_ms, const Stamp& b
         not_before_ms == 0 ? std::string("at any time") : fmt::format("not before {}", utc_time(not_before_ms));
     add_audit_row(session, {.action = "job.schedule", .subject = job_subject(id), .detail = when}, by);
     log_plan(session, *job, store::kJobEvents[0], when, by);
+    if (!session.ok()) return std::unexpected(session.error());
+    return job;
+  });
+}
+
+Result<Job> JobTable::hold(Id id, std::string_view reason, const Stamp& by) {
+  return database_.write(job_subject(id), [&](Session& session) -> Result<Job> {
+    auto job = get(id);
+    if (!job) return job;
+    if (job->state != JobState::queued) return session.refuse(ErrorCode::refused_transition, "it is not queued");
+    if (!job->hold_by.empty()) return session.refuse(ErrorCode::refused_transition, "it is on hold already");
+    if (reason.empty() || by.actor.empty())
+      return session.refuse(ErrorCode::invalid_value, "a hold needs a reason and a name");
+    job->hold_by = by.actor;
+    job->hold_reason = reason;
+    update_job(session, *job);
+    add_audit_row(session, {.action = "job.hold", .subject = job_subject(id), .detail = std::string(reason)}, by);
+    log_plan(session, *job, store::kJobEvents[3], std::string(reason), by);
+    if (!session.ok()) return std::unexpected(session.error());
+    return job;
+  });
+}
+
+Result<Job> JobTable::end_hold(Id id, const Stamp& by) {
+  return database_.write(job_subject(id), [&](Session& session) -> Result<Job> {
+    auto job = get(id);
+    if (!job) return job;
+    if (job->state != JobState::queued || job->hold_by.empty())
+      return session.refuse(ErrorCode::refused_transition, "it is not on hold");
+    const std::string was = fmt::format("by {}: {}", job->hold_by, job->hold_reason);
+    job->hold_by.clear();
+    job->hold_reason.clear();
+    update_job(session, *job);
+    add_audit_row(session, {.action = "job.end-hold", .subject = job_subject(id), .detail = was}, by);
+    log_plan(session, *job, store::kJobEvents[4], was, by);
     if (!session.ok()) return std::unexpected(session.error());
     return job;
   });

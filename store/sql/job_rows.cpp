@@ -15,8 +15,8 @@ using store::Job;
 constexpr std::string_view kInsert =
     "INSERT INTO job (text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
     "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, confirm_reason, "
-    "confirmed_at_ms, queue_rank, work_order, not_before_ms, choice, end_check) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', "
-    "?, '', ?, 0, 0, 0, 0, '', '', 0, ?, ?, ?, ?, ?)";
+    "confirmed_at_ms, queue_rank, work_order, not_before_ms, choice, end_check, retry_of) VALUES (?, ?, ?, ?, ?, ?, ?, "
+    "?, ?, '', ?, '', ?, 0, 0, 0, 0, '', '', 0, ?, ?, ?, ?, ?, ?)";
 constexpr std::string_view kInsertHead =
     "INSERT INTO ledger_head (job, last, seq, at_ms, handed, clocked, confirmed, reserve) VALUES (?, NULL, 0, 0, 0, 0, "
     "0, 0)";
@@ -24,7 +24,7 @@ constexpr std::string_view kUpdate =
     "UPDATE job SET state = ?, reason = ?, armed_by = ?, armed_at_ms = ?, started_at_ms = ?, ended_at_ms = ?, torn = "
     "?, "
     "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ?, expires_at_ms = ?, reason_id = ?, not_before_ms = ?, "
-    "end_confirmed_by = ?, end_note = ?, end_confirmed_at_ms = ? WHERE id = ?";
+    "end_confirmed_by = ?, end_note = ?, end_confirmed_at_ms = ?, hold_by = ?, hold_reason = ? WHERE id = ?";
 
 // -1 in the query stands for NULL.
 std::optional<std::int64_t> known(std::int64_t value) { return value < 0 ? std::nullopt : std::optional(value); }
@@ -49,8 +49,8 @@ std::string jobs_where(std::string_view rest) {
       "confirmed_at_ms, expires_at_ms, read_back, reason_id, queue_rank, work_order, "
       "coalesce(held_ms, -1), (SELECT restart_of FROM text_release r WHERE r.id = job.text_release), (SELECT "
       "restart_line FROM text_release r WHERE r.id = job.text_release), coalesce(holds, -1), coalesce(line_ms, -1), "
-      "coalesce(forecast_ms, -1), not_before_ms, choice, end_check, end_confirmed_by, end_note, end_confirmed_at_ms "
-      "FROM job WHERE {}",
+      "coalesce(forecast_ms, -1), not_before_ms, choice, end_check, end_confirmed_by, end_note, end_confirmed_at_ms, "
+      "hold_by, hold_reason, retry_of FROM job WHERE {}",
       rest);
 }
 
@@ -94,13 +94,16 @@ Job read_job(Query& query) {
   job.end_confirmed_by = query.text();
   job.end_note = query.text();
   job.end_confirmed_at_ms = query.signed_number();
+  job.hold_by = query.text();
+  job.hold_reason = query.text();
+  job.retry_of = query.number();
   return job;
 }
 
 Id insert_job(Session& session, const Job& job) {
   session.run(kInsert, job.release, job.program, job.revision, job.text_sha256, job.machine, job.delivery, job.link,
               job.bytes_total, job.state, job.created_by, job.created_at_ms, job.rank, NumberOrNull{job.order},
-              job.not_before_ms, NumberOrNull{job.choice}, job.end_check);
+              job.not_before_ms, NumberOrNull{job.choice}, job.end_check, NumberOrNull{job.retry_of});
   const Id id = session.last_id();
   session.run(kInsertHead, id);
   return id;
@@ -109,7 +112,8 @@ Id insert_job(Session& session, const Job& job) {
 void update_job(Session& session, const Job& job) {
   session.run(kUpdate, job.state, job.reason, job.armed_by, job.armed_at_ms, job.started_at_ms, job.ended_at_ms,
               job.torn, job.confirmed_by, job.confirm_reason, job.confirmed_at_ms, job.expires_at_ms, job.reason_id,
-              job.not_before_ms, job.end_confirmed_by, job.end_note, job.end_confirmed_at_ms, job.id);
+              job.not_before_ms, job.end_confirmed_by, job.end_note, job.end_confirmed_at_ms, job.hold_by,
+              job.hold_reason, job.id);
   const auto set = [&](std::string_view sql, const auto& value) {
     if (value) session.run(sql, *value, job.id);
   };

@@ -81,6 +81,11 @@ void write_move(Session& session, JobState from, const Job& job, const Stamp& by
   log_event(session, job, by);
 }
 
+Result<void> refuse_on_hold(const Job& job) {
+  if (job.hold_by.empty()) return {};
+  return refuse(ErrorCode::on_hold, fmt::format("job {}, by {}: {}", job.id, job.hold_by, job.hold_reason));
+}
+
 // Before its time only with a reason, which the audit keeps.
 Result<void> check_time(Session& session, const Job& job, const JobMove& move, const Stamp& by) {
   if (by.at_ms >= job.not_before_ms) return {};
@@ -182,6 +187,16 @@ Result<void> JobTable::check_line(const Job& job) {
   return {};
 }
 
+Result<void> JobTable::check_retry(const store::NewJob& job) {
+  if (job.retry_of == 0) return {};
+  const auto old = get(job.retry_of);
+  if (!old) return std::unexpected(old.error());
+  if (!store::ended(old->state) || old->release != job.release)
+    return refuse(ErrorCode::refused_transition,
+                  fmt::format("job {} has not ended, or is of another release", old->id));
+  return {};
+}
+
 Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
   return database_.write_shared("job", [&](Session& session) -> Result<Job> {
     const auto release = releases_.get(job.release);
@@ -202,6 +217,8 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     added.bytes_total = job.bytes_total;
     added.order = job.order;
     if (auto fits = refuse_unfit(session, added); !fits) return std::unexpected(fits.error());
+    if (auto again = check_retry(job); !again) return std::unexpected(again.error());
+    added.retry_of = job.retry_of;
     added.not_before_ms = job.not_before_ms;
     added.end_check = job.end_check;
     added.choice = job.choice;
@@ -218,8 +235,9 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     add_audit_row(session,
                   {.action = "job.add",
                    .subject = job_subject(added.id),
-                   .detail = fmt::format("release {} text {} to {}{}", added.release, added.text_sha256, added.machine,
-                                         store::words_of(added.restart))},
+                   .detail = fmt::format("release {} text {} to {}{}{}", added.release, added.text_sha256,
+                                         added.machine, store::words_of(added.restart),
+                                         added.retry_of == 0 ? "" : fmt::format(", job {} again", added.retry_of))},
                   by);
     log_event(session, added, by);
     return added;
@@ -237,6 +255,7 @@ Result<Job> JobTable::move(Id job, const JobMove& move, const Stamp& by) {
     const bool breaks = store::ended(move.to) && move.to != JobState::done;
     if (move.torn && !breaks) return session.refuse(ErrorCode::invalid_value, "only a job that broke off can be torn");
     if (move.to == JobState::armed) {
+      if (auto free = refuse_on_hold(*old); !free) return std::unexpected(free.error());
       if (auto fits = refuse_unfit(session, *old); !fits) return std::unexpected(fits.error());
       if (auto clear = check_clearance(*old, by.at_ms); !clear) return std::unexpected(clear.error());
       if (auto line = check_line(*old); !line) return std::unexpected(line.error());

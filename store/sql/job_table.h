@@ -18,6 +18,8 @@ class JobTable final : public store::Jobs {
                                           const store::Stamp& by) override;
   store::Result<std::vector<store::Job>> move_before(store::Id job, store::Id before, const store::Stamp& by) override;
   store::Result<store::Job> schedule(store::Id job, std::int64_t not_before_ms, const store::Stamp& by) override;
+  store::Result<store::Job> hold(store::Id job, std::string_view reason, const store::Stamp& by) override;
+  store::Result<store::Job> end_hold(store::Id job, const store::Stamp& by) override;
   store::Result<store::Job> confirm_end(store::Id job, std::string_view note, const store::Stamp& by) override;
   store::Result<std::optional<store::Job>> end_waits_on(std::string_view machine) override;
   store::Result<void> each_ended(const store::EndedFilter& filter,
@@ -34,6 +36,7 @@ class JobTable final : public store::Jobs {
 
  private:
   store::Result<void> check_clearance(const store::Job& job, std::int64_t now_ms);
+  store::Result<void> check_retry(const store::NewJob& job);
   store::Result<void> check_line(const store::Job& job);
   store::Result<std::optional<store::Job>> find(std::string_view sql, std::string_view machine);
 

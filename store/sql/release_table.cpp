@@ -73,16 +73,44 @@ Result<void> refuse_own_eyes(Session& session, const Release& release, const Sta
   return {};
 }
 
-void log_event(Session& session, const Release& release, std::string_view note, const Stamp& by) {
+void log_event(Session& session, const Release& release, std::string_view word, std::string_view note,
+               const Stamp& by) {
   add_event_row(session,
                 {.topic = store::EventTopic::release,
-                 .word = std::string(store::name_of(release.state)),
+                 .word = std::string(word),
                  .subject = release.id,
                  .machine = release.of.machine,
                  .program = release.of.program,
                  .revision = release.of.revision,
                  .text = std::string(note)},
                 by);
+}
+
+// A sign-off is a step from proving to proving. It counts for the proving in which it was made: one that begins
+// again has none.
+void add_proof(Session& session, Release& release) {
+  Query step(session,
+             "SELECT from_state, to_state, actor, note FROM release_step WHERE text_release = ? ORDER BY n DESC",
+             release.id);
+  while (step.next()) {
+    const auto from = step.value<ReleaseState>();
+    const auto to = step.value<ReleaseState>();
+    if (to == ReleaseState::approved || to == ReleaseState::obsolete) continue;
+    if (from != ReleaseState::proving || to != ReleaseState::proving) return;  // it began, or was sent back
+    release.proved_by = step.text();
+    release.proof = step.text();
+    return;
+  }
+}
+
+// Whether a transfer of it has ended well since its proving began.
+bool was_transferred(Session& session, Id release) {
+  Query query(session,
+              "SELECT 1 FROM job WHERE text_release = ? AND state = 'done' AND started_at_ms >= (SELECT coalesce("
+              "max(at_ms), 0) FROM release_step WHERE text_release = ? AND to_state = 'proving' AND from_state <> "
+              "'proving') LIMIT 1",
+              release, release);
+  return query.next();
 }
 
 std::string select_where(std::string_view rest) {
@@ -109,7 +137,7 @@ Result<Release> ReleaseTable::add(const NewRelease& release, const Stamp& by) {
                   by);
     if (!session.ok()) return std::unexpected(session.error());
     auto added = get(id);
-    if (added) log_event(session, *added, {}, by);
+    if (added) log_event(session, *added, store::name_of(added->state), {}, by);
     return added;
   });
 }
@@ -162,6 +190,9 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
     if (!moved) return moved;
     if (auto fits = check(*moved, move, by.at_ms); !fits) return std::unexpected(fits.error());
     const bool shown = moved->of.restart.is_one() && move.to == ReleaseState::proving;
+    if (move.to == ReleaseState::approved && moved->proved_by.empty() &&
+        needs_operator_sign_off(session, moved->of.machine))
+      return session.refuse(ErrorCode::not_signed_off, subject_of(release));
     if (move.to == ReleaseState::proving || move.to == ReleaseState::approved) {
       if (auto other = refuse_own_eyes(session, *moved, by); !other) return std::unexpected(other.error());
     }
@@ -174,6 +205,8 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
     if (move.to == ReleaseState::proving) {
       moved->transfers_allowed = move.transfers;
       moved->transfers_done = 0;
+      moved->proved_by.clear();
+      moved->proof.clear();
     }
     if (shown) {
       moved->approved_by = by.actor;
@@ -192,8 +225,30 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
                    .detail = fmt::format("{} to {}: {}{}", store::name_of(from), store::name_of(move.to), move.note,
                                          shown ? " (shown: " + move.shown_sha256 + ")" : "")},
                   by);
-    log_event(session, *moved, move.note, by);
+    log_event(session, *moved, store::name_of(moved->state), move.note, by);
     return moved;
+  });
+}
+
+Result<Release> ReleaseTable::sign_off(Id release, std::string_view note, const Stamp& by) {
+  return database_.write(subject_of(release), [&](Session& session) -> Result<Release> {
+    auto signed_off = get(release);
+    if (!signed_off) return signed_off;
+    if (signed_off->state != ReleaseState::proving)
+      return session.refuse(ErrorCode::refused_transition,
+                            fmt::format("it is {}: a proving is signed off", store::name_of(signed_off->state)));
+    if (signed_off->of.restart.is_one())
+      return session.refuse(ErrorCode::refused_transition, "a restart is released for one transfer, by its proving");
+    if (note.empty()) return session.refuse(ErrorCode::sign_off_missing, subject_of(release));
+    if (!was_transferred(session, release)) return session.refuse(ErrorCode::not_proved, subject_of(release));
+    signed_off->proved_by = by.actor;
+    signed_off->proof = note;
+    session.run(kStep, release, release, ReleaseState::proving, ReleaseState::proving, by.actor, note, by.at_ms);
+    add_audit_row(session, {.action = "release.sign-off", .subject = subject_of(release), .detail = std::string(note)},
+                  by);
+    log_event(session, *signed_off, store::kReleaseSignedOff, note, by);
+    if (!session.ok()) return std::unexpected(session.error());
+    return signed_off;
   });
 }
 
@@ -202,7 +257,9 @@ Result<Release> ReleaseTable::get(Id release) {
     static const std::string kSql = select_where("id = ?");
     Query query(session, kSql, release);
     if (!query.next()) return session.refuse(ErrorCode::not_found);
-    return read_release(query);
+    Release found = read_release(query);
+    add_proof(session, found);
+    return found;
   });
 }
 
@@ -214,7 +271,11 @@ Result<store::Page<Release>> ReleaseTable::list(const store::PageRequest& page, 
                                                      filter.program == 0 ? "? = 0" : "program = ?",
                                                      filter.machine.empty() ? "? = ''" : "machine = ?"));
     Query query(session, sql, filter.program, filter.machine, from->after, from->rows);
-    return collect(query, page, read_release, [](const Release& release) { return fmt::format("{}", release.id); });
+    auto found =
+        collect(query, page, read_release, [](const Release& release) { return fmt::format("{}", release.id); });
+    for (Release& release : found.items)
+      if (release.transfers_done > 0) add_proof(session, release);
+    return found;
   });
 }
 

@@ -12,6 +12,7 @@ class ReleaseTable final : public store::Releases {
   store::Result<store::Release> add(const store::NewRelease& release, const store::Stamp& by) override;
   store::Result<store::Release> move(store::Id release, const store::ReleaseMove& move,
                                      const store::Stamp& by) override;
+  store::Result<store::Release> sign_off(store::Id release, std::string_view note, const store::Stamp& by) override;
   store::Result<store::Release> get(store::Id release) override;
   store::Result<store::Page<store::Release>> list(const store::PageRequest& page,
                                                   const store::ReleaseFilter& filter) override;

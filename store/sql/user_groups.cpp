@@ -44,16 +44,17 @@ Result<MachineGroup> UserTable::put_group(const MachineGroup& group, const Stamp
     if (group.name.empty()) return session.refuse(ErrorCode::invalid_value, "a group needs a name");
     if (auto free = refuse_of_another(session, group); !free) return std::unexpected(free.error());
     session.run(
-        "INSERT INTO machine_group (name, four_eyes) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET four_eyes = "
-        "excluded.four_eyes",
-        group.name, std::uint64_t{group.four_eyes ? 1U : 0U});
+        "INSERT INTO machine_group (name, four_eyes, operator_sign_off) VALUES (?, ?, ?) ON CONFLICT (name) DO UPDATE "
+        "SET four_eyes = excluded.four_eyes, operator_sign_off = excluded.operator_sign_off",
+        group.name, std::uint64_t{group.four_eyes ? 1U : 0U}, std::uint64_t{group.operator_sign_off ? 1U : 0U});
     if (!fill(session, group) && session.ok())
       return session.refuse(ErrorCode::broken_reference, "a machine of the group is not there");
     add_audit_row(
         session,
         {.action = "group.put",
          .subject = subject_of(group.name),
-         .detail = fmt::format("{}{}", fmt::join(group.machines, ", "), group.four_eyes ? "; four eyes" : "")},
+         .detail = fmt::format("{}{}{}", fmt::join(group.machines, ", "), group.four_eyes ? "; four eyes" : "",
+                               group.operator_sign_off ? "" : "; approved without an operator's sign-off")},
         by);
     return group;
   });
@@ -73,14 +74,15 @@ Result<void> UserTable::remove_group(std::string_view name, const Stamp& by) {
 Result<std::vector<MachineGroup>> UserTable::groups() {
   return database_.read("groups", [&](Session& session) -> Result<std::vector<MachineGroup>> {
     std::vector<MachineGroup> groups;
-    Query query(
-        session,
-        "SELECT g.name, g.four_eyes, m.name FROM machine_group g LEFT JOIN machine m ON m.machine_group = g.name"
-        " ORDER BY g.name, m.name");
+    Query query(session,
+                "SELECT g.name, g.four_eyes, g.operator_sign_off, m.name FROM machine_group g LEFT JOIN machine m ON "
+                "m.machine_group = g.name"
+                " ORDER BY g.name, m.name");
     while (query.next()) {
       const std::string name = query.text();
       const bool four_eyes = query.flag();
-      if (groups.empty() || groups.back().name != name) groups.push_back({name, {}, four_eyes});
+      const bool operator_sign_off = query.flag();
+      if (groups.empty() || groups.back().name != name) groups.push_back({name, {}, four_eyes, operator_sign_off});
       if (std::string machine = query.text(); !machine.empty()) groups.back().machines.push_back(std::move(machine));
     }
     return groups;
@@ -92,6 +94,14 @@ bool needs_four_eyes(Session& session, std::string_view machine) {
               "SELECT g.four_eyes FROM machine m JOIN machine_group g ON g.name = m.machine_group WHERE m.name = ?",
               machine);
   return query.next() && query.flag();
+}
+
+bool needs_operator_sign_off(Session& session, std::string_view machine) {
+  Query query(
+      session,
+      "SELECT g.operator_sign_off FROM machine m JOIN machine_group g ON g.name = m.machine_group WHERE m.name = ?",
+      machine);
+  return !query.next() || query.flag();
 }
 
 }  // namespace dripfeed::sql

@@ -36,5 +36,7 @@ class UserTable final : public store::Users {
 
 // Inside a transaction: whether whoever wrote or released a text may not approve it for this machine.
 bool needs_four_eyes(Session& session, std::string_view machine);
+// Also of a machine without a group.
+bool needs_operator_sign_off(Session& session, std::string_view machine);
 
 }  // namespace dripfeed::sql

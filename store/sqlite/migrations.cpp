@@ -15,6 +15,7 @@
 #include "store/sqlite/schema_v17.h"
 #include "store/sqlite/schema_v18.h"
 #include "store/sqlite/schema_v19.h"
+#include "store/sqlite/schema_v20.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -79,7 +80,8 @@ std::span<const Migration> migrations() {
                                       Migration{16, "deleted programs", kSchemaV16},
                                       Migration{17, "plans and ends of jobs", kSchemaV17},
                                       Migration{18, "users of a provider", kSchemaV18},
-                                      Migration{19, "rules of verdicts", kSchemaV19}};
+                                      Migration{19, "rules of verdicts", kSchemaV19},
+                                      Migration{20, "sign-off of operators", kSchemaV20}};
   return kMigrations;
 }
 

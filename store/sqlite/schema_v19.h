@@ -1,4 +1,4 @@
-// Version 19: users whom an OpenID Connect provider vouches for.
+// Version 19: the revision of the rules by which a verdict was reached.
 #pragma once
 
 namespace dripfeed::sqlite {

@@ -143,6 +143,10 @@ class Client:
             release = self.post(f"/releases/{release['id']}/transitions", step)
         return release
 
+    def waive_operators(self, machine="lathe"):
+        """From here on no operator has to sign a proving of this machine off."""
+        self.must("PUT", f"/groups/of-{machine}", {"machines": [machine], "operator_sign_off": False})
+
     def queue(self, release):
         return self.post("/jobs", {"release": release})["id"]
 

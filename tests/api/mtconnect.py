@@ -100,6 +100,7 @@ def pages(client, items):
 
 
 def files(client, release):
+    client.waive_operators(release["machine"])
     client.post(f"/releases/{release['id']}/transitions", {"to": "approved", "note": "seen"})
     assets = ask(client, "assets")
     file = assets.find("Assets/File")

@@ -125,11 +125,14 @@ def roles_by_groups(folder):
     for name in ("mill", "lathe"):
         client.post("/machines", shop.preset("fanuc-0i-mill", url=f"pty:{folder}/{name}") | {"name": name})
     client.must("PUT", "/groups/mills", {"machines": ["mill"], "four_eyes": True})
-    expect(client.get("/groups")["items"] == [{"name": "mills", "machines": ["mill"], "four_eyes": True}], f"{client.get('/groups')}")
+    rules = {"four_eyes": True, "operator_sign_off": True}
+    expect(client.get("/groups")["items"] == [{"name": "mills", "machines": ["mill"]} | rules], f"{client.get('/groups')}")
     client.refuse(422, "PUT", "/groups/x", {"machines": ["nobody"]})
     client.refuse(422, "PUT", "/groups/mills", {}, words=["machines"])
     client.refuse(409, "PUT", "/groups/others", {"machines": ["mill"]}, words=["mill is in group mills"])
-    expect(client.must("PUT", "/groups/mills", {"machines": ["mill"]})["four_eyes"], "a rule that is not stated is gone")
+    client.must("PUT", "/groups/mills", {"machines": ["mill"], "operator_sign_off": False})
+    kept = client.must("PUT", "/groups/mills", {"machines": ["mill"]})
+    expect(kept["four_eyes"] and not kept["operator_sign_off"], f"a rule that is not stated is another now: {kept}")
     client.refuse(422, "POST", "/users", {"name": "x", "role": "viewer", "grants": [{"group": "nobody", "role": "admin"}]})
     add(client, "paul", "viewer", grants=[{"group": "mills", "role": "approver"}])
     client.tokens["paul"] = client.post("/tokens", {"name": "paul's", "role": "admin", "user": "paul"})["token"]

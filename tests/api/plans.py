@@ -87,6 +87,36 @@ def no_job_is_armed_before_its_time(folder):
     shop.close()
 
 
+def on_hold_and_again(folder):
+    """A queued job on hold is armed by no one; what ended is queued again for the same order, and says of which job."""
+    shop = Shop(folder, "lathe")
+    client = shop.client
+    order = client.post("/orders", {"number": "A-1", "part": "R-1", "quantity": 5})["id"]
+    job = shop.add(order=order, end_check="part taken out")["id"]
+    client.refuse(422, "POST", f"/jobs/{job}/hold", {}, words=["reason"])
+    client.refuse(409, "POST", f"/jobs/{job}/end-hold", words=["not on hold"])
+    held = client.must("POST", f"/jobs/{job}/hold", {"reason": "no material"}, role="operator")
+    expect(held["state"] == "queued" and held["on_hold"] == {"by": "the operator", "reason": "no material"}, f"{held}")
+    shop.refuse_arming(job, "on_hold", words=["the operator: no material"])
+    shop.refuse_arming(job, "on_hold", role="admin", early_reason="now")
+    shop.controls["lathe"].say(DC1)  # the control asks meanwhile, and gets nothing
+    shop.controls["lathe"].wait_quiet()
+    expect(shop.controls["lathe"].text() == b"" and client.job(job)["state"] == "queued", "what is on hold was sent")
+    client.refuse(409, "POST", f"/jobs/{job}/retry", words=["has not ended"])
+    expect(client.must("POST", f"/jobs/{job}/end-hold", role="operator")["on_hold"] is None, "it is on hold")
+    shop.feed(job)
+    client.post(f"/jobs/{job}/confirm-end")
+    client.refuse(409, "POST", f"/jobs/{job}/hold", {"reason": "too late"})
+    key = {"Idempotency-Key": "again"}
+    again, same = (client.must("POST", f"/jobs/{job}/retry", role="operator", headers=key) for _ in range(2))
+    expect(again == same and again["state"] == "queued" and again["armed_by"] is None, f"{again} {same}")
+    expect([again[name] for name in ("retry_of", "release", "order", "end_check")] == [job, shop.releases["lathe"], order, "part taken out"], f"{again}")
+    shop.feed(again["id"])
+    client.post(f"/orders/{order}/move", {"to": "cancelled", "reason": "not wanted"})
+    client.refuse(409, "POST", f"/jobs/{again['id']}/retry", words=["order"])
+    shop.close()
+
+
 def of_a_choice_one_is_armed(folder):
     shop = Shop(folder, "lathe", "second", "third", released=["lathe", "second"])
     client = shop.client
@@ -191,6 +221,6 @@ def an_end_is_confirmed_before_the_next_job(folder):
 
 
 if __name__ == "__main__":
-    for test in (no_job_is_armed_before_its_time, of_a_choice_one_is_armed, to_cancel_one_leaves_the_others, an_end_is_confirmed_before_the_next_job):
+    for test in (no_job_is_armed_before_its_time, on_hold_and_again, of_a_choice_one_is_armed, to_cancel_one_leaves_the_others, an_end_is_confirmed_before_the_next_job):
         in_folder(test)
     sys.exit(0)

@@ -200,6 +200,7 @@ def other_rules_than_those_of_the_verdict(folder):
     client = Client(folder).start()
     control = HandControl()
     client.post("/machines", hand_profile(control, "lathe"))
+    client.waive_operators()
     texts = Texts(client)
     waiting, approved = texts.release_in("in_review"), texts.release_in("approved")
     verdicts = client.get("/checks")["items"]
@@ -225,6 +226,7 @@ def life_of_a_release(folder):
     control = HandControl()
     client = Client(folder).start()
     client.post("/machines", hand_profile(control))
+    client.waive_operators()
     every_step(client)
     guards(client)
     a_programmer_hands_in(client)

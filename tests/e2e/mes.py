@@ -31,7 +31,8 @@ def bundle(into):
 
 
 # What a MES follows of an order that goes as it should, in its order.
-PATH = ["order.added", "program.added", "release.draft", "release.in_review", "release.proving", "job.queued", "job.armed", "job.done", "release.approved", "order.parts", "order.done"]
+PATH = ["order.added", "program.added", "release.draft", "release.in_review", "release.proving", "job.queued", "job.armed", "job.done", "release.signed_off", "release.approved",
+        "order.parts", "order.done"]
 
 
 def what_was_reported(receiver, hook, subscriber):

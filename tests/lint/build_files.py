@@ -1,5 +1,5 @@
 # Holds each folder's CMakeLists.txt against layers.txt: a library is called as its folder, and links what its row lists, nothing
-# more; a unit test links its folder and that folder's row.
+# more; a unit test links its folder and that folder's row. And each test that is a script is named in its folder's CMakeLists.txt.
 import os
 import re
 import sys
@@ -20,6 +20,19 @@ def faults(root):
         for call in CALL.finditer(text):
             words = call[2].split()
             found += [f'{path}: {fault}' for fault in _of_call(rules, folder, call[1], words)]
+    return found + _forgotten(root)
+
+
+def _forgotten(root):
+    """Scripts that run as tests, and that no CMakeLists.txt names: no one would notice that they fail. Benches are run by hand."""
+    lists = {os.path.dirname(path): tree.read(root, path) for path in tree.files(root, ('tests',), ('CMakeLists.txt',))}
+    found = []
+    for path in tree.files(root, ('tests',), ('.py',)):
+        folder, name = os.path.split(path)
+        is_run = folder in lists and folder != 'tests/bench' and "__name__ == " in tree.read(root, path)
+        stem = name.removesuffix('.py')
+        if is_run and not re.search(rf"\b({stem}|{stem.removesuffix('_test')})\b", lists[folder]):
+            found.append(f'{path}: its CMakeLists.txt does not name it, so it never runs')
     return found
 
 

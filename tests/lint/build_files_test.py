@@ -34,6 +34,15 @@ class BuildFiles(bad_tree.BadTree):
         self.write('dialects/extra/CMakeLists.txt', 'dripfeed_library(extra DEPENDS text)\n')
         self.assert_refused(build_files.faults, 'has no row')
 
+    def test_a_script_that_never_runs(self):
+        self.write('tests/api/CMakeLists.txt', 'foreach(name calls link_test)\n')
+        for name in ('calls', 'calls_test', 'link_test'):
+            self.write(f'tests/api/{name}.py', 'if __name__ == "__main__":\n    main()\n')
+        self.write('tests/api/client.py', 'def call():\n    pass\n')
+        self.assert_clean(build_files.faults)
+        self.write('tests/api/floor.py', "if __name__ == '__main__':\n    main()\n")
+        self.assert_refused(build_files.faults, 'tests/api/floor.py: its CMakeLists.txt does not name it')
+
     def test_a_unit_test_that_links_more(self):
         self.write('tests/CMakeLists.txt', 'dripfeed_unit_test(dialects/ir LINKS ir text curves LABELS x)\n')
         self.assert_refused(build_files.faults, 'dialects/ir links curves')

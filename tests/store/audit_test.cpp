@@ -119,10 +119,10 @@ TEST_F(AuditTest, EveryChangeLeavesARow) {
   for (auto row = page.items.rbegin(); row != page.items.rend(); ++row) seen.push_back(row->entry.action);
   EXPECT_EQ(seen,
             (std::vector<std::string>{
-                "machine.add",   "family.add",        "part.add",       "program.add",   "verdict.add", "release.add",
-                "release.move",  "release.move",      "release.move",   "job.add",       "job.move",    "job.move",
-                "job.move",      "job.confirm_reset", "machine.change", "family.change", "part.change", "verdict.add",
-                "verdict.waive", "token.add",         "token.revoke"}))
+                "machine.add",  "family.add",   "part.add",      "program.add",       "verdict.add",    "release.add",
+                "release.move", "release.move", "group.put",     "release.move",      "group.remove",   "job.add",
+                "job.move",     "job.move",     "job.move",      "job.confirm_reset", "machine.change", "family.change",
+                "part.change",  "verdict.add",  "verdict.waive", "token.add",         "token.revoke"}))
       << "armed, feeding, failed; a hold is not told";
   EXPECT_EQ(must(store_->audit().verify()).first_broken, std::nullopt);
 }

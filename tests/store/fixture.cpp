@@ -74,12 +74,20 @@ Verdict add_verdict(Store& store, const Program& program, const std::string& mac
   return must(store.verdicts().add(verdict, by("tester")));
 }
 
+void waive_operators(Store& store, const std::string& machine) {
+  must(store.users().put_group({"of " + machine, {machine}, false, false}, by("tester")));
+}
+
 Release approve(Store& store, const Program& program, const std::string& machine) {
   const Release release =
       must(store.releases().add({program.id, program.newest.revision, machine, Delivery::drip}, by("tester")));
   must(store.releases().move(release.id, {ReleaseState::in_review, "", 0}, by("tester")));
   must(store.releases().move(release.id, {ReleaseState::proving, "", 1}, by("reviewer")));
-  return must(store.releases().move(release.id, {ReleaseState::approved, "first piece measured", 0}, by("approver")));
+  waive_operators(store, machine);
+  const Release approved =
+      must(store.releases().move(release.id, {ReleaseState::approved, "first piece measured", 0}, by("approver")));
+  must(store.users().remove_group("of " + machine, by("tester")));
+  return approved;
 }
 
 Released add_released(Store& store, const std::string& machine, const std::string& text) {

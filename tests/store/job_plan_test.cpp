@@ -55,6 +55,50 @@ TEST_F(JobPlanTest, IsNotArmedBeforeItsTimeWithoutAReason) {
   EXPECT_EQ(audited(job.id)[0], "job.move") << "at any time needs no reason";
 }
 
+TEST_F(JobPlanTest, OnHoldItIsNotArmedAndKeepsItsPlace) {
+  const Job first = add_job(*store_, "mill-1");
+  const Job second =
+      must(store_->jobs().add({.release = first.release, .link = first.link, .bytes_total = 100}, by("anna")));
+  EXPECT_EQ(refusal(store_->jobs().end_hold(first.id, by("anna"))), ErrorCode::refused_transition);
+  EXPECT_EQ(refusal(store_->jobs().hold(first.id, "", by("anna"))), ErrorCode::invalid_value);
+  must(store_->jobs().hold(first.id, "no material", by("anna")));
+  reopen();
+  EXPECT_EQ(state_of(first.id).hold_by, "anna");
+  EXPECT_EQ(state_of(first.id).hold_reason, "no material");
+  EXPECT_EQ(state_of(first.id).rank, first.rank);
+  EXPECT_EQ(refusal(store_->jobs().hold(first.id, "twice", by("anna"))), ErrorCode::refused_transition);
+  EXPECT_EQ(refusal(arm(first.id)), ErrorCode::on_hold);
+  EXPECT_EQ(arm(first.id).error().detail, fmt::format("job {}, by anna: no material", first.id));
+  EXPECT_EQ(refusal(arm(first.id, 1000, "early")), ErrorCode::on_hold) << "no reason arms what is on hold";
+  must(arm(second.id));
+  must(store_->jobs().move(second.id, {.to = JobState::cancelled}, by("anna")));
+  EXPECT_EQ(must(store_->jobs().end_hold(first.id, by("olga"))).hold_by, "");
+  must(arm(first.id));
+  EXPECT_EQ(refusal(store_->jobs().hold(first.id, "now", by("anna"))), ErrorCode::refused_transition);
+  EXPECT_EQ(audited(first.id), (std::vector<std::string>{"job.move", "job.end-hold", "job.hold", "job.add"}));
+  std::vector<std::string> types;
+  for (const LoggedEvent& event : must(store_->event_log().after(0, 100)))
+    if (event.of.topic == EventTopic::job && event.of.subject == first.id) types.push_back(type_of(event.of));
+  EXPECT_EQ(types, (std::vector<std::string>{"job.queued", "job.on_hold", "job.off_hold", "job.armed"}));
+}
+
+TEST_F(JobPlanTest, WhatEndedIsQueuedAgain) {
+  const Job job = add_job(*store_, "mill-1");
+  const Job other = add_job(*store_, "mill-2");
+  const auto again = [&](Id release, Id of) {
+    return store_->jobs().add({.release = release, .link = job.link, .bytes_total = 100, .retry_of = of}, by("anna"));
+  };
+  EXPECT_EQ(refusal(again(job.release, job.id)), ErrorCode::refused_transition) << "it is queued";
+  bring(*store_, job.id, JobState::failed);
+  EXPECT_EQ(refusal(again(other.release, job.id)), ErrorCode::refused_transition) << "it is of another release";
+  EXPECT_EQ(refusal(again(job.release, 9999)), ErrorCode::not_found);
+  const Job retry = must(again(job.release, job.id));
+  reopen();
+  EXPECT_EQ(state_of(retry.id).retry_of, job.id);
+  EXPECT_EQ(state_of(retry.id).state, JobState::queued);
+  EXPECT_EQ(state_of(job.id).state, JobState::failed);
+}
+
 TEST_F(JobPlanTest, OfAChoiceOneIsArmedAndTheOthersLeave) {
   const Job one = add_job(*store_, "mill-1");
   const Job two = add_job(*store_, "mill-2");

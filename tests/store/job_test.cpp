@@ -229,6 +229,7 @@ TEST_F(JobTest, ProvingHasSoManyTransfers) {
   EXPECT_EQ(done(), 2U);
   EXPECT_EQ(refusal(move(third.id, JobState::armed)), ErrorCode::transfers_used_up);
   EXPECT_EQ(refusal(add()), ErrorCode::transfers_used_up);
+  must(store_->releases().sign_off(release.id, "good", by("olga")));
   must(store_->releases().move(release.id, {ReleaseState::approved, "good", 0}, by("anna")));
   bring(*store_, third.id, JobState::done);
   EXPECT_EQ(done(), 2U) << "an approved text is not counted";

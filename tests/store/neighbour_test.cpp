@@ -78,7 +78,9 @@ TEST_F(PostgresqlNeighbours, ANodeOfTheFirstProgramsKeepsWorking) {
   auto older = must(open_node("hall-1"));
   // As a program before version 8 has it; it knows 7.
   EXPECT_EQ(sql("DELETE FROM migration WHERE version > 7; ALTER TABLE migration DROP COLUMN needs; "
-                "ALTER TABLE node DROP COLUMN knows; ALTER TABLE verdict DROP COLUMN rules CASCADE"),
+                "ALTER TABLE node DROP COLUMN knows; ALTER TABLE verdict DROP COLUMN rules CASCADE; "
+                "ALTER TABLE machine_group DROP COLUMN operator_sign_off; DROP INDEX job_release; "
+                "ALTER TABLE job DROP COLUMN hold_by, DROP COLUMN hold_reason, DROP COLUMN retry_of"),
             "");
   const auto newer = must(open_node("hall-2"));
   add_job(*older, "mill-1");

@@ -71,6 +71,8 @@ void expect_old_shop(Store& store, std::uint32_t version) {
   ASSERT_EQ(attached.size(), version >= 15 ? 1U : 0U);
   for (const Attachment& one : attached) must(store.contents().verify(one.of.sha256));
   EXPECT_EQ(must(store.verdicts().list({})).items.at(0).rules, version >= 19 ? "rules 1" : "");
+  for (const MachineGroup& group : must(store.users().groups()))
+    EXPECT_EQ(group.operator_sign_off, version < 20) << "the rule is new, and holds for the groups of before";
   must(store.releases().released_for(job.text_sha256, "mill-1", Delivery::drip, 0));
   EXPECT_EQ(must(store.jobs().interrupt_unfinished(by("server"))).size(), 1U);
 }

@@ -149,7 +149,57 @@ TEST_F(ReleaseTest, ANewTextOfACalledProgramMakesTheVerdictStale) {
   EXPECT_FALSE(must(store_->verdicts().get(other.id)).stale);
 }
 
+TEST_F(ReleaseTest, AnOperatorSignsTheProvingOffBeforeItIsApproved) {
+  add_verdict(*store_, program_, "mill-1");
+  const Release release = make_draft();
+  const auto sign_off = [&](std::string_view note) {
+    return store_->releases().sign_off(release.id, note, by("olga", 40));
+  };
+  const auto transfer = [&](JobState to) {
+    bring(*store_, must(store_->jobs().add({release.id, "link", 1}, by("olga"))).id, to);
+  };
+  EXPECT_EQ(refusal(sign_off("good")), ErrorCode::refused_transition) << "it is a draft";
+  must(move(release, ReleaseState::in_review));
+  EXPECT_EQ(refusal(sign_off("good")), ErrorCode::refused_transition);
+  must(move(release, ReleaseState::proving));
+  EXPECT_EQ(refusal(sign_off("good")), ErrorCode::not_proved) << "nothing was transferred";
+  transfer(JobState::failed);
+  EXPECT_EQ(refusal(sign_off("good")), ErrorCode::not_proved) << "it broke off";
+  EXPECT_EQ(refusal(move(release, ReleaseState::approved, "measured")), ErrorCode::not_signed_off);
+  transfer(JobState::done);
+  EXPECT_EQ(refusal(sign_off("")), ErrorCode::sign_off_missing);
+  EXPECT_EQ(refusal(move(release, ReleaseState::approved, "measured")), ErrorCode::not_signed_off);
+  EXPECT_EQ(must(sign_off("all sizes good")).state, ReleaseState::proving);
+  reopen();
+  const Release signed_off = must(store_->releases().get(release.id));
+  EXPECT_EQ(signed_off.proved_by, "olga");
+  EXPECT_EQ(signed_off.proof, "all sizes good");
+  EXPECT_EQ(must(store_->releases().list({})).items.front().proof, "all sizes good");
+  const Release approved = must(move(release, ReleaseState::approved, "measured"));
+  EXPECT_EQ(approved.proved_by, "olga");
+  EXPECT_EQ(must(store_->releases().get(release.id)).proved_by, "olga");
+  EXPECT_EQ(refusal(sign_off("again")), ErrorCode::refused_transition);
+  EXPECT_EQ(must(store_->releases().history(release.id)).size(), 4U) << "the sign-off is a step";
+}
+
+TEST_F(ReleaseTest, ASignOffIsOfItsOwnProving) {
+  add_verdict(*store_, program_, "mill-1");
+  const Release release = make_draft();
+  must(move(release, ReleaseState::in_review));
+  must(move(release, ReleaseState::proving));
+  bring(*store_, must(store_->jobs().add({release.id, "link", 1}, by("olga"))).id, JobState::done);
+  must(store_->releases().sign_off(release.id, "good", by("olga")));
+  must(move(release, ReleaseState::in_review, "the fixture changed"));
+  EXPECT_EQ(must(store_->releases().get(release.id)).proved_by, "");
+  must(store_->releases().move(release.id, {ReleaseState::proving, "", 2}, by("bert", 9000)));
+  EXPECT_EQ(must(store_->releases().get(release.id)).proved_by, "");
+  EXPECT_EQ(refusal(store_->releases().sign_off(release.id, "good", by("olga", 9001))), ErrorCode::not_proved)
+      << "the transfer was of the proving before";
+  EXPECT_EQ(refusal(move(release, ReleaseState::approved, "measured")), ErrorCode::not_signed_off);
+}
+
 TEST_F(ReleaseTest, TheWholePath) {
+  waive_operators(*store_, "mill-1");
   const Verdict verdict = add_verdict(*store_, program_, "mill-1");
   const Release release = make_draft();
   EXPECT_EQ(release.state, ReleaseState::draft);
@@ -187,6 +237,7 @@ TEST_F(ReleaseTest, EveryOtherStepIsRefused) {
   using enum ReleaseState;
   const std::array<std::vector<ReleaseState>, 5> steps_to{
       {{}, {in_review}, {in_review, proving}, {in_review, proving, approved}, {obsolete}}};
+  waive_operators(*store_, "mill-1");
   add_verdict(*store_, program_, "mill-1");
   for (std::size_t from = 0; from < steps_to.size(); ++from) {
     for (std::size_t to = 0; to < steps_to.size(); ++to) {
@@ -212,6 +263,7 @@ TEST_F(ReleaseTest, EveryOtherStepIsRefused) {
 }
 
 TEST_F(ReleaseTest, TheVerdictGuardsEachStep) {
+  waive_operators(*store_, "mill-1");
   const Release release = make_draft();
   EXPECT_EQ(refusal(move(release, ReleaseState::in_review)), ErrorCode::no_verdict);
   add_verdict(*store_, program_, "mill-1", Outcome::fail);

@@ -57,7 +57,8 @@ void write_newest(Store& store, const std::string& path) {
   bring(store, job.id, JobState::held);
   const std::array rows{NewLedgerRow{job.id, {0, 0, 0, 96}, "armed"}};
   must(store.ledger().append(rows, 5));
-  must(store.users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("tester")));
+  must(store.users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true, .operator_sign_off = false},
+                               by("tester")));
   must(store.users().add("olga", {.role = Role::viewer, .grants = {{"mills", Role::operator_}}}, by("tester")));
   must(store.users().set_secret("olga", SecretKind::pin, "pin's hash", by("tester")));
   must(store.users().add_of_provider("dora", {"https://login.shop", "s-3"}, {.role = Role::operator_}, false,

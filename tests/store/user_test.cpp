@@ -213,7 +213,8 @@ TEST_F(UserTest, WhoWroteATextDoesNotApproveItWhereFourEyesAreWanted) {
   const std::string author = program.newest.created_by;
   const auto verdict =
       must(store_->verdicts().add({program.id, 1, "mill-1", 1, Delivery::drip, Outcome::warn, ""}, by("checker")));
-  must(users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("boss")));
+  must(users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true, .operator_sign_off = false},
+                         by("boss")));
   EXPECT_EQ(refusal(store_->verdicts().waive(verdict.id, {.reason = "known"}, by(author))), ErrorCode::four_eyes);
   must(store_->verdicts().waive(verdict.id, {.reason = "known"}, by("bert")));
   const Release release = must(store_->releases().add({program.id, 1, "mill-1", Delivery::drip}, by("dora")));

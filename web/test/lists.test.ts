@@ -5,7 +5,7 @@ import type { Job, Order, Release, VerdictSummary } from '../src/api/types';
 import { csvOf, isoTime } from '../src/rules/csv';
 import { againstForecast, durationOf, rangeBegin, sumsOf } from '../src/rules/history';
 import { byUrgency, filtered, fromLocalField, isLate, localField } from '../src/rules/orders';
-import { fitting, hindranceOf, needsFourEyes, openPoints, presentOf, stepsOf, verdictOf } from '../src/rules/releases';
+import { fitting, hindranceOf, needsFourEyes, needsSignOff, openPoints, presentOf, stepsOf, verdictOf } from '../src/rules/releases';
 import { sorted } from '../src/rules/sorting';
 import { offsetName } from '../src/rules/work_offsets';
 
@@ -96,8 +96,11 @@ test('what hinders a release is its newest verdict on the same text, machine and
   assert.equal(hindranceOf(verdict({ verdict: 'warn', waivers: [{ ...waiver, expires_at_ms: kNow }] }), kNow), 'waiver_ended');
   assert.equal(hindranceOf(verdict({ verdict: 'warn', waivers: [{ ...waiver, expires_at_ms: kNow + 1 }] }), kNow), null);
   assert.deepEqual(stepsOf(release({ state: 'in_review' })).filter(({ towardsControl }) => towardsControl).map(({ to }) => to), ['proving']);
-  assert.ok(needsFourEyes([{ name: 'g', machines: ['mill'], four_eyes: true }], 'mill'));
-  assert.ok(!needsFourEyes([{ name: 'g', machines: ['mill'], four_eyes: false }], 'mill'));
+  assert.ok(needsFourEyes([{ name: 'g', machines: ['mill'], four_eyes: true, operator_sign_off: true }], 'mill'));
+  assert.ok(!needsFourEyes([{ name: 'g', machines: ['mill'], four_eyes: false, operator_sign_off: true }], 'mill'));
+  assert.ok(needsSignOff([], 'mill'));
+  assert.ok(!needsSignOff([{ name: 'g', machines: ['mill'], four_eyes: true, operator_sign_off: false }], 'mill'));
+  assert.ok(needsSignOff([{ name: 'g', machines: ['lathe'], four_eyes: true, operator_sign_off: false }], 'mill'));
 });
 
 test('releases for an order: of its machine, of its part first', () => {

@@ -103,6 +103,10 @@ async function finish(release: number, order: number): Promise<void> {
   const params = { path: { id: String(release) } };
   await refused('an approval without a note', 'sign_off_missing', approver.POST('/api/v1/releases/{id}/transitions', { params, body: { to: 'approved' } }));
   const body: Schemas['ReleaseMove'] = { to: 'approved', note: 'first part measured' };
+  await refused('an approval without an operator', 'not_signed_off', approver.POST('/api/v1/releases/{id}/transitions', { params, body }));
+  await refused('a sign-off by the MES', 'scope_missing', mes.POST('/api/v1/releases/{id}/sign-off', { params, body: { note: 'it will do' } }));
+  const proved = await must('the sign-off', operator.POST('/api/v1/releases/{id}/sign-off', { params, body: { note: 'all sizes good' } }));
+  expect(proved.state === 'proving' && proved.proved_by === 'the operator' && proved.proof === 'all sizes good', JSON.stringify(proved));
   const approved = await must('the approval', approver.POST('/api/v1/releases/{id}/transitions', { params, body }));
   expect(approved.state === 'approved' && approved.approved_by === 'the approver' && approved.transfers_done === 1, JSON.stringify(approved));
   const path = { id: String(order) };

@@ -44,6 +44,8 @@ test('a queued job can be armed on an idle line only', () => {
   assert.deepEqual(offerFor(jobOf(), statusOf(), 'operator', true), { actions: ['arm', 'withdraw'], because: null });
   const ended = jobOf({ id: 4, state: 'done', end_check: 'part out', needs_end_confirmation: true });
   assert.deepEqual(offerFor(jobOf(), statusOf(), 'operator', true, 0, ended), { actions: ['withdraw'], because: { id: 'because.end_unconfirmed', values: { job: 4, check: 'part out' } } });
+  const onHold = offerFor(jobOf({ on_hold: { by: 'anna', reason: 'no material' } }), statusOf(), 'admin', true);
+  assert.deepEqual(onHold, { actions: ['withdraw'], because: { id: 'because.on_hold', values: { name: 'anna', reason: 'no material' } } });
   const timed = jobOf({ not_before_ms: 5000 });
   assert.equal(offerFor(timed, statusOf(), 'approver', true, 4999).because?.id, 'because.too_early');
   assert.deepEqual(offerFor(timed, statusOf(), 'operator', true, 4999).actions, ['withdraw']);

@@ -13,6 +13,18 @@ Result<store::Job> Jobs::schedule(store::Id id, std::int64_t not_before_ms, std:
   return job;
 }
 
+Result<store::Job> Jobs::hold(store::Id id, std::string_view reason, std::string_view actor) {
+  auto job = lift(store_.jobs().hold(id, reason, stamp(actor)));
+  if (job) publish(*job, fmt::format("put on hold by {}: {}", actor, reason));
+  return job;
+}
+
+Result<store::Job> Jobs::end_hold(store::Id id, std::string_view actor) {
+  auto job = lift(store_.jobs().end_hold(id, stamp(actor)));
+  if (job) publish(*job, fmt::format("taken off hold by {}", actor));
+  return job;
+}
+
 Result<store::Job> Jobs::confirm_end(store::Id id, std::string_view note, std::string_view actor) {
   auto job = lift(store_.jobs().confirm_end(id, note, stamp(actor)));
   if (job) publish(*job, fmt::format("end confirmed by {}", actor));

@@ -174,6 +174,7 @@ Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string
                                  .order = plan.order,
                                  .not_before_ms = plan.not_before_ms,
                                  .end_check = plan.end_check.empty() ? fit->end_check : plan.end_check,
+                                 .retry_of = plan.retry_of,
                                  .choice = plan.choice,
                                  .begins_choice = plan.begins_choice},
                                 stamp(actor)));

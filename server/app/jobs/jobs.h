@@ -23,6 +23,7 @@ struct JobPlan {
   store::Id order = 0;             // 0: none
   std::int64_t not_before_ms = 0;  // 0: at any time
   std::string end_check{};         // "": what its machine's profile asks for
+  store::Id retry_of = 0;          // job that ended; 0: none
   store::Id choice = 0;            // that it joins; 0: none
   bool begins_choice = false;
 };
@@ -62,6 +63,9 @@ class Jobs {
   Result<store::Job> move_before(store::Id job, store::Id before, std::string_view actor);
   // Before when a queued job may not be armed; 0: at any time. Nothing is armed by it. Errors: not_found, refused.
   Result<store::Job> schedule(store::Id job, std::int64_t not_before_ms, std::string_view actor);
+  // A queued job on hold is not armed; it keeps its place. Errors: not_found, refused, invalid.
+  Result<store::Job> hold(store::Id job, std::string_view reason, std::string_view actor);
+  Result<store::Job> end_hold(store::Id job, std::string_view actor);
   // A person confirms what a job's end asks for. Errors: not_found, refused (nothing is asked for).
   Result<store::Job> confirm_end(store::Id job, std::string_view note, std::string_view actor);
   // A stopped job goes on; a held one goes on "as if DC1" had come, with the reason in the ledger and the audit.

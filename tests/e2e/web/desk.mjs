@@ -218,6 +218,7 @@ async function releaseFirst(program, machine = 'lathe') {
   const of = { program, revision: 1, machine };
   await rig.call('POST', '/checks', of);
   const { body } = await rig.call('POST', '/releases', of);
+  await rig.call('PUT', `/groups/of-${machine}`, { machines: [machine], operator_sign_off: false });
   for (const step of [{ to: 'in_review' }, { to: 'proving', transfers: 1 }, { to: 'approved', note: 'measured' }]) {
     const moved = await rig.call('POST', `/releases/${body.id}/transitions`, step, 'approver');
     expect(moved.status === 200, `revision 1 is ${step.to}`);

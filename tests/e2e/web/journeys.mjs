@@ -136,7 +136,7 @@ async function engineer(page) {
   await handIn(page, walk);
   const program = Number(/programs\/(\d+)/.exec(page.url())[1]);
   const release = (await rig.call('GET', `/releases?program=${program}`)).body.items[0].id;
-  for (const step of [{ to: 'proving', transfers: 1 }, { to: 'approved', note: 'measured' }]) await rig.call('POST', `/releases/${release}/transitions`, step, 'approver');
+  await rig.call('POST', `/releases/${release}/transitions`, { to: 'proving', transfers: 1 }, 'approver');
   await walk.click(view(page, 'Jobs'));
   await walk.click(page.getByRole('link', { name: 'New job' }));
   await walk.click(button(page, new RegExp(`^Queue release ${release}\\b`)));
@@ -158,6 +158,7 @@ async function approver(page) {
     return release;
   };
   const first = await draft(false);
+  await rig.call('PUT', '/groups/of-mill-9', { machines: ['mill-9'], operator_sign_off: false });
   for (const step of [{ to: 'proving', transfers: 1 }, { to: 'approved', note: 'measured' }]) await rig.call('POST', `/releases/${first}/transitions`, step, 'approver');
   await rig.call('POST', `/programs/${body.id}/revisions`, { text: text.replace('X110.', 'X112.') }, 'programmer', { 'If-Match': '"1"' });
   const release = await draft(false);

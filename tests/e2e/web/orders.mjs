@@ -143,6 +143,22 @@ async function history(page) {
   await page.getByText('No transfer like this.').waitFor();
 }
 
+// On hold a job keeps its place, and the next one is offered to be armed.
+async function onHold(page, row, id) {
+  await row(id).getByRole('button', { name: `Hold… job ${id}` }).first().click();
+  await dialog(page).getByLabel('What it waits for').fill('no material');
+  await accessible(page, 'a hold');
+  await shot(page, 'plans-hold');
+  await dialog(page).getByRole('button', { name: 'Put it on hold' }).click();
+  await row(id).getByText(/On hold by .*: no material/).waitFor();
+  await shot(page, 'plans-on-hold');
+  await soon(async () => (await rig.job(id)).on_hold?.reason === 'no material', 'it is on hold');
+  await soon(async () => (await page.getByRole('button', { name: `Arm job ${id}`, exact: true }).count()) === 0, 'what is on hold is not offered');
+  await row(id).getByRole('button', { name: `Take off hold… job ${id}` }).first().click();
+  await dialog(page).getByRole('button', { name: 'Take it off hold' }).click();
+  await until(async () => (await rig.job(id)).on_hold === null, 'it is off hold');
+}
+
 // What is planned of jobs: a time, a choice of machines, an end that is confirmed. Nothing is armed by any of it.
 async function plans(page) {
   const [model] = await rig.machine('plans', { jobs: 1, blocks: 40 });
@@ -170,6 +186,7 @@ async function plans(page) {
   await dialog(page).getByLabel(/Not before/).fill('');
   await dialog(page).getByRole('button', { name: 'Set the time' }).click();
   await until(async () => (await rig.job(timed)).not_before_ms === null, 'at any time');
+  await onHold(page, row, timed);
   await rig.call('POST', `/jobs/${timed}/schedule`, { not_before_ms: Date.now() + 3_600_000 });
   await row(timed).getByRole('button', { name: 'Arm before its time…' }).click();
   await dialog(page).getByLabel(/Why it is armed before its time/).fill('the customer waits');
@@ -200,6 +217,12 @@ async function plans(page) {
   await soon(async () => (await rig.job(checked)).end_note === 'on the table', 'the note is kept');
   await page.goto(`${url}/#/jobs/${checked}`);
   await page.getByText(/part taken out, chuck closed: confirmed by/).waitFor();
+  await page.getByRole('button', { name: 'Queue again…' }).click();
+  await shot(page, 'plans-retry');
+  await dialog(page).getByRole('button', { name: 'Queue it again' }).click();
+  await page.getByRole('link', { name: `Job ${checked} again` }).waitFor();
+  const again = Number(/jobs\/(\d+)/.exec(page.url())[1]);
+  await soon(async () => (await rig.job(again)).retry_of === checked && (await rig.job(again)).state === 'queued', 'it is queued, and not armed');
 }
 
 // From the page: a choice of a group's machines with a time and an end to confirm, queued at once.

@@ -33,6 +33,33 @@ async function decide(page, button, comment) {
   await dialog(page).getByRole('textbox').fill(comment);
 }
 
+// A transfer to the control, and the operator's sign-off: only then it may be approved.
+async function proved(page, release) {
+  const proving = page.getByRole('region', { name: 'Proving' });
+  await proving.getByText('Nothing of it was transferred yet.').waitFor();
+  const may = async (name) => (await decision(page).getByRole('button', { name }).getAttribute('aria-disabled')) !== 'true';
+  expect(!(await may('Approve it…')), 'before the sign-off it is not approved');
+  expect(await may('Back to review…'), 'it may be sent back');
+  const job = (await rig.call('POST', '/jobs', { release })).body.id;
+  await rig.waitLine('lathe', 'idle');
+  await rig.call('POST', `/jobs/${job}/arm`, {});
+  await rig.say('lathe', 'dc1');
+  await until(async () => (await rig.job(job)).state === 'done', 'the first part is made', 20_000);
+  await page.reload();
+  await live(page);
+  await proving.getByText('An operator of lathe states what they have shown.').waitFor();
+  await proving.getByRole('button', { name: 'Sign the proving off…' }).click();
+  await soon(() => dialog(page).getByRole('button', { name: 'Sign it off' }).isDisabled(), 'without words nothing is signed off');
+  await dialog(page).getByRole('textbox').fill('12.00 on all three');
+  await accessible(page, 'a sign-off');
+  await shot(page, 'review-sign-off');
+  await dialog(page).getByRole('button', { name: 'Sign it off' }).click();
+  await proving.getByText(/Signed off by .*: 12.00 on all three/).waitFor();
+  await accessible(page, 'a proving that was signed off');
+  await shot(page, 'review-proved');
+  await soon(() => may('Approve it…'), 'it may be approved');
+}
+
 async function approve(page) {
   await rig.machine('lathe', { jobs: 0 });
   const { program, release } = await handedIn('O0900', kText);
@@ -61,6 +88,7 @@ async function approve(page) {
   await decision(page).getByRole('button', { name: 'Approve it…' }).waitFor();
   await soon(async () => (await state(release)) === 'proving', 'it is proved');
   await page.getByText('first piece at half rapid').waitFor();
+  await proved(page, release);
   await decide(page, 'Approve it…', 'measured, 12 parts');
   await dialog(page).getByRole('button', { name: 'Approve it' }).click();
   await decision(page).getByRole('button', { name: 'Withdraw it…' }).waitFor();

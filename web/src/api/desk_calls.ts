@@ -155,6 +155,7 @@ export const deskCalls = {
 
   release: (id: number) => request<Release>('GET', `/releases/${id}`),
   moveRelease: (id: number, move: ReleaseMove, key: string) => request<Release>('POST', `/releases/${id}/transitions`, { body: move, key }),
+  signOff: (id: number, note: string, key: string) => request<Release>('POST', `/releases/${id}/sign-off`, { body: { note }, key }),
   // Who did what with it, newest first.
   releaseHistory: (id: number) => everything<AuditRow>('/audit', { subject: `release/${id}` }),
   waive: (check: number, waiver: NewWaiver, key: string) => request<Verdict>('POST', `/checks/${check}/waivers`, { body: waiver, key }),

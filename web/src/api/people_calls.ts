@@ -35,8 +35,7 @@ export const peopleCalls = {
   removeSecret: (name: string, kind: SecretKind) => request<null>('DELETE', `/users/${enc(name)}/${kind}`),
 
   groups: () => request<Page<MachineGroup>>('GET', '/groups').then((page) => page.items),
-  putGroup: (name: string, machines: string[], fourEyes: boolean, key: string) =>
-    request<MachineGroup>('PUT', `/groups/${enc(name)}`, { body: { machines, four_eyes: fourEyes }, key }),
+  putGroup: (name: string, group: Omit<MachineGroup, 'name'>, key: string) => request<MachineGroup>('PUT', `/groups/${enc(name)}`, { body: group, key }),
   removeGroup: (name: string, key: string) => request<null>('DELETE', `/groups/${enc(name)}`, { key }),
 
   tokens: () => everything<Token>('/tokens'),

@@ -1896,6 +1896,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/releases/{id}/sign-off": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * an operator signs off what the transfers of a proving have shown; an approver approves it after that
+         * @description Needs the role `operator`. A token with scopes needs `releases`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_releases_id_sign_off"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/releases/{id}/restart-preview": {
         parameters: {
             query?: never;
@@ -2142,6 +2162,66 @@ export interface paths {
          * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
          */
         post: operations["post_jobs_id_schedule"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/hold": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * put a queued job on hold: it keeps its place and is not armed
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_hold"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/end-hold": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * take a queued job off hold
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_end_hold"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/retry": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * queue the release of a job that ended again, for the same order and with the same confirmation of its end
+         * @description Needs the role `operator`. A token with scopes needs `queue`. Takes effect once under an `Idempotency-Key`.
+         */
+        post: operations["post_jobs_id_retry"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3026,6 +3106,26 @@ export interface webhooks {
         patch?: never;
         trace?: never;
     };
+    "release.signed_off": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * an operator signed off what the proving has shown
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_release_signed_off"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "release.approved": {
         parameters: {
             query?: never;
@@ -3036,7 +3136,7 @@ export interface webhooks {
         get?: never;
         put?: never;
         /**
-         * a release was signed off
+         * an approver approved a release for the machine
          * @description Posted to webhooks that want this type, until it is taken.
          */
         post: operations["webhook_release_approved"];
@@ -3220,6 +3320,46 @@ export interface webhooks {
          * @description Posted to webhooks that want this type, until it is taken.
          */
         post: operations["webhook_job_scheduled"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.on_hold": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a person put a queued job on hold: it is not armed
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_on_hold"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.off_hold": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * a queued job is no longer on hold
+         * @description Posted to webhooks that want this type, until it is taken.
+         */
+        post: operations["webhook_job_off_hold"];
         delete?: never;
         options?: never;
         head?: never;
@@ -3674,7 +3814,7 @@ export interface components {
              * @description what it is, for programs; a code keeps its name, status and meaning
              * @enum {string}
              */
-            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "no_machine_of_group" | "transfers_used_up" | "sign_off_missing" | "four_eyes" | "machine_busy" | "machine_torn" | "too_early" | "end_not_confirmed" | "hook_refused" | "hook_unanswered" | "sign_in_not_begun" | "provider_refused" | "id_token_refused" | "name_taken" | "account_waits" | "no_role" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "provider_unanswered" | "overloaded" | "disk_full" | "no_room" | "over_quota";
+            code: "malformed" | "not_signed_in" | "wrong_secret" | "not_allowed" | "role_missing" | "scope_missing" | "not_found" | "method_not_allowed" | "refused" | "exists" | "in_progress" | "other_user" | "wrong_state" | "no_verdict" | "verdict_not_passed" | "verdict_stale" | "not_released" | "no_machine_of_group" | "transfers_used_up" | "sign_off_missing" | "not_proved" | "not_signed_off" | "four_eyes" | "machine_busy" | "machine_torn" | "too_early" | "on_hold" | "end_not_confirmed" | "hook_refused" | "hook_unanswered" | "sign_in_not_begun" | "provider_refused" | "id_token_refused" | "name_taken" | "account_waits" | "no_role" | "line_down" | "append_only" | "stale_revision" | "too_large" | "no_json" | "invalid" | "key_reused" | "revision_missing" | "too_many" | "header_too_large" | "internal" | "unavailable" | "provider_unanswered" | "overloaded" | "disk_full" | "no_room" | "over_quota";
             /** @description one sentence for a person */
             detail: string;
             said?: components["schemas"]["Said"] | null;
@@ -3696,7 +3836,7 @@ export interface components {
              * @description of the sentence, the same in every version
              * @enum {string}
              */
-            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "withdrawn" | "early_by_approver" | "none_of_group" | "hook_refuses" | "hook_silent" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "sign_in_other" | "sign_in_late" | "sign_in_used" | "no_provider" | "provider_silent" | "provider_unusable" | "provider_refuses" | "id_token_refused" | "provider_no_name" | "provider_name_taken" | "provider_no_group" | "account_not_enabled" | "account_locked" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "import_hidden" | "import_empty" | "import_no_program" | "import_too_long" | "import_archived" | "import_in_use" | "import_brought" | "import_several" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_too_early" | "store_end_not_confirmed" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_no_answer" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            id: "control_asked_again" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "no_maintenance" | "maintenance_runs" | "no_backup_of_database" | "backup_no_room" | "no_such_backup" | "store_has_faults" | "store_cannot_be_read" | "quarantine_not_compared" | "no_program_of_name" | "not_rendered" | "too_long_for_values" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "restart_is_sent_once" | "line_in_use" | "no_line_because" | "line_elsewhere" | "only_server" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_again_restart" | "cannot_arm" | "stops_without_store" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "withdrawn" | "early_by_approver" | "none_of_group" | "hook_refuses" | "hook_silent" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "sign_in_other" | "sign_in_late" | "sign_in_used" | "no_provider" | "provider_silent" | "provider_unusable" | "provider_refuses" | "id_token_refused" | "provider_no_name" | "provider_name_taken" | "provider_no_group" | "account_not_enabled" | "account_locked" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "too_many_large" | "too_many_waiting" | "too_many_sign_ins" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "import_hidden" | "import_empty" | "import_no_program" | "import_too_long" | "import_archived" | "import_in_use" | "import_brought" | "import_several" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_not_proved" | "store_not_signed_off" | "store_four_eyes" | "store_machine_busy" | "store_not_leased" | "store_machine_torn" | "store_too_early" | "store_on_hold" | "store_end_not_confirmed" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_unreachable" | "store_no_answer" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
             /** @description by name; `detail`: what is added in brackets */
             values: {
                 [key: string]: {
@@ -4260,6 +4400,16 @@ export interface components {
             reason: string;
         };
         /**
+         * @description what an operator states of a proving
+         * @example {
+         *       "note": "first part measured, all sizes in the middle"
+         *     }
+         */
+        SignOff: {
+            /** @description what the operator has seen and measured */
+            note: string;
+        };
+        /**
          * @description why a person does it
          * @example {
          *       "reason": "the control was reset"
@@ -4430,12 +4580,14 @@ export interface components {
             /** @description until when it is valid, in milliseconds since 1970; not given: it does not end */
             expires_at_ms?: number | null;
         };
-        /** @description all machines of a group, none of which is in another one, and its rules; without four_eyes they stay */
+        /** @description all machines of a group, none of which is in another one, and its rules; a rule that is not given stays */
         GroupChange: {
             /** @description names of all machines of the group */
             machines?: string[] | null;
-            /** @description whether a person who wrote or released a text may not approve it on these machines; not given: false */
+            /** @description whether a person who wrote or released a text may not approve it on these machines; not given: the rule stays, at first false */
             four_eyes?: boolean | null;
+            /** @description whether an operator signs a proving off before a release is approved for these machines; not given: the rule stays, at first true */
+            operator_sign_off?: boolean | null;
         };
         /**
          * @description which release is transferred, and when it may be
@@ -7618,6 +7770,8 @@ export interface components {
          *       "restart": null,
          *       "transfers_allowed": 3,
          *       "transfers_done": 1,
+         *       "proved_by": "olga",
+         *       "proof": "first part measured, all sizes in the middle",
          *       "created_by": "paula",
          *       "created_at_ms": 1795500300000,
          *       "approved_by": "anna",
@@ -7657,6 +7811,10 @@ export interface components {
             transfers_allowed: number;
             /** @description of these */
             transfers_done: number;
+            /** @description the operator who signed the proving off; null: no one yet */
+            proved_by: string | null;
+            /** @description what they wrote */
+            proof: string | null;
             /** @description who made it */
             created_by: string;
             /** @description when it was made; milliseconds since 1970, UTC */
@@ -7757,6 +7915,8 @@ export interface components {
          *       "forecast_s": 38.4,
          *       "torn": false,
          *       "not_before_ms": null,
+         *       "on_hold": null,
+         *       "retry_of": null,
          *       "choice": null,
          *       "end_check": "part taken out",
          *       "needs_end_confirmation": false,
@@ -7852,6 +8012,15 @@ export interface components {
             forecast_s: number | null;
             /** @description before which it is armed only with a reason; null: at any time; milliseconds since 1970, UTC */
             not_before_ms: number | null;
+            /** @description a queued job on hold is not armed; null: it is not on hold */
+            on_hold: {
+                /** @description who put it on hold */
+                by: string;
+                /** @description what they wrote */
+                reason: string;
+            } | null;
+            /** @description the job that ended, of which it is another transfer; null: none */
+            retry_of: number | null;
             /** @description of which one job is armed; null: it stands alone */
             choice: number | null;
             /** @description what a person confirms after its end, before the next job of its machine is armed */
@@ -8305,6 +8474,8 @@ export interface components {
             machines: string[];
             /** @description whoever wrote or released a text may not approve it on these machines */
             four_eyes: boolean;
+            /** @description a release is approved for these machines after an operator signed its proving off */
+            operator_sign_off: boolean;
         };
         /** @description who did what to what, and when; each row holds the hash of the one before */
         AuditRow: {
@@ -8523,7 +8694,7 @@ export interface components {
              * @description what happened
              * @enum {string}
              */
-            type: "job.scheduled" | "job.end_confirmed";
+            type: "job.scheduled" | "job.on_hold" | "job.off_hold" | "job.end_confirmed";
             /** @description what it happened to, as "job/12" */
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
@@ -8705,7 +8876,7 @@ export interface components {
              * @description what happened
              * @enum {string}
              */
-            type: "release.draft" | "release.in_review" | "release.proving" | "release.approved" | "release.obsolete";
+            type: "release.draft" | "release.in_review" | "release.proving" | "release.signed_off" | "release.approved" | "release.obsolete";
             /** @description what it happened to, as "job/12" */
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
@@ -9265,7 +9436,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: what it rests on changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `sign_in_not_begun`: this browser did not begin this sign-in by the provider, or it took too long, or was used; `provider_refused`: the OpenID Connect provider refuses the sign-in; `id_token_refused`: what the provider signed is not taken: the detail names the rule; `name_taken`: the provider's name for the person belongs to another account here, or is not a name; `account_waits`: an administrator has to enable the account, or it is locked; `no_role`: no group of the person at the provider gives a role here; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
+        /** @description `refused`: the state of things does not allow it now; `exists`: the name or number is taken; `in_progress`: the same is being done: ask again when it has ended; `other_user`: the page shows another person than the one who is signed in; `wrong_state`: this cannot follow the present state; `no_verdict`: the text was never checked for this machine and delivery; `verdict_not_passed`: the newest verdict does not clear the text; `verdict_stale`: what it rests on changed after the verdict: check again; `not_released`: no release lets this text go to this machine; `no_machine_of_group`: no machine of the group can take the program: see `errors`; `transfers_used_up`: the proving has had its transfers; `sign_off_missing`: an approval needs a note of who signs it off; `not_proved`: an operator signs off what a transfer has shown: none has ended well since the proving began; `not_signed_off`: a release is approved for this machine after an operator signed its proving off; `four_eyes`: who wrote or released a text may not approve it; `machine_busy`: a job has the machine's line; `machine_torn`: a block may be torn: a person resets the control and confirms that; `too_early`: the job may not be armed before its time; `on_hold`: a person put the job on hold: the detail names who, and why; `end_not_confirmed`: a person must first confirm the end of another job of the machine: the detail names it and what is asked; `hook_refused`: the system that is asked before an arming refuses it: its words are in the detail; `hook_unanswered`: the system that is asked before an arming gives no answer; `sign_in_not_begun`: this browser did not begin this sign-in by the provider, or it took too long, or was used; `provider_refused`: the OpenID Connect provider refuses the sign-in; `id_token_refused`: what the provider signed is not taken: the detail names the rule; `name_taken`: the provider's name for the person belongs to another account here, or is not a name; `account_waits`: an administrator has to enable the account, or it is locked; `no_role`: no group of the person at the provider gives a role here; `line_down`: the machine has no line, or its link is down; `append_only`: what is written there never changes */
         Problem409: {
             headers: {
                 [name: string]: unknown;
@@ -10140,6 +10311,7 @@ export interface operations {
             400: components["responses"]["Problem400"];
             401: components["responses"]["Problem401"];
             403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
             /** @description another problem */
@@ -10191,6 +10363,7 @@ export interface operations {
             400: components["responses"]["Problem400"];
             401: components["responses"]["Problem401"];
             403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
             /** @description another problem */
@@ -10242,6 +10415,7 @@ export interface operations {
             400: components["responses"]["Problem400"];
             401: components["responses"]["Problem401"];
             403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
             /** @description another problem */
@@ -14498,6 +14672,56 @@ export interface operations {
             };
         };
     };
+    post_releases_id_sign_off: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SignOff"];
+            };
+        };
+        responses: {
+            /** @description an operator signs off what the transfers of a proving have shown; an approver approves it after that */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Release"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_releases_id_restart_preview: {
         parameters: {
             query?: never;
@@ -15211,6 +15435,148 @@ export interface operations {
             500: components["responses"]["Problem500"];
             503: components["responses"]["Problem503"];
             507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_hold: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description put a queued job on hold: it keeps its place and is not armed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            507: components["responses"]["Problem507"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_end_hold: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description take a queued job off hold */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
+            /** @description another problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_retry: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description any text of the caller's: the same request with the same key takes effect once, and is answered as the first time */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description of the thing, as its list states it */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description queue the release of a job that ended again, for the same order and with the same confirmation of its end */
+            201: {
+                headers: {
+                    /** @description the path of what was made */
+                    Location: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["Problem400"];
+            401: components["responses"]["Problem401"];
+            403: components["responses"]["Problem403"];
+            404: components["responses"]["Problem404"];
+            409: components["responses"]["Problem409"];
+            413: components["responses"]["Problem413"];
+            415: components["responses"]["Problem415"];
+            422: components["responses"]["Problem422"];
+            500: components["responses"]["Problem500"];
+            503: components["responses"]["Problem503"];
             /** @description another problem */
             default: {
                 headers: {
@@ -17099,6 +17465,35 @@ export interface operations {
             };
         };
     };
+    webhook_release_signed_off: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
     webhook_release_approved: {
         parameters: {
             query?: never;
@@ -17361,6 +17756,64 @@ export interface operations {
         };
     };
     webhook_job_scheduled: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobPlanEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_on_hold: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/cloudevents+json": components["schemas"]["JobPlanEvent"];
+            };
+        };
+        responses: {
+            /** @description gone: the webhook is disabled */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description taken; all else is tried again */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+        };
+    };
+    webhook_job_off_hold: {
         parameters: {
             query?: never;
             header?: never;

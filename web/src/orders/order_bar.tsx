@@ -14,7 +14,7 @@ import { offerFor, type Because, type JobAction } from '../rules/job_actions';
 import { hasJob, isTorn } from '../rules/lines';
 import { atLeast } from '../rules/roles';
 import { loader } from '../state/loader';
-import { endedOf, isLive, jobs, queueOf, roleOn, textOf, type Machine } from '../state/shop';
+import { endedOf, isLive, jobs, nextOf, roleOn, textOf, type Machine } from '../state/shop';
 import { ArmDialog, CancelDialog, ResetDialog, ResumeDialog } from './dialogs';
 
 interface Place {
@@ -41,7 +41,7 @@ export function OrderBar({ machine }: { machine: Machine }) {
   const may = atLeast(roleOn(machine.name), 'operator');
   const core = machine.core.value;
   const onLine = hasJob(core) && core.job !== null ? (jobs.value.get(core.job) ?? null) : null;
-  const next = onLine ? null : (queueOf(machine.name)[0] ?? null);
+  const next = onLine ? null : (nextOf(machine.name));
   const job = onLine ?? next;
   const ended = onLine ? null : endedOf(machine.name);
   const offer = job ? offerFor(job, core, roleOn(machine.name), isLive.value, job.not_before_ms === null ? 0 : minutes.value, ended) : { actions: [] as JobAction[], because: null };

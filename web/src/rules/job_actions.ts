@@ -54,6 +54,7 @@ function queued(job: Job, status: LineNow | null, live: boolean, now_ms: number,
   if (status.line === 'disconnected') return no({ id: 'because.disconnected' });
   if (status.line !== 'idle') return no({ id: 'because.busy', values: { job: status.job ?? 0 } });
   if (ended) return no({ id: 'because.end_unconfirmed', values: { job: ended.id, check: ended.end_check ?? '' } });
+  if (job.on_hold) return no({ id: 'because.on_hold', values: { name: job.on_hold.by, reason: job.on_hold.reason } });
   if ((job.not_before_ms ?? 0) > now_ms) return no({ id: 'because.too_early', values: { at: dateTime(job.not_before_ms ?? 0) } });
   return { actions: ['arm', 'withdraw'], because: null };
 }

@@ -63,6 +63,10 @@ export function hindranceOf(verdict: Pick<VerdictSummary, 'verdict' | 'stale'> &
 export const needsFourEyes = (groups: readonly MachineGroup[], machine: string): boolean =>
   groups.some((group) => group.four_eyes && group.machines.includes(machine));
 
+// Whether an operator signs a proving off before it is approved for this machine; only a group can waive that.
+export const needsSignOff = (groups: readonly MachineGroup[], machine: string): boolean =>
+  !groups.some((group) => !group.operator_sign_off && group.machines.includes(machine));
+
 export interface ReleaseStepOffer {
   to: ReleaseState;
   towardsControl: boolean; // it needs a verdict that clears

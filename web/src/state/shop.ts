@@ -81,6 +81,12 @@ export const queues = computed(() => {
 });
 
 const kNone: Job[] = [];
+// The one that a person arms next: the first that is not on hold, or the first.
+export const nextOf = (machine: string): Job | null => {
+  const queue = queueOf(machine);
+  return queue.find(({ on_hold }) => on_hold === null) ?? queue[0] ?? null;
+};
+
 export const queueOf = (machine: string): Job[] => queues.value.get(machine) ?? kNone;
 
 // The job of each machine that has ended and whose end no person has confirmed: until then the server arms no other there.

@@ -12,7 +12,7 @@ import { Failure } from '../parts/failure';
 import { lazyView } from '../parts/lazy';
 import { WireBar, WireFigures } from '../parts/wire_progress';
 import { hasJob } from '../rules/lines';
-import { hasPlan } from '../rules/plans';
+import { hasEnded, hasPlan } from '../rules/plans';
 import { mayRestart } from '../rules/restarts';
 import { atLeast } from '../rules/roles';
 import { hrefs } from '../router';
@@ -29,7 +29,7 @@ const RestartPlace = lazyView(() => import('./restart_place').then((code) => cod
 
 const Stopped = ({ job }: { job: Job }) => (job.started_at_ms !== null && job.state !== 'feeding' ? <StopReasons job={job} /> : null);
 
-const Planned = ({ job }: { job: Job }) => (job.state === 'queued' || hasPlan(job) ? <Plan job={job} /> : null);
+const Planned = ({ job }: { job: Job }) => (job.state === 'queued' || hasEnded(job) || hasPlan(job) ? <Plan job={job} /> : null);
 
 export function JobView({ id }: { id: number }) {
   const [error, setError] = useState<unknown>(null);

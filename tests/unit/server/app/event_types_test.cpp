@@ -1,6 +1,7 @@
 // The table of event types against everything that the store and the lines can say: no event goes out that has no row.
 #include "server/app/out/event_types.h"
 
+#include <array>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@ TEST(EventTypes, AreAllThatCanHappenAndNoMore) {
   add_all(possible, EventTopic::order, store::kNames<store::OrderState>);
   add_all(possible, EventTopic::order, store::kOrderEvents);
   add_all(possible, EventTopic::job, store::kJobEvents);
+  add_all(possible, EventTopic::release, std::array{store::kReleaseSignedOff});
   possible.insert("webhook.ping");
   for (std::size_t i = 0; i <= static_cast<std::size_t>(LineState::answering); ++i)
     possible.insert("line." + std::string(name_of(static_cast<LineState>(i))));

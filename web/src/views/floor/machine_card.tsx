@@ -9,7 +9,7 @@ import { Icon } from '../../parts/icon';
 import { WireBar } from '../../parts/wire_progress';
 import { isTorn } from '../../rules/lines';
 import { hrefs } from '../../router';
-import { isLost, queueOf, type Machine } from '../../state/shop';
+import { isLost, nextOf, queueOf, type Machine } from '../../state/shop';
 import { wordsOf } from './words';
 
 export function MachineCard({ machine }: { machine: Machine }) {
@@ -50,7 +50,7 @@ const Text = ({ class: name, text }: { class: string; text: ReadonlySignal<strin
 // The program on the line, or the next one of the queue.
 function OnLine({ machine }: { machine: Machine }) {
   const { onLine, program } = wordsOf(machine);
-  const next = onLine.value ? undefined : queueOf(machine.name)[0];
+  const next = onLine.value ? undefined : (nextOf(machine.name) ?? undefined);
   const id = onLine.value ? machine.core.value.job : next?.id;
   return (
     <p class="machine-program">

@@ -13,7 +13,7 @@ import { hasJob } from '../../rules/lines';
 import { kNeedsPerson, standingOf, type Standing } from '../../rules/standing';
 import { timeLeftOf } from '../../state/forecasts';
 import { linesOf } from '../../state/program_lines';
-import { alarms, endedOf, isLive, jobs, programName, queueOf, type Machine } from '../../state/shop';
+import { alarms, endedOf, isLive, jobs, nextOf, programName, queueOf, type Machine } from '../../state/shop';
 
 export interface Words {
   job: ReadonlySignal<Job | null>; // the one on the line, or the last
@@ -73,7 +73,7 @@ function sentence(machine: Machine, { key }: Standing, job: Job | null): string 
     case 'waiting':
       return t('sentence.waiting', { why: stallText(machine.core.value.stall ?? '') });
     case 'asks':
-      return t(queue.length > 0 ? 'sentence.asks_queued' : 'sentence.asks', { job: queue[0]?.id ?? 0 });
+      return t(queue.length > 0 ? 'sentence.asks_queued' : 'sentence.asks', { job: nextOf(machine.name)?.id ?? 0 });
     case 'end_unconfirmed':
       return t('sentence.end_unconfirmed', { job: endedOf(machine.name)?.id ?? 0, check: endedOf(machine.name)?.end_check ?? '' });
     case 'machine_alarm':

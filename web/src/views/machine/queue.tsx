@@ -18,6 +18,7 @@ import { loader } from '../../state/loader';
 import { isLive, jobs, queueOf, roleOn, type Machine } from '../../state/shop';
 
 const Plan = lazyView(() => import('../orders/plans').then((file) => file.Plan));
+const HoldButton = lazyView(() => import('../orders/plans').then((file) => file.HoldButton));
 
 export function Queue({ machine }: { machine: Machine }) {
   const [error, setError] = useState<unknown>(null);
@@ -68,6 +69,7 @@ export function Queue({ machine }: { machine: Machine }) {
               <span class="queue-buttons">
                 <MoveButton job={job} up disabled={index === 0} press={() => move(job.id, queue[index - 1]?.id ?? null)} />
                 <MoveButton job={job} up={false} disabled={index === queue.length - 1} press={() => move(job.id, queue[index + 2]?.id ?? null)} />
+                {!hasPlan(job) && <HoldButton job={job} />}
                 <button type="button" class="button button-small" onClick={() => showDialog(<CancelDialog id={job.id} />)} aria-label={t('order.cancel_job', { job: job.id })}>
                   {t('order.cancel')}
                 </button>

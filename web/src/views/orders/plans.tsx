@@ -10,7 +10,9 @@ import { seconds } from '../../parts/clock';
 import { OrderDialog, showDialog } from '../../parts/dialog';
 import { kArmMinutes } from '../../rules/lines';
 import { fromLocalField, localField } from '../../rules/orders';
+import { hasEnded } from '../../rules/plans';
 import { atLeast } from '../../rules/roles';
+import { hrefs } from '../../router';
 import { takeJobs } from '../../state/changes';
 import { isLive, jobs, roleOn } from '../../state/shop';
 
@@ -21,30 +23,93 @@ export function Plan({ job }: { job: Job }) {
   return (
     <div class="plan">
       {job.not_before_ms !== null && <p class={isEarly ? 'reason' : 'quiet-text'}>{t(isEarly ? 'plan.not_before' : 'plan.was_not_before', { at: dateTime(job.not_before_ms) })}</p>}
-      {job.choice !== null && isQueued && <p class="quiet-text">{choiceText(job)}</p>}
-      {job.end_check !== null && <p class={job.needs_end_confirmation ? 'notice tone-waiting' : 'quiet-text'}>{endText(job)}</p>}
-      {may && (
-        <p class="plan-buttons">
-          {isQueued && (
-            <button type="button" class="button button-small" onClick={() => showDialog(<TimeDialog job={job} />)} aria-label={t('plan.time_of', { job: job.id })}>
-              {t('plan.time')}
-            </button>
-          )}
-          {isEarly && atLeast(roleOn(job.machine), 'approver') && (
-            <button type="button" class="button button-small" onClick={() => showDialog(<EarlyDialog job={job} />)}>
-              {t('plan.early')}
-            </button>
-          )}
-          {job.needs_end_confirmation && (
-            <button type="button" class="button button-main" onClick={() => showDialog(<EndDialog job={job} />)}>
-              {t('plan.confirm_end', { job: job.id })}
-            </button>
-          )}
+      {job.on_hold && <p class="notice tone-waiting">{t('plan.on_hold', { name: job.on_hold.by, reason: job.on_hold.reason })}</p>}
+      {job.retry_of !== null && (
+        <p class="quiet-text">
+          <a href={hrefs.job(job.retry_of)}>{t('plan.retry_of', { job: job.retry_of })}</a>
         </p>
       )}
+      {job.choice !== null && isQueued && <p class="quiet-text">{choiceText(job)}</p>}
+      {job.end_check !== null && <p class={job.needs_end_confirmation ? 'notice tone-waiting' : 'quiet-text'}>{endText(job)}</p>}
+      {may && <PlanButtons job={job} isEarly={isEarly} />}
     </div>
   );
 }
+
+function PlanButtons({ job, isEarly }: { job: Job; isEarly: boolean }) {
+  const isQueued = job.state === 'queued';
+  return (
+    <p class="plan-buttons">
+      {isQueued && (
+        <button type="button" class="button button-small" onClick={() => showDialog(<TimeDialog job={job} />)} aria-label={t('plan.time_of', { job: job.id })}>
+          {t('plan.time')}
+        </button>
+      )}
+      {isQueued && <HoldButton job={job} />}
+      {hasEnded(job) && (
+        <button type="button" class="button button-small" onClick={() => showDialog(<RetryDialog job={job} />)}>
+          {t('plan.retry')}
+        </button>
+      )}
+      {isEarly && atLeast(roleOn(job.machine), 'approver') && (
+        <button type="button" class="button button-small" onClick={() => showDialog(<EarlyDialog job={job} />)}>
+          {t('plan.early')}
+        </button>
+      )}
+      {job.needs_end_confirmation && (
+        <button type="button" class="button button-main" onClick={() => showDialog(<EndDialog job={job} />)}>
+          {t('plan.confirm_end', { job: job.id })}
+        </button>
+      )}
+    </p>
+  );
+}
+
+export function HoldButton({ job }: { job: Job }) {
+  const on = job.on_hold !== null;
+  return (
+    <button
+      type="button"
+      class="button button-small"
+      onClick={() => showDialog(on ? <EndHoldDialog job={job} /> : <HoldDialog job={job} />)}
+      aria-label={t(on ? 'plan.end_hold_of' : 'plan.hold_of', { job: job.id })}
+    >
+      {t(on ? 'plan.end_hold' : 'plan.hold')}
+    </button>
+  );
+}
+
+const HoldDialog = ({ job }: { job: Job }) => (
+  <OrderDialog
+    title={t('plan.hold_title', { job: job.id })}
+    confirm={t('plan.hold_confirm')}
+    reason={t('plan.hold_reason')}
+    send={(key, reason) => orderCalls.hold(job.id, reason, key).then((now) => takeJobs([now]))}
+  >
+    <p>{t('plan.hold_text')}</p>
+  </OrderDialog>
+);
+
+const EndHoldDialog = ({ job }: { job: Job }) => (
+  <OrderDialog title={t('plan.end_hold_title', { job: job.id })} confirm={t('plan.end_hold_confirm')} send={(key) => orderCalls.endHold(job.id, key).then((now) => takeJobs([now]))}>
+    <p>{t('plan.on_hold', { name: job.on_hold?.by ?? '', reason: job.on_hold?.reason ?? '' })}</p>
+  </OrderDialog>
+);
+
+const RetryDialog = ({ job }: { job: Job }) => (
+  <OrderDialog
+    title={t('plan.retry_title', { job: job.id })}
+    confirm={t('plan.retry_confirm')}
+    send={(key) =>
+      orderCalls.retry(job.id, key).then((now) => {
+        takeJobs([now]);
+        location.hash = hrefs.job(now.id);
+      })
+    }
+  >
+    <p>{t('plan.retry_text')}</p>
+  </OrderDialog>
+);
 
 function choiceText(job: Job): string {
   const others = [...jobs.value.values()].filter((one) => one.choice === job.choice && one.id !== job.id && one.state === 'queued').map((one) => one.machine);

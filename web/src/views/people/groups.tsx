@@ -34,7 +34,7 @@ export function Groups() {
             columns={[
               { id: 'name', head: t('column.name'), cell: ({ name }) => <strong>{name}</strong> },
               { id: 'machines', head: t('nav.floor'), cell: (group) => group.machines.join(', ') || t('people.nothing') },
-              { id: 'eyes', head: t('people.approval'), cell: (group) => t(group.four_eyes ? 'people.four_eyes' : 'people.two_eyes') },
+              { id: 'eyes', head: t('people.approval'), cell: (group) => <Approval group={group} /> },
               {
                 id: 'orders',
                 head: t('column.orders'),
@@ -63,22 +63,33 @@ export function Groups() {
   );
 }
 
+const Approval = ({ group }: { group: MachineGroup }) => (
+  <>
+    {t(group.four_eyes ? 'people.four_eyes' : 'people.two_eyes')}
+    {!group.operator_sign_off && <span class="reason">{t('people.no_sign_off')}</span>}
+  </>
+);
+
 function GroupDialog({ group, done }: { group: MachineGroup | null; done: () => void }) {
   const [name, setName] = useState(group?.name ?? '');
   const [chosen, setChosen] = useState<string[]>(group?.machines ?? []);
   const [fourEyes, setFourEyes] = useState(group?.four_eyes ?? false);
+  const [signOff, setSignOff] = useState(group?.operator_sign_off ?? true);
   const all = [...new Set([...machines.value.keys(), ...chosen])].sort();
   return (
     <OrderDialog
       title={group ? t('people.change_of', { name: group.name }) : t('people.add_group')}
       confirm={t('people.save')}
       blocked={name.trim() === '' ? t('people.needs_name') : null}
-      send={(key) => peopleCalls.putGroup(name.trim(), chosen, fourEyes, key).then(done)}
+      send={(key) => peopleCalls.putGroup(name.trim(), { machines: chosen, four_eyes: fourEyes, operator_sign_off: signOff }, key).then(done)}
     >
       {group === null && <TextField label={t('column.name')} value={name} change={setName} required />}
       <Choices label={t('people.machines')} all={all} chosen={chosen} change={setChosen} />
       <label class="check">
         <input type="checkbox" checked={fourEyes} onChange={(event) => setFourEyes(event.currentTarget.checked)} /> {t('people.four_eyes_rule')}
+      </label>
+      <label class="check">
+        <input type="checkbox" checked={signOff} onChange={(event) => setSignOff(event.currentTarget.checked)} /> {t('people.sign_off_rule')}
       </label>
     </OrderDialog>
   );

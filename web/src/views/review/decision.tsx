@@ -14,25 +14,28 @@ interface Props {
   release: Release;
   verdict: VerdictSummary | null;
   fourEyes: boolean;
+  needsProof: boolean; // an operator signs the proving off first
   isApprover: boolean;
   changed: (release: Release) => void;
 }
 
-export function Decision({ release, verdict, fourEyes, isApprover, changed }: Props) {
+export function Decision({ release, verdict, fourEyes, needsProof, isApprover, changed }: Props) {
   const steps = stepsOf(release);
   const hindrance = hindranceOf(verdict, minutes.value);
   if (steps.length === 0) return null;
+  const lacksProof = needsProof && release.state === 'proving' && release.proved_by === null;
   const isOwn = release.created_by === person().name;
   return (
     <section class="card" aria-label={t('decide.title')}>
       <h2>{t('decide.title')}</h2>
       {fourEyes && <p class={isOwn ? 'notice tone-waiting' : 'hint'}>{t(isOwn ? 'decide.own' : 'decide.four_eyes', { machine: release.machine })}</p>}
       {hindrance && <p class="notice tone-waiting">{t(`hindrance.${hindrance}`)}</p>}
+      {lacksProof && <p class="hint">{t('decide.needs_proof')}</p>}
       {!isApprover && <p class="hint">{t('decide.only_approver', { machine: release.machine })}</p>}
       {isApprover && (
         <div class="dialog-buttons decide-buttons">
           {steps.map((step) => (
-            <StepButton key={step.to} step={step} release={release} blocked={step.towardsControl && hindrance !== null} changed={changed} />
+            <StepButton key={step.to} step={step} release={release} blocked={step.towardsControl && (hindrance !== null || lacksProof)} changed={changed} />
           ))}
         </div>
       )}

@@ -13,13 +13,14 @@ import { Facts } from '../../parts/facts';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
-import { lastBefore, needsFourEyes, verdictOf } from '../../rules/releases';
+import { lastBefore, needsFourEyes, needsSignOff, verdictOf } from '../../rules/releases';
 import { atLeast } from '../../rules/roles';
 import { takePrograms } from '../../state/changes';
 import { roleOn } from '../../state/shop';
 import { Since } from '../program/since';
 import { VerdictReport } from '../program/verdict_report';
 import { Decision } from './decision';
+import { Proof } from './proof';
 import { StateOf } from './review_view';
 import { WaiveButton } from './waive';
 
@@ -45,7 +46,7 @@ export function ReviewedView({ id }: { id: number }) {
 
 function Reviewed({ release, changed }: { release: Release; changed: (release: Release) => void }) {
   const [round, setRound] = useState(0);
-  const key = `${release.id} ${release.state} ${round}`;
+  const key = `${release.id} ${release.state} ${release.proof ?? ''} ${round}`;
   const verdicts = useLoaded(key, () => deskCalls.checks(release.program));
   const releases = useLoaded(String(release.program), () => deskCalls.releasesOf(release.program));
   const groups = useLoaded('groups', () => peopleCalls.groups());
@@ -75,7 +76,17 @@ function Reviewed({ release, changed }: { release: Release; changed: (release: R
         {releases.value && <Since release={release} before={lastBefore(releases.value, release)} />}
       </section>
       {verdicts.value && (
-        <Decision release={release} verdict={verdict} fourEyes={needsFourEyes(groups.value ?? [], release.machine)} isApprover={isApprover} changed={changed} />
+        <>
+          <Proof release={release} changed={changed} />
+          <Decision
+            release={release}
+            verdict={verdict}
+            fourEyes={needsFourEyes(groups.value ?? [], release.machine)}
+            needsProof={needsSignOff(groups.value ?? [], release.machine)}
+            isApprover={isApprover}
+            changed={changed}
+          />
+        </>
       )}
     </>
   );
