@@ -164,13 +164,20 @@ Document page_of(std::string_view of) {
                                            {"next", or_null(text("for `after` of the next page; null: the last"))}}));
 }
 
+// A page of what the list's items have as their example.
+Document page_example(const Document& item) {
+  return Document::array({{{"items", item.value("examples", Document::array())}, {"next", nullptr}}});
+}
+
 Document schemas_of(std::span<const OpenApiRoute> routes) {
   Document schemas = Document::object();
   for (const NamedSchema& one : all_schemas()) schemas[one.name] = write(one.schema);
   for (const OpenApiRoute& route : routes)
     if (route.lists) schemas[page_name(route.answer)] = page_of(route.answer);
-  for (const ApiExample& example : api_examples())
-    schemas[std::string(example.schema)]["examples"].push_back(Document::parse(example.document));
+  const Document examples = Document::parse(api_examples());
+  for (const auto& [name, example] : examples.items()) schemas.at(name)["examples"] = Document::array({example});
+  for (const OpenApiRoute& route : routes)
+    if (route.lists) schemas[page_name(route.answer)]["examples"] = page_example(schemas.at(std::string(route.answer)));
   return schemas;
 }
 
