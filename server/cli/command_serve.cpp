@@ -17,7 +17,6 @@
 #include <unistd.h>
 
 #include "server/app/application.h"
-#include "server/app/out/status_registers.h"
 #include "server/app/shop/provider_people.h"
 #include "server/cli/brokers.h"
 #include "server/cli/cli.h"
@@ -27,6 +26,7 @@
 #include "server/cli/logging.h"
 #include "server/cli/open_store.h"
 #include "server/cli/output.h"
+#include "server/cli/readers.h"
 #include "server/cli/rules_revision.h"
 #include "server/cli/serve_options.h"
 #include "server/cli/serve_reload.h"
@@ -38,7 +38,6 @@
 #include "server/io/io.h"
 #include "server/io/line_claim.h"
 #include "server/io/line_pulse.h"
-#include "server/io/modbus_listener.h"
 #include "server/io/store_maintenance.h"
 #include "server/io/thread_priority.h"
 #include "server/io/worker_desk.h"
@@ -99,16 +98,6 @@ void raise_file_limit() {
 std::string web_root(const ServerOptions& options) {
   if (!options.web.empty()) return options.web;
   return find_shared("../web/dist").value_or("");
-}
-
-app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const ServerOptions& options,
-                                                                 const http::ListenAddress& address,
-                                                                 modbus::RegisterView& registers) {
-  auto listener =
-      io::listen_modbus({.host = address.host, .port = address.port, .allowed = options.modbus_allow}, registers);
-  if (!listener) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + listener.error());
-  say(fmt::format("Modbus at {}:{}, {} units", address.host, (*listener)->port(), options.modbus_unit.size()));
-  return std::move(*listener);
 }
 
 std::uint64_t check_memory_bytes(const ServerOptions& options) { return std::uint64_t{options.check_memory} << 20U; }
@@ -224,17 +213,14 @@ struct Books {
 // What a reload reaches.
 struct Live {
   http::Server& server;
-  io::ModbusListener* plcs;
+  Readers& readers;
   io::WorkerDesk& desk;
   json::DocumentWorkers& workers;
 };
 
 // Readers first: the address at which they are served may be another than the options state now.
 app::Result<void> take_over(const Live& live, const ServerOptions& options) {
-  if (live.plcs != nullptr) {
-    if (const auto readers = live.plcs->set_allowed(options.modbus_allow); !readers)
-      return app::fail(app::ErrorCode::invalid, "--modbus-allow: " + readers.error());
-  }
+  if (auto readers = live.readers.set_allowed(options); !readers) return readers;
   if (const auto proxies = live.server.set_proxies(options.proxy); !proxies)
     return app::fail(app::ErrorCode::invalid, "--proxy: " + proxies.error());
   live.workers.set_seconds(options.check_seconds);
@@ -302,15 +288,10 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
     print_error(started.error());
     return kWrongUse;
   }
-  app::StatusRegisters registers(application.events(), clock, plan.modbus_units);
-  std::unique_ptr<io::ModbusListener> plcs;
-  if (plan.modbus_address) {
-    auto listening = listen_for_plcs(options, *plan.modbus_address, registers);
-    if (!listening) {
-      print_error(listening.error());
-      return kWrongUse;
-    }
-    plcs = std::move(*listening);
+  Readers readers;
+  if (const auto listening = readers.start(application, options, plan); !listening) {
+    print_error(listening.error());
+    return kWrongUse;
   }
   Brokers brokers;
   if (const auto connected = brokers.start(application, options, write_event); !connected) {
@@ -340,7 +321,7 @@ int run_server(const ServerOptions& options, const ServePlan& plan, const Books&
                        (fs::path(options.data) / "first-token").string()));
   notices.notify("READY=1");
   {
-    const Live live{.server = **server, .plcs = plcs.get(), .desk = desk, .workers = workers};
+    const Live live{.server = **server, .readers = readers, .desk = desk, .workers = workers};
     const Reload::Running running(reload, [&](const ServerOptions& now) { return take_over(live, now); });
     for (io::PulseWatch watch(pulse); !stop.stop_requested(); watch.look(clock.now()))
       std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -45,6 +45,8 @@ constexpr Row<std::string> kTexts[] = {
     {"--log", &ServerOptions::log, "form of the log: text, or json: a JSON object a line with time, level and text"},
     {"--modbus-listen", &ServerOptions::modbus_listen,
      "ADDRESS:PORT: PLCs may read there what the machines do, by Modbus TCP"},
+    {"--shdr-listen", &ServerOptions::shdr_listen,
+     "ADDRESS:PORT: agents of MTConnect may read there what the machines do, as from an adapter (SHDR)"},
     {"--tls-cert", &ServerOptions::tls_cert, "certificate with its chain, PEM: HTTPS; read again when it changes"},
     {"--tls-key", &ServerOptions::tls_key, "its key, PEM"},
     {"--event-source", &ServerOptions::event_source,
@@ -89,6 +91,8 @@ constexpr Row<std::vector<std::string>> kLists[] = {
     {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
     {"--modbus-allow", &ServerOptions::modbus_allow,
      "IP address that may read; must be given where --modbus-listen is not loopback", true},
+    {"--shdr-allow", &ServerOptions::shdr_allow,
+     "IP address of an agent; must be given where --shdr-listen is not loopback", true},
     {"--shift", &ServerOptions::shift,
      "HH:MM: a shift begins then, by this computer's clock; 06:00, 14:00 and 22:00 by default"},
     {"--stop-reason", &ServerOptions::stop_reason,
@@ -208,12 +212,25 @@ app::Result<void> check_addresses(std::string_view option, const std::vector<std
   return {};
 }
 
-// Modbus has no rights of its own.
-app::Result<void> check_readers(const ServerOptions& options, const http::ListenAddress& modbus) {
-  if (!options.modbus_allow.empty() || http::is_loopback(modbus)) return {};
-  return app::fail(app::ErrorCode::invalid,
-                   fmt::format("--modbus-listen {} is not loopback: state by --modbus-allow which addresses may read",
-                               options.modbus_listen));
+// An address at which whoever reaches it reads: the protocols have no rights of their own.
+struct OpenAddress {
+  std::string_view option;  // "modbus": of --modbus-listen and --modbus-allow
+  const std::string& listen;
+  const std::vector<std::string>& allow;
+};
+
+// Nothing where it is not asked for.
+app::Result<std::optional<http::ListenAddress>> open_address(const OpenAddress& one) {
+  if (const auto readers = check_addresses(fmt::format("--{}-allow", one.option), one.allow); !readers)
+    return std::unexpected(readers.error());
+  if (one.listen.empty()) return std::nullopt;
+  const auto address = http::parse_listen_address(one.listen);
+  if (!address) return app::fail(app::ErrorCode::invalid, fmt::format("--{}-listen: {}", one.option, address.error()));
+  if (one.allow.empty() && !http::is_loopback(*address))
+    return app::fail(app::ErrorCode::invalid,
+                     fmt::format("--{0}-listen {1} is not loopback: state by --{0}-allow which addresses may read",
+                                 one.option, one.listen));
+  return *address;
 }
 
 app::Result<void> check_node(const ServerOptions& options) {
@@ -341,21 +358,21 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
   if (const auto hook = check_hook(options); !hook) return std::unexpected(hook.error());
   if (const auto oidc = check_oidc(options); !oidc) return std::unexpected(oidc.error());
   if (const auto proxies = check_addresses("--proxy", options.proxy); !proxies) return std::unexpected(proxies.error());
-  if (const auto readers = check_addresses("--modbus-allow", options.modbus_allow); !readers)
-    return std::unexpected(readers.error());
+  auto modbus = open_address({"modbus", options.modbus_listen, options.modbus_allow});
+  if (!modbus) return std::unexpected(modbus.error());
+  auto shdr = open_address({"shdr", options.shdr_listen, options.shdr_allow});
+  if (!shdr) return std::unexpected(shdr.error());
   auto units = units_of(options.modbus_unit);
   if (!units) return std::unexpected(units.error());
   auto shifts = app::Shifts::of(options.shift);
   if (!shifts) return app::fail(app::ErrorCode::invalid, "--shift " + shifts.error());
   if (const std::string why = app::why_no_stop_reasons(options.stop_reason); !why.empty())
     return app::fail(app::ErrorCode::invalid, "--stop-reason: " + why);
-  ServePlan plan{.address = *address, .modbus_units = std::move(*units), .shifts = std::move(*shifts)};
-  if (options.modbus_listen.empty()) return plan;
-  const auto modbus = http::parse_listen_address(options.modbus_listen);
-  if (!modbus) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + modbus.error());
-  if (const auto readers = check_readers(options, *modbus); !readers) return std::unexpected(readers.error());
-  plan.modbus_address = *modbus;
-  return plan;
+  return ServePlan{.address = *address,
+                   .modbus_units = std::move(*units),
+                   .shifts = std::move(*shifts),
+                   .modbus_address = std::move(*modbus),
+                   .shdr_address = std::move(*shdr)};
 }
 
 }  // namespace dripfeed::cli

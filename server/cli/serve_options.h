@@ -37,6 +37,7 @@ struct ServePlan {
   std::map<std::uint8_t, std::string> modbus_units;  // machines by unit
   app::Shifts shifts{};
   std::optional<http::ListenAddress> modbus_address{};  // nothing: no Modbus server
+  std::optional<http::ListenAddress> shdr_address{};    // nothing: no adapter of MTConnect
 };
 // Errors: invalid, as one sentence. Nothing is begun; the certificate and its key are read.
 app::Result<ServePlan> plan_of(const json::ServerOptions& options);

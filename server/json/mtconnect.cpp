@@ -1,4 +1,4 @@
-// Ids are made of the machines' names, so that they stay.
+// The documents of MTConnect, member by member.
 #include "server/json/mtconnect.h"
 
 #include <algorithm>
@@ -15,6 +15,7 @@ namespace dripfeed::json {
 namespace {
 
 using app::DataItemRow;
+using app::device_id;
 using app::ItemCategory;
 using app::Observation;
 
@@ -27,20 +28,6 @@ struct Component {
 };
 constexpr std::array kComponents = {Component{"", "Device", ""}, Component{"controller", "Controller", "_cont"},
                                     Component{"path", "Path", "_path"}};
-
-// An id of XML: letters, digits and _ stay, all else is a number.
-std::string device_id(std::string_view machine) {
-  std::string id = "m_";
-  for (const char c : machine) {
-    const bool stays = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (stays) {
-      id += c;
-    } else {
-      id += fmt::format("_{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return id;
-}
 
 std::string uuid_of(const MtconnectAgent& agent, std::string_view machine) {
   return fmt::format("{}/{}", agent.source, machine);
@@ -55,12 +42,12 @@ void open_document(Xml& xml, std::string_view kind) {
 
 std::string number(std::uint64_t value) { return fmt::format("{}", value); }
 
-void write_items(Xml& xml, const std::string& id, std::string_view where) {
+void write_items(Xml& xml, const std::string& machine, std::string_view where) {
   xml.open("DataItems");
   for (const DataItemRow& row : app::data_items()) {
     if (row.where != where) continue;
     const std::string_view category = row.category == ItemCategory::event ? "EVENT" : "CONDITION";
-    const std::string item = id + std::string(row.id);
+    const std::string item = app::data_item_id(machine, row.item);
     if (row.sub_type.empty()) {
       xml.leaf("DataItem", {{"category", std::string(category)}, {"id", item}, {"type", std::string(row.type)}});
     } else {
@@ -76,13 +63,13 @@ void write_items(Xml& xml, const std::string& id, std::string_view where) {
 void write_device(Xml& xml, const MtconnectAgent& agent, const std::string& machine) {
   const std::string id = device_id(machine);
   xml.open("Device", {{"id", id}, {"name", machine}, {"uuid", uuid_of(agent, machine)}});
-  write_items(xml, id, "");
+  write_items(xml, machine, "");
   xml.open("Components");
   xml.open("Controller", {{"id", id + "_cont"}, {"name", "controller"}});
-  write_items(xml, id, "controller");
+  write_items(xml, machine, "controller");
   xml.open("Components");
   xml.open("Path", {{"id", id + "_path"}, {"name", "path"}});
-  write_items(xml, id, "path");
+  write_items(xml, machine, "path");
   for (int level = 0; level < 5; ++level) xml.close();
 }
 
@@ -142,7 +129,7 @@ void write_component(Xml& xml, const std::string& id, const Component& component
       if (!is_here(one, category)) continue;
       const DataItemRow& row = items[static_cast<std::size_t>(one->item)];
       const auto write = category == ItemCategory::event ? write_event : write_condition;
-      write(xml, *one, row, id + std::string(row.id));
+      write(xml, *one, row, app::data_item_id(one->machine, row.item));
     }
     xml.close();
   }

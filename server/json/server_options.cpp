@@ -81,6 +81,8 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("modbus_listen", into.modbus_listen);
   read_texts(o, "modbus_allow", "IP address", into.modbus_allow);
   read_units(o, into.modbus_unit);
+  o.text("shdr_listen", into.shdr_listen);
+  read_texts(o, "shdr_allow", "IP address", into.shdr_allow);
   o.text("event_source", into.event_source);
   o.text("webhook_ca", into.webhook_ca);
   read_retries(o, into.webhook_retry_s);

@@ -25,6 +25,8 @@ struct ServerOptions {
   std::vector<std::string> proxy{};         // IP addresses
   std::string modbus_listen{};              // "": no Modbus server
   std::vector<std::string> modbus_allow{};  // IP addresses
+  std::string shdr_listen{};                // "": no adapter of MTConnect
+  std::vector<std::string> shdr_allow{};    // IP addresses
   std::vector<std::string> modbus_unit{};   // MACHINE=UNIT
   std::string event_source{};               // "": by the computer's name
   std::string webhook_ca{};                 // PEM; "": whom the system believes

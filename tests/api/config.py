@@ -61,7 +61,7 @@ def the_schema(folder):
     Draft202012Validator.check_schema(schema)
     validator = Draft202012Validator(schema)
     whole = {"data": "/srv/d", "store": "postgresql://dnc@db.shop/dripfeed", "node": "hall-1", "backups": "/mnt/backups", "listen": ":80", "web": "", "log": "json", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
-             "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
+             "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "shdr_listen": "127.0.0.1:7878", "shdr_allow": ["::1"], "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "mqtt": "mqtt://broker.shop", "mqtt_user": "dnc",
              "mqtt_password_file": "", "mqtt_client_id": "", "mqtt_prefix": "plant/hall-2", "mqtt_ca": "", "sparkplug_group": "hall", "sparkplug_node": "dnc 1", "shift": ["05:30", "17:30"], "stop_reason": ["tool broken", "no material"],
              "arming_hook": "https://erp.shop/may-i", "arming_hook_secret_file": "/etc/dripfeed/hook", "arming_hook_unanswered": "warn", "arming_hook_local": True,
              "arming_hook_seconds": 2, "oidc": "https://login.shop", "oidc_client_id": "dnc", "oidc_client_secret_file": "", "oidc_page": "https://dnc.shop", "oidc_title": "the shop",

@@ -68,6 +68,24 @@ void observe_machine(const MachineReport& machine, ObservedItems& items) {
 
 std::span<const DataItemRow, kDataItems> data_items() { return kItems; }
 
+// An id of XML: letters, digits and _ stay, all else is a number.
+std::string device_id(std::string_view machine) {
+  std::string id = "m_";
+  for (const char c : machine) {
+    const bool stays = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (stays) {
+      id += c;
+    } else {
+      id += fmt::format("_{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return id;
+}
+
+std::string data_item_id(std::string_view machine, DataItem item) {
+  return device_id(machine) + std::string(kItems[static_cast<std::size_t>(item)].id);
+}
+
 ObservedItems observed_of(const LineReport& report) {
   ObservedItems items;
   const auto at = [&](DataItem item) -> Observed& { return items[static_cast<std::size_t>(item)]; };

@@ -35,6 +35,9 @@ struct DataItemRow {
   ItemCategory category = ItemCategory::event;
 };
 std::span<const DataItemRow, kDataItems> data_items();
+// Made of the machine's name, so that they stay: of the device, and of one of its data items.
+std::string device_id(std::string_view machine);
+std::string data_item_id(std::string_view machine, DataItem item);
 
 // "UNAVAILABLE", or of a condition "Normal", "Warning", "Fault".
 inline constexpr std::string_view kUnavailable = "UNAVAILABLE";

@@ -3846,7 +3846,13 @@ export interface components {
                 };
             };
         };
-        /** @description the server is alive */
+        /**
+         * @description the server is alive
+         * @example {
+         *       "status": "ok",
+         *       "version": "1"
+         *     }
+         */
         Health: {
             /**
              * @description of the server
@@ -3875,7 +3881,59 @@ export interface components {
             /** @description schemas by name */
             components: unknown;
         };
-        /** @description what a person should know about a machine; it is open while it is not over or not acknowledged */
+        /**
+         * @description what a person should know about a machine; it is open while it is not over or not acknowledged
+         * @example {
+         *       "id": 1,
+         *       "machine": "lathe",
+         *       "kind": "torn_block",
+         *       "text": "link_lost: between wire byte 0 and 29 of 3831 may have reached the control (line 1 to 5); a block is torn: reset the control and confirm it; Connection reset by peer",
+         *       "said": {
+         *         "id": "reached_torn_because_lines",
+         *         "values": {
+         *           "cause": {
+         *             "text": "link_lost",
+         *             "said": null
+         *           },
+         *           "from": {
+         *             "text": "0",
+         *             "said": null
+         *           },
+         *           "to": {
+         *             "text": "29",
+         *             "said": null
+         *           },
+         *           "total": {
+         *             "text": "3831",
+         *             "said": null
+         *           },
+         *           "first": {
+         *             "text": "1",
+         *             "said": null
+         *           },
+         *           "last": {
+         *             "text": "5",
+         *             "said": null
+         *           },
+         *           "why": {
+         *             "text": "Connection reset by peer",
+         *             "said": null
+         *           }
+         *         }
+         *       },
+         *       "count": 1,
+         *       "severity": "critical",
+         *       "raised_at_ms": 1795879628552,
+         *       "last_at_ms": 1795879628552,
+         *       "cleared_at_ms": null,
+         *       "acknowledged_by": "the operator",
+         *       "acknowledged_at_ms": 1795879629845,
+         *       "shelved_by": null,
+         *       "shelved_until_ms": null,
+         *       "shelf_reason": null,
+         *       "job": 1
+         *     }
+         */
         Alarm: {
             /** @description of the alarm */
             id: number;
@@ -3915,7 +3973,59 @@ export interface components {
             /** @description that it is about */
             job: number | null;
         };
-        /** @description what a person should know about a machine; it is open while it is not over or not acknowledged */
+        /**
+         * @description what a person should know about a machine; it is open while it is not over or not acknowledged
+         * @example {
+         *       "id": 1,
+         *       "machine": "lathe",
+         *       "kind": "torn_block",
+         *       "text": "link_lost: between wire byte 0 and 29 of 3831 may have reached the control (line 1 to 5); a block is torn: reset the control and confirm it; Connection reset by peer",
+         *       "said": {
+         *         "id": "reached_torn_because_lines",
+         *         "values": {
+         *           "cause": {
+         *             "text": "link_lost",
+         *             "said": null
+         *           },
+         *           "from": {
+         *             "text": "0",
+         *             "said": null
+         *           },
+         *           "to": {
+         *             "text": "29",
+         *             "said": null
+         *           },
+         *           "total": {
+         *             "text": "3831",
+         *             "said": null
+         *           },
+         *           "first": {
+         *             "text": "1",
+         *             "said": null
+         *           },
+         *           "last": {
+         *             "text": "5",
+         *             "said": null
+         *           },
+         *           "why": {
+         *             "text": "Connection reset by peer",
+         *             "said": null
+         *           }
+         *         }
+         *       },
+         *       "count": 1,
+         *       "severity": "critical",
+         *       "raised_at_ms": 1795879628552,
+         *       "last_at_ms": 1795879628552,
+         *       "cleared_at_ms": null,
+         *       "acknowledged_by": null,
+         *       "acknowledged_at_ms": null,
+         *       "shelved_by": null,
+         *       "shelved_until_ms": null,
+         *       "shelf_reason": null,
+         *       "job": 1
+         *     }
+         */
         EventAlarm: {
             /** @description of the alarm */
             id: number;
@@ -3955,16 +4065,30 @@ export interface components {
             /** @description that it is about */
             job: number | null;
         };
-        /** @description a control has punched, or its operator has asked for something */
+        /**
+         * @description a control has punched, or its operator has asked for something
+         * @example {
+         *       "machine": "lathe",
+         *       "text": "received O0700 (14 bytes), receipt 1"
+         *     }
+         */
         EventReceipt: {
             /** @description its name */
             machine: string;
             /** @description one sentence */
             text: string;
         };
-        /** @description events were lost, or the server is a new one: all that is shown has to be requested again */
+        /**
+         * @description events were lost, or the server is a new one: all that is shown has to be requested again
+         * @example {}
+         */
         EventReset: Record<string, never>;
-        /** @description a text as a whole */
+        /**
+         * @description a text as a whole
+         * @example {
+         *       "text": "# Finishing of a rolling-mill roll with a hyperbolic barrel, from the large end over the waist to the other end.\n# z is 0 in the middle of the roll. x = 2*half_axis_x/cos(t), z = half_axis_z*tan(t) is the hyperbola by its angle t.\nfamily hyperbolic-roll \"Hyperbolic rolling-mill roll\"\nmachine lathe, "
+         *     }
+         */
         NewText: {
             /** @description the whole text */
             text: string;
@@ -3985,7 +4109,15 @@ export interface components {
             /** @description the whole text */
             text: string;
         };
-        /** @description how a program is filed; what is not given stays */
+        /**
+         * @description how a program is filed; what is not given stays
+         * @example {
+         *       "tags": [
+         *         "pump"
+         *       ],
+         *       "folder": "acme"
+         *     }
+         */
         ProgramLabels: {
             /** @description words that the program is found by; all of them, an empty list takes them away */
             tags?: string[] | null;
@@ -4013,7 +4145,14 @@ export interface components {
                 [key: string]: string | number;
             } | null;
         };
-        /** @description all values of a part's new revision */
+        /**
+         * @description all values of a part's new revision
+         * @example {
+         *       "values": {
+         *         "angle_step": "1 deg"
+         *       }
+         *     }
+         */
         PartChange: {
             /** @description all of the part's, with their units; what is not given has the family's default */
             values?: {
@@ -4086,7 +4225,14 @@ export interface components {
             /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
             profile?: string | null;
         };
-        /** @description a text and the control that it is translated for */
+        /**
+         * @description a text and the control that it is translated for
+         * @example {
+         *       "text": "G21\nT1 M6\nG0 G54 G17 G90 X0 Y0\nS800 M3\nG0 G43 Z5. H1\nG1 Z-2. F100\nX40. F300\nG0 Z100.\nM30\n",
+         *       "dialect": "fanuc",
+         *       "to": "sinumerik-840d"
+         *     }
+         */
         ConvertOrder: {
             /** @description the whole text; or program */
             text?: string | null;
@@ -4108,7 +4254,20 @@ export interface components {
              */
             mode?: "macro" | "explicit" | null;
         };
-        /** @description a text, and how it is made faster for its control */
+        /**
+         * @description a text, and how it is made faster for its control
+         * @example {
+         *       "text": "#101=3.\n#102=0\nG21 G90 G94 G17\nG0 X0\nWHILE[#102 LT 5] DO1\n#103=SIN[#101]*COS[#101]\nG1 X[#103+#102] F100\n#102=#102+1\nEND1\nM30\n",
+         *       "dialect": "fanuc",
+         *       "own": [
+         *         "#101-#103"
+         *       ],
+         *       "without": [
+         *         "invariants",
+         *         "loops"
+         *       ]
+         *     }
+         */
         OptimizeOrder: {
             /** @description the whole text; or program */
             text?: string | null;
@@ -4131,7 +4290,14 @@ export interface components {
             /** @description how far the path may be changed by the rules table, lines and arcs; not given: not at all */
             tolerance_mm?: number | null;
         };
-        /** @description a text that is being written; it is not stored */
+        /**
+         * @description a text that is being written; it is not stored
+         * @example {
+         *       "text": "%\nO0100 (PUMP)\nG21 G17 G90 G94 G54\nT5 M6\nN10 G0 X0. Y0.\nM98 P200\nN20 G1 X10. F100.\nGOTO20\nM30\n%\n",
+         *       "machine": "lathe",
+         *       "delivery": "drip"
+         *     }
+         */
         DiagnoseOrder: {
             /** @description the whole text */
             text?: string | null;
@@ -4145,7 +4311,14 @@ export interface components {
              */
             delivery?: "drip" | "memory" | null;
         };
-        /** @description a text that is being written, and what it should make */
+        /**
+         * @description a text that is being written, and what it should make
+         * @example {
+         *       "text": "G17 G90\nM30",
+         *       "dialect": "fanuc",
+         *       "stock": "box 0 1 0 1 0 1"
+         *     }
+         */
         PathOrder: {
             /** @description the whole text */
             text?: string | null;
@@ -4170,7 +4343,17 @@ export interface components {
             /** @description the blank as "box X0 X1 Y0 Y1 Z0 Z1" or "cylinder DIAMETER Z0 Z1", in mm; not given: the nominal's */
             stock?: string | null;
         };
-        /** @description a text that is being written, and how it is rewritten */
+        /**
+         * @description a text that is being written, and how it is rewritten
+         * @example {
+         *       "text": "%\nO0100 (PUMP)\nG21 G17 G90 G94 G54\nT5 M6\nN10 G0 X0. Y0.\nM98 P200\nN20 G1 X10. F100.\nGOTO20\nM30\n%\n",
+         *       "dialect": "fanuc",
+         *       "how": "renumber",
+         *       "numbering": "all",
+         *       "first": 100,
+         *       "step": 100
+         *     }
+         */
         RewriteOrder: {
             /** @description the whole text */
             text?: string | null;
@@ -4198,7 +4381,13 @@ export interface components {
             /** @description from one number to the next; not given: 10 */
             step?: number | null;
         };
-        /** @description a text that is being written, and what it is compared with */
+        /**
+         * @description a text that is being written, and what it is compared with
+         * @example {
+         *       "text": "%\nO0100\nG21 G17 G90 G94 G54\nN10 G0 X0. Y0.\nN20 G1 X10. F100.\nN30 X20.25\nM30\n%\n",
+         *       "revision": 1
+         *     }
+         */
         CompareText: {
             /** @description the whole text */
             text?: string | null;
@@ -4207,7 +4396,16 @@ export interface components {
             /** @description whose control counts; not given: the one that each text looks like */
             machine?: string | null;
         };
-        /** @description a program, and what it is compared with */
+        /**
+         * @description a program, and what it is compared with
+         * @example {
+         *       "program": 2,
+         *       "machine": "lathe",
+         *       "nominal": {
+         *         "family": "hyperbolic-roll"
+         *       }
+         *     }
+         */
         AccuracyOrder: {
             /** @description id of the program */
             program: number;
@@ -4236,7 +4434,16 @@ export interface components {
             /** @description the points are shifted and turned to fit best, too */
             best_fit?: boolean | null;
         };
-        /** @description a program, and what it is compared with */
+        /**
+         * @description a program, and what it is compared with
+         * @example {
+         *       "program": 2,
+         *       "machine": "lathe",
+         *       "nominal": {
+         *         "family": "hyperbolic-roll"
+         *       }
+         *     }
+         */
         GougeOrder: {
             /** @description id of the program */
             program: number;
@@ -4261,7 +4468,14 @@ export interface components {
             /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
             profile?: string | null;
         };
-        /** @description a program, its machine and line */
+        /**
+         * @description a program, its machine and line
+         * @example {
+         *       "program": 3,
+         *       "machine": "lathe",
+         *       "delivery": "memory"
+         *     }
+         */
         TimingOrder: {
             /** @description id of the program */
             program: number;
@@ -4288,7 +4502,22 @@ export interface components {
             /** @description of the line, in bit/s; not given: the profile's */
             baud?: number | null;
         };
-        /** @description a family, and how it is tried */
+        /**
+         * @description a family, and how it is tried
+         * @example {
+         *       "family": "hyperbolic-roll",
+         *       "machine": "lathe",
+         *       "samples": 0,
+         *       "values": {
+         *         "half_axis_x": "100 mm",
+         *         "half_axis_z": "202.4 mm",
+         *         "roll_length": "196 mm",
+         *         "angle_step": "2 deg",
+         *         "clearance": "25 mm",
+         *         "cut_feed": "0.15 mm/rev"
+         *       }
+         *     }
+         */
         SweepOrder: {
             /** @description name of a part family */
             family: string;
@@ -4354,14 +4583,25 @@ export interface components {
             /** @description of a restart: of the text that was shown; needed for its proving */
             shown_sha256?: string | null;
         };
-        /** @description where a program is to be restarted */
+        /**
+         * @description where a program is to be restarted
+         * @example {
+         *       "line": 8
+         *     }
+         */
         RestartOrder: {
             /** @description of the released text that is to be the first one of the rest, from 1 */
             line: number;
             /** @description above the start, where the program has no level of its own above it; not given: 2 */
             clearance_mm?: number | null;
         };
-        /** @description a restart that was shown */
+        /**
+         * @description a restart that was shown
+         * @example {
+         *       "line": 8,
+         *       "shown_sha256": "8dcd2a66871ee5b2fcc687800337be684cc4e5dc400b6f4ac24fde778d46051f"
+         *     }
+         */
         NewRestart: {
             /** @description of the released text that is to be the first one of the rest, from 1 */
             line: number;
@@ -4370,14 +4610,25 @@ export interface components {
             /** @description of the text that was shown */
             shown_sha256: string;
         };
-        /** @description for how long an alarm asks for no person */
+        /**
+         * @description for how long an alarm asks for no person
+         * @example {
+         *       "minutes": 5,
+         *       "reason": "the cable is ordered"
+         *     }
+         */
         Shelve: {
             /** @description for which it asks for no person */
             minutes: number;
             /** @description for the record */
             reason: string;
         };
-        /** @description a person answers for a verdict, or for a point of it */
+        /**
+         * @description a person answers for a verdict, or for a point of it
+         * @example {
+         *       "reason": "seen"
+         *     }
+         */
         NewWaiver: {
             /** @description for the record */
             reason: string;
@@ -4419,7 +4670,12 @@ export interface components {
             /** @description for the record */
             reason: string;
         };
-        /** @description why a person does it, where they state it */
+        /**
+         * @description why a person does it, where they state it
+         * @example {
+         *       "reason": "looked at it"
+         *     }
+         */
         OptionalReason: {
             /** @description for the record */
             reason?: string | null;
@@ -4447,7 +4703,12 @@ export interface components {
             /** @description it may lie in a private network or on the server's computer; not given in a new one: false */
             local?: boolean | null;
         };
-        /** @description what is not given stays unchanged */
+        /**
+         * @description what is not given stays unchanged
+         * @example {
+         *       "description": "the MES"
+         *     }
+         */
         ChangedWebhook: {
             /** @description where events are posted from now on */
             url?: string | null;
@@ -4460,17 +4721,33 @@ export interface components {
             /** @description it may lie in a private network or on the server's computer; not given in a new one: false */
             local?: boolean | null;
         };
-        /** @description how a secret is changed */
+        /**
+         * @description how a secret is changed
+         * @example {
+         *       "keep_hours": 1
+         *     }
+         */
         Rotate: {
             /** @description for which the previous secret also signs; 0: it is void at once; not given: 24 */
             keep_hours?: number | null;
         };
-        /** @description which dead deliveries are tried again */
+        /**
+         * @description which dead deliveries are tried again
+         * @example {
+         *       "since_ms": 1795879637984
+         *     }
+         */
         Replay: {
             /** @description events that happened then or later, in milliseconds since 1970 */
             since_ms: number;
         };
-        /** @description what a receipt becomes; nothing: a new program */
+        /**
+         * @description what a receipt becomes; nothing: a new program
+         * @example {
+         *       "program": 1,
+         *       "revision": 1
+         *     }
+         */
         AcceptOrder: {
             /** @description id of the program that gets a new revision; not given: a new program */
             program?: number | null;
@@ -4481,7 +4758,13 @@ export interface components {
             /** @description for the record */
             reason?: string | null;
         };
-        /** @description who signs in: a token, or a name with a password or PIN */
+        /**
+         * @description who signs in: a token, or a name with a password or PIN
+         * @example {
+         *       "name": "olga",
+         *       "password": "correct horse battery"
+         *     }
+         */
         NewSession: {
             /** @description as `dripfeed token add` printed it; or a name with a password or PIN */
             token?: string | null;
@@ -4492,7 +4775,14 @@ export interface components {
             /** @description of the user, for the shop floor: it gives no more than the role operator, and a short session */
             pin?: string | null;
         };
-        /** @description what the provider added to the address at which the browser came back */
+        /**
+         * @description what the provider added to the address at which the browser came back
+         * @example {
+         *       "code": "SplxlOBeZQQYbYS6WxSbIA",
+         *       "state": "af0ifjsldkj",
+         *       "iss": "https://login.shop"
+         *     }
+         */
         ProviderAnswer: {
             /** @description as it came; not given: the provider refused */
             code?: string | null;
@@ -4503,7 +4793,19 @@ export interface components {
             /** @description as it came; not given: there was none */
             error?: string | null;
         };
-        /** @description a person */
+        /**
+         * @description a person
+         * @example {
+         *       "name": "hall-viewer",
+         *       "role": "viewer",
+         *       "grants": [
+         *         {
+         *           "group": "hall",
+         *           "role": "viewer"
+         *         }
+         *       ]
+         *     }
+         */
         NewUser: {
             /** @description with which the person signs in */
             name: string;
@@ -4523,7 +4825,13 @@ export interface components {
                 role: "viewer" | "operator" | "programmer" | "approver" | "admin";
             }[] | null;
         };
-        /** @description all roles of a user, and whether the user is disabled */
+        /**
+         * @description all roles of a user, and whether the user is disabled
+         * @example {
+         *       "role": "programmer",
+         *       "disabled": true
+         *     }
+         */
         UserChange: {
             /**
              * @description each may do what those before it may
@@ -4543,12 +4851,23 @@ export interface components {
             /** @description whether the user may no longer sign in; not given: false */
             disabled?: boolean | null;
         };
-        /** @description a new password or PIN */
+        /**
+         * @description a new password or PIN
+         * @example {
+         *       "secret": "the first of olga"
+         *     }
+         */
         NewSecret: {
             /** @description the new password (10 bytes or more) or PIN (4 to 12 digits) */
             secret: string;
         };
-        /** @description the present password and a new one */
+        /**
+         * @description the present password and a new one
+         * @example {
+         *       "current": "the first of olga",
+         *       "secret": "the third of olga"
+         *     }
+         */
         OwnSecret: {
             /** @description the present password */
             current: string;
@@ -4580,7 +4899,16 @@ export interface components {
             /** @description until when it is valid, in milliseconds since 1970; not given: it does not end */
             expires_at_ms?: number | null;
         };
-        /** @description all machines of a group, none of which is in another one, and its rules; a rule that is not given stays */
+        /**
+         * @description all machines of a group, none of which is in another one, and its rules; a rule that is not given stays
+         * @example {
+         *       "machines": [
+         *         "lathe",
+         *         "second",
+         *         "third"
+         *       ]
+         *     }
+         */
         GroupChange: {
             /** @description names of all machines of the group */
             machines?: string[] | null;
@@ -4608,7 +4936,14 @@ export interface components {
             /** @description what a person confirms after the end of a job, before the next one of the machine is armed; of a profile: after each drip feed; not given: nothing, or what the machine's profile asks for */
             end_check?: string | null;
         };
-        /** @description which program is queued for a group of machines */
+        /**
+         * @description which program is queued for a group of machines
+         * @example {
+         *       "program": 1,
+         *       "order": 1,
+         *       "end_check": "part taken out"
+         *     }
+         */
         NewChoice: {
             /** @description its id */
             program: number;
@@ -4640,24 +4975,45 @@ export interface components {
             /** @description why it is armed before its time, by an approver; not given: it is not */
             early_reason?: string | null;
         };
-        /** @description the new place of a queued job */
+        /**
+         * @description the new place of a queued job
+         * @example {
+         *       "before": 1
+         *     }
+         */
         Move: {
             /** @description id of the queued job of the same machine that it is moved before; null, or not given: to the end */
             before?: number | null;
         };
-        /** @description when a queued job may be armed */
+        /**
+         * @description when a queued job may be armed
+         * @example {
+         *       "not_before_ms": 1795879524784
+         *     }
+         */
         JobSchedule: {
             /** @description before this time it is armed only with a reason, in ms since 1970; not given: at any time */
             not_before_ms?: number | null;
         };
-        /** @description why a transfer stood still or broke off */
+        /**
+         * @description why a transfer stood still or broke off
+         * @example {
+         *       "reason": "tool broken",
+         *       "note": "insert of T3"
+         *     }
+         */
         NewStopReason: {
             /** @description for the record */
             reason: string;
             /** @description for the record; of an approval the sign-off */
             note?: string | null;
         };
-        /** @description a person has done what the job's end asks for */
+        /**
+         * @description a person has done what the job's end asks for
+         * @example {
+         *       "note": "on the table"
+         *     }
+         */
         JobEnd: {
             /** @description for people */
             note?: string | null;
@@ -4697,7 +5053,20 @@ export interface components {
                 [key: string]: unknown;
             } | null;
         };
-        /** @description the new plan of an order, as a whole */
+        /**
+         * @description the new plan of an order, as a whole
+         * @example {
+         *       "part": "R-1",
+         *       "quantity": 7,
+         *       "machine": null,
+         *       "due_at_ms": null,
+         *       "priority": 3,
+         *       "metadata": {
+         *         "customer": "ACME",
+         *         "n": 1.5
+         *       }
+         *     }
+         */
         OrderPlan: {
             /** @description number of the part */
             part: string;
@@ -4746,7 +5115,151 @@ export interface components {
             /** @description for people */
             note?: string | null;
         };
-        /** @description a machine: its control, axes, tools and line */
+        /**
+         * @description a machine: its control, axes, tools and line
+         * @example {
+         *       "name": "other",
+         *       "title": "Machining centre with Fanuc 0i-MF",
+         *       "dialect": "fanuc",
+         *       "kind": "mill",
+         *       "axes": [
+         *         {
+         *           "name": "X",
+         *           "min_mm": 0,
+         *           "max_mm": 800,
+         *           "reference_mm": 800,
+         *           "rapid_mm_min": 30000,
+         *           "acceleration_mm_s2": 3000
+         *         },
+         *         {
+         *           "name": "Y",
+         *           "min_mm": 0,
+         *           "max_mm": 500,
+         *           "reference_mm": 500,
+         *           "rapid_mm_min": 30000,
+         *           "acceleration_mm_s2": 3000
+         *         },
+         *         {
+         *           "name": "Z",
+         *           "min_mm": -500,
+         *           "max_mm": 0,
+         *           "reference_mm": 0,
+         *           "rapid_mm_min": 30000,
+         *           "acceleration_mm_s2": 3000
+         *         }
+         *       ],
+         *       "feed_limit_mm_min": 10000,
+         *       "spindle": {
+         *         "min_rpm": 50,
+         *         "max_rpm": 10000
+         *       },
+         *       "tools": [
+         *         {
+         *           "number": 1,
+         *           "offset": 1,
+         *           "diameter_mm": 10,
+         *           "length_mm": 100,
+         *           "holder": [
+         *             {
+         *               "from_mm": 38,
+         *               "diameter_mm": 32
+         *             },
+         *             {
+         *               "from_mm": 73,
+         *               "diameter_mm": 63
+         *             }
+         *           ]
+         *         },
+         *         {
+         *           "number": 2,
+         *           "offset": 2,
+         *           "diameter_mm": 6,
+         *           "length_mm": 90,
+         *           "holder": [
+         *             {
+         *               "from_mm": 34,
+         *               "diameter_mm": 28
+         *             },
+         *             {
+         *               "from_mm": 63,
+         *               "diameter_mm": 63
+         *             }
+         *           ]
+         *         },
+         *         {
+         *           "number": 3,
+         *           "offset": 3,
+         *           "diameter_mm": 50,
+         *           "length_mm": 80,
+         *           "holder": [
+         *             {
+         *               "from_mm": 40,
+         *               "diameter_mm": 48
+         *             },
+         *             {
+         *               "from_mm": 53,
+         *               "diameter_mm": 63
+         *             }
+         *           ]
+         *         }
+         *       ],
+         *       "work_offsets": [
+         *         {
+         *           "number": 1,
+         *           "X_mm": 200,
+         *           "Y_mm": 200,
+         *           "Z_mm": -300
+         *         },
+         *         {
+         *           "number": 2,
+         *           "X_mm": 200,
+         *           "Y_mm": 200,
+         *           "Z_mm": -300
+         *         },
+         *         {
+         *           "number": 3,
+         *           "X_mm": 200,
+         *           "Y_mm": 200,
+         *           "Z_mm": -300
+         *         }
+         *       ],
+         *       "control": {
+         *         "title": "Fanuc 0i-MF",
+         *         "decimal_mode": "least-increment",
+         *         "decimal_mode_confirmed": true,
+         *         "power_on": {
+         *           "unit": "mm",
+         *           "distance": "absolute",
+         *           "feed": "per-minute",
+         *           "plane": "xy",
+         *           "confirmed": true
+         *         }
+         *       },
+         *       "timing": {
+         *         "sample_time_ms": 8,
+         *         "look_ahead_blocks": 20,
+         *         "tool_change_s": 1.5
+         *       },
+         *       "buffer": {
+         *         "bytes": 2048,
+         *         "blocks": 0
+         *       },
+         *       "link": {
+         *         "url": "serial:/dev/serial/by-id/usb-FTDI-lathe",
+         *         "baud": 9600,
+         *         "framing": "7E2",
+         *         "code": "iso",
+         *         "eob": "lf",
+         *         "leader": 50,
+         *         "trailer": 50,
+         *         "start": "dc1",
+         *         "overrun_budget": 10,
+         *         "unsent": 3,
+         *         "latency_chars": 5,
+         *         "character_set": "fanuc-iso"
+         *       }
+         *     }
+         */
         Profile: {
             /** @description what the shop calls the machine; also its id */
             name: string;
@@ -5211,7 +5724,43 @@ export interface components {
          * @enum {string}
          */
         Stall: "waiting for DC1" | "held by DC3" | "CTS off" | "peer gone" | "waiting for ledger" | "waiting for text" | "waiting for end" | "stopped" | "DSR off" | "held below" | "waiting for trigger" | "stopped, and the control asked again: it may have been reset" | "waiting for the receiver's start" | "waiting for the receiver" | "waiting for ACK" | "waiting for the end's ACK" | "the partner sends" | "waiting for credit" | "waiting for receiver" | "stopped by a fault" | "machine held" | "machine alarm" | "machine in emergency stop" | "folder does not answer" | "holding the control: what it sent before is not taken yet" | "waiting for the sender";
-        /** @description where a machine's line stands now */
+        /**
+         * @description where a machine's line stands now
+         * @example {
+         *       "line": "disconnected",
+         *       "stall": "peer gone",
+         *       "stop_wanted": false,
+         *       "link_error": "Connection reset by peer",
+         *       "link_error_id": "system",
+         *       "link_error_said": null,
+         *       "link_note": null,
+         *       "link_note_id": null,
+         *       "line_errors": {
+         *         "parity": 0,
+         *         "framing": 0,
+         *         "overrun": 0,
+         *         "breaks": 0
+         *       },
+         *       "asks_since_ms": null,
+         *       "asks": 0,
+         *       "job": 4,
+         *       "handed": 27,
+         *       "clocked": 0,
+         *       "confirmed": 0,
+         *       "confirms": false,
+         *       "estimated": true,
+         *       "total": 51908,
+         *       "block_from": 1,
+         *       "block": 4,
+         *       "holds": 1,
+         *       "hold_s": 0.1504,
+         *       "line_use": 1,
+         *       "plc": null,
+         *       "program": "O0042",
+         *       "block_text": "G55",
+         *       "needs_confirmation": null
+         *     }
+         */
         MachineStatus: {
             /**
              * @description state of the line
@@ -5298,7 +5847,178 @@ export interface components {
                 reason_id: string | null;
             } | null;
         };
-        /** @description a machine with its whole profile */
+        /**
+         * @description a machine with its whole profile
+         * @example {
+         *       "name": "lathe",
+         *       "revision": 1,
+         *       "profile": {
+         *         "name": "lathe",
+         *         "title": "Lathe with Fanuc 0i-TF",
+         *         "dialect": "fanuc",
+         *         "notes": [
+         *           "Work offsets are those of the tools' tips: their lengths are given as 0."
+         *         ],
+         *         "kind": "lathe",
+         *         "axes": [
+         *           {
+         *             "name": "X",
+         *             "diameter": true,
+         *             "min_mm": -20,
+         *             "max_mm": 260,
+         *             "reference_mm": 260,
+         *             "rapid_mm_min": 20000,
+         *             "acceleration_mm_s2": 2500
+         *           },
+         *           {
+         *             "name": "Z",
+         *             "min_mm": -750,
+         *             "max_mm": 50,
+         *             "reference_mm": 50,
+         *             "rapid_mm_min": 24000,
+         *             "acceleration_mm_s2": 2500
+         *           }
+         *         ],
+         *         "feed_limit_mm_min": 8000,
+         *         "spindle": {
+         *           "min_rpm": 30,
+         *           "max_rpm": 4000
+         *         },
+         *         "tools": [
+         *           {
+         *             "number": 1,
+         *             "offset": 1,
+         *             "nose_radius_mm": 0.8,
+         *             "tip": 3,
+         *             "length_x_mm": 0,
+         *             "length_z_mm": 0,
+         *             "insert": {
+         *               "angle_deg": 80,
+         *               "entering_angle_deg": 95,
+         *               "edge_mm": 12
+         *             }
+         *           },
+         *           {
+         *             "number": 2,
+         *             "offset": 2,
+         *             "nose_radius_mm": 0.4,
+         *             "tip": 3,
+         *             "length_x_mm": 0,
+         *             "length_z_mm": 0,
+         *             "insert": {
+         *               "angle_deg": 55,
+         *               "entering_angle_deg": 93,
+         *               "edge_mm": 15
+         *             }
+         *           },
+         *           {
+         *             "number": 3,
+         *             "offset": 3,
+         *             "nose_radius_mm": 0.1,
+         *             "tip": 8,
+         *             "length_x_mm": 0,
+         *             "length_z_mm": 0
+         *           }
+         *         ],
+         *         "work_offsets": [
+         *           {
+         *             "number": 1,
+         *             "X_mm": 0,
+         *             "Z_mm": -400
+         *           },
+         *           {
+         *             "number": 2,
+         *             "X_mm": 0,
+         *             "Z_mm": -400
+         *           },
+         *           {
+         *             "number": 3,
+         *             "X_mm": 0,
+         *             "Z_mm": -400
+         *           }
+         *         ],
+         *         "control": {
+         *           "title": "Fanuc 0i-TF",
+         *           "g_system": "A",
+         *           "decimal_mode": "least-increment",
+         *           "decimal_mode_confirmed": true,
+         *           "power_on": {
+         *             "unit": "mm",
+         *             "distance": "absolute",
+         *             "feed": "per-revolution",
+         *             "plane": "zx",
+         *             "confirmed": true
+         *           }
+         *         },
+         *         "timing": {
+         *           "sample_time_ms": 8,
+         *           "look_ahead_blocks": 20,
+         *           "tool_change_s": 1.5
+         *         },
+         *         "buffer": {
+         *           "bytes": 2048,
+         *           "blocks": 0
+         *         },
+         *         "link": {
+         *           "url": "tcp://10.0.0.21:4001",
+         *           "baud": 19200,
+         *           "framing": "8N1",
+         *           "code": "iso",
+         *           "eob": "lf",
+         *           "leader": 0,
+         *           "trailer": 0,
+         *           "start": "dc1",
+         *           "overrun_budget": 10,
+         *           "unsent": 3,
+         *           "latency_chars": 5,
+         *           "character_set": "fanuc-iso",
+         *           "end_by_quiet_s": 0.3
+         *         }
+         *       },
+         *       "status": {
+         *         "line": "torn",
+         *         "stall": "peer gone",
+         *         "stop_wanted": false,
+         *         "link_error": "Connection reset by peer",
+         *         "link_error_id": "system",
+         *         "link_error_said": null,
+         *         "link_note": null,
+         *         "link_note_id": null,
+         *         "line_errors": {
+         *           "parity": 0,
+         *           "framing": 0,
+         *           "overrun": 0,
+         *           "breaks": 0
+         *         },
+         *         "asks_since_ms": null,
+         *         "asks": 0,
+         *         "job": 4,
+         *         "handed": 27,
+         *         "clocked": 0,
+         *         "confirmed": 0,
+         *         "confirms": false,
+         *         "estimated": true,
+         *         "total": 51908,
+         *         "block_from": 1,
+         *         "block": 4,
+         *         "holds": 1,
+         *         "hold_s": 0.1504,
+         *         "line_use": 1,
+         *         "plc": null,
+         *         "program": "O0042",
+         *         "block_text": "G55",
+         *         "needs_confirmation": {
+         *           "job": null,
+         *           "text": "a block broke off on this line",
+         *           "said": {
+         *             "id": "block_torn_here",
+         *             "values": {}
+         *           },
+         *           "reason_id": "line_torn"
+         *         }
+         *       }
+         *     }
+         */
         Machine: {
             /** @description of the machine */
             name: string;
@@ -5307,7 +6027,51 @@ export interface components {
             profile: components["schemas"]["Profile"];
             status: components["schemas"]["MachineStatus"];
         };
-        /** @description a machine as a list shows it */
+        /**
+         * @description a machine as a list shows it
+         * @example {
+         *       "name": "lathe-0",
+         *       "revision": 1,
+         *       "title": "Lathe with Fanuc 0i-TF",
+         *       "dialect": "fanuc",
+         *       "kind": "lathe",
+         *       "link": "tcp://10.0.0.21:4001",
+         *       "status": {
+         *         "line": "feeding",
+         *         "stall": null,
+         *         "stop_wanted": false,
+         *         "link_error": null,
+         *         "link_error_id": null,
+         *         "link_error_said": null,
+         *         "link_note": null,
+         *         "link_note_id": null,
+         *         "line_errors": {
+         *           "parity": 0,
+         *           "framing": 0,
+         *           "overrun": 0,
+         *           "breaks": 0
+         *         },
+         *         "asks_since_ms": null,
+         *         "asks": 0,
+         *         "job": 1,
+         *         "handed": 68016,
+         *         "clocked": 66985,
+         *         "confirmed": 0,
+         *         "confirms": false,
+         *         "estimated": true,
+         *         "total": 78881,
+         *         "block_from": 2568,
+         *         "block": 2606,
+         *         "holds": 0,
+         *         "hold_s": 0,
+         *         "line_use": 0.989,
+         *         "plc": null,
+         *         "program": "O0042",
+         *         "block_text": "G01 X50.100 Z-129.900 F0.2",
+         *         "needs_confirmation": null
+         *       }
+         *     }
+         */
         MachineSummary: {
             /** @description of the machine */
             name: string;
@@ -5326,7 +6090,46 @@ export interface components {
             link: string;
             status: components["schemas"]["MachineStatus"];
         };
-        /** @description how a machine's line was used */
+        /**
+         * @description how a machine's line was used
+         * @example {
+         *       "days": [
+         *         {
+         *           "day": "2026-11-26",
+         *           "from_ms": 1795651200000,
+         *           "to_ms": 1795737600000,
+         *           "feeding_s": 0,
+         *           "held_s": 0,
+         *           "jobs_done": 0,
+         *           "jobs_failed": 0,
+         *           "jobs_cancelled": 0,
+         *           "bytes": 0
+         *         },
+         *         {
+         *           "day": "2026-11-27",
+         *           "from_ms": 1795737600000,
+         *           "to_ms": 1795824000000,
+         *           "feeding_s": 0,
+         *           "held_s": 0,
+         *           "jobs_done": 0,
+         *           "jobs_failed": 0,
+         *           "jobs_cancelled": 0,
+         *           "bytes": 0
+         *         },
+         *         {
+         *           "day": "2026-11-28",
+         *           "from_ms": 1795824000000,
+         *           "to_ms": 1795910400000,
+         *           "feeding_s": 0.616,
+         *           "held_s": 0,
+         *           "jobs_done": 1,
+         *           "jobs_failed": 0,
+         *           "jobs_cancelled": 1,
+         *           "bytes": 581
+         *         }
+         *       ]
+         *     }
+         */
         Utilisation: {
             /** @description oldest first */
             days: {
@@ -5350,7 +6153,27 @@ export interface components {
                 bytes: number;
             }[];
         };
-        /** @description a server that shares the store with others */
+        /**
+         * @description a server that shares the store with others
+         * @example {
+         *       "name": "hall-1",
+         *       "this": true,
+         *       "url": "https://dnc-1.shop",
+         *       "version": "0.1.0",
+         *       "answers": true,
+         *       "started_at_ms": 1795500000000,
+         *       "seen_at_ms": 1795507200000,
+         *       "machines": [
+         *         {
+         *           "name": "lathe-1",
+         *           "lease": 3,
+         *           "since_ms": 1795500000000,
+         *           "given_by": "dripfeed",
+         *           "reason": null
+         *         }
+         *       ]
+         *     }
+         */
         Node: {
             /** @description of the server */
             name: string;
@@ -5380,7 +6203,40 @@ export interface components {
                 reason: string | null;
             }[];
         };
-        /** @description a test of a line with a loopback plug in the control's place */
+        /**
+         * @description a test of a line with a loopback plug in the control's place
+         * @example {
+         *       "fault": null,
+         *       "fault_id": null,
+         *       "result": {
+         *         "char_ms": 0.5208,
+         *         "latency_ms": {
+         *           "median": 0,
+         *           "worst": 2.8967
+         *         },
+         *         "latency_chars": 6,
+         *         "after_dc3": {
+         *           "holds": 20,
+         *           "median": 0,
+         *           "worst": 2
+         *         },
+         *         "characters": 457,
+         *         "wrong": 0,
+         *         "uart": {
+         *           "parity": 0,
+         *           "framing": 0,
+         *           "overrun": 0,
+         *           "breaks": 0
+         *         },
+         *         "budget": {
+         *           "overrun": 10,
+         *           "unsent": 3,
+         *           "latency_chars": 5
+         *         },
+         *         "kept": true
+         *       }
+         *     }
+         */
         LineTest: {
             /** @description what was seen instead of a result; null: nothing */
             fault: string | null;
@@ -5439,7 +6295,23 @@ export interface components {
                 kept: boolean;
             } | null;
         };
-        /** @description what passed on a line; only in the stream of its machine's wire */
+        /**
+         * @description what passed on a line; only in the stream of its machine's wire
+         * @example {
+         *       "from": 0,
+         *       "lost": 0,
+         *       "runs": [
+         *         {
+         *           "kind": "in",
+         *           "at_ms": 1795879663732,
+         *           "to_ms": 1795879663732,
+         *           "text": "␑",
+         *           "hex": "11",
+         *           "wrong": 0
+         *         }
+         *       ]
+         *     }
+         */
         EventWire: {
             /** @description number of the first character or change, counted by the line */
             from: number;
@@ -5464,13 +6336,55 @@ export interface components {
                 wrong: number;
             }[];
         };
-        /** @description a machine's profile or the stall of its line has changed */
+        /**
+         * @description a machine's profile or the stall of its line has changed
+         * @example {
+         *       "name": "lathe",
+         *       "stall": "waiting for DC1"
+         *     }
+         */
         EventMachine: {
             /** @description of the machine */
             name: string;
             stall?: components["schemas"]["Stall"];
         };
-        /** @description where a machine's line stands; at most five times a second */
+        /**
+         * @description where a machine's line stands; at most five times a second
+         * @example {
+         *       "machine": "lathe",
+         *       "line": "torn",
+         *       "stall": "peer gone",
+         *       "stop_wanted": false,
+         *       "link_error": "Connection reset by peer",
+         *       "link_error_id": "system",
+         *       "link_error_said": null,
+         *       "link_note": null,
+         *       "link_note_id": null,
+         *       "line_errors": {
+         *         "parity": 0,
+         *         "framing": 0,
+         *         "overrun": 0,
+         *         "breaks": 0
+         *       },
+         *       "asks_since_ms": null,
+         *       "asks": 0,
+         *       "job": 1,
+         *       "handed": 29,
+         *       "clocked": 0,
+         *       "confirmed": 0,
+         *       "confirms": false,
+         *       "estimated": true,
+         *       "total": 3831,
+         *       "block_from": 1,
+         *       "block": 5,
+         *       "holds": 1,
+         *       "hold_s": 0.1504,
+         *       "line_use": 1,
+         *       "plc": null,
+         *       "program": "O0042",
+         *       "block_text": "T0101"
+         *     }
+         */
         EventProgress: {
             /** @description its name */
             machine: string;
@@ -5549,7 +6463,16 @@ export interface components {
             /** @description the line `block` of the text; empty: not known */
             block_text: string;
         };
-        /** @description a part family as a list shows it */
+        /**
+         * @description a part family as a list shows it
+         * @example {
+         *       "name": "hyperbolic-roll",
+         *       "title": "Hyperbolic rolling-mill roll",
+         *       "revision": 1,
+         *       "changed_by": "the programmer",
+         *       "changed_at_ms": 1795879506857
+         *     }
+         */
         FamilySummary: {
             /** @description of the family */
             name: string;
@@ -5562,7 +6485,61 @@ export interface components {
             /** @description when it was made; milliseconds since 1970, UTC */
             changed_at_ms: number;
         };
-        /** @description a part family */
+        /**
+         * @description a part family
+         * @example {
+         *       "name": "hyperbolic-roll",
+         *       "title": "Hyperbolic rolling-mill roll",
+         *       "revision": 1,
+         *       "changed_by": "the programmer",
+         *       "changed_at_ms": 1795879506857,
+         *       "text": "# Finishing of a rolling-mill roll with a hyperbolic barrel, from the large end over the waist to the other end.\n# z is 0 in the middle of the roll. x = 2*half_axis_x/cos(t), z = half_axis_z*tan(t) is the hyperbola by its angle t.\nfamily hyperbolic-roll \"Hyperbolic rolling-mill roll\"\nmachine lathe, ",
+         *       "parameters": [
+         *         {
+         *           "name": "half_axis_x",
+         *           "kind": "length",
+         *           "unit": "mm",
+         *           "default": "100 mm",
+         *           "low": 10,
+         *           "high": 400,
+         *           "step": 0,
+         *           "choices": [],
+         *           "fewest": 0,
+         *           "most": 0,
+         *           "text": "radius at the waist",
+         *           "group": ""
+         *         },
+         *         {
+         *           "name": "half_axis_z",
+         *           "kind": "length",
+         *           "unit": "mm",
+         *           "default": "202.4 mm",
+         *           "low": 10,
+         *           "high": 800,
+         *           "step": 0,
+         *           "choices": [],
+         *           "fewest": 0,
+         *           "most": 0,
+         *           "text": "half axis along z",
+         *           "group": ""
+         *         },
+         *         {
+         *           "name": "roll_length",
+         *           "kind": "length",
+         *           "unit": "mm",
+         *           "default": "196 mm",
+         *           "low": 10,
+         *           "high": 1000,
+         *           "step": 0,
+         *           "choices": [],
+         *           "fewest": 0,
+         *           "most": 0,
+         *           "text": "length of the barrel",
+         *           "group": ""
+         *         }
+         *       ]
+         *     }
+         */
         Family: {
             /** @description of the family */
             name: string;
@@ -5604,7 +6581,20 @@ export interface components {
                 group: string;
             }[];
         };
-        /** @description a family with values */
+        /**
+         * @description a family with values
+         * @example {
+         *       "number": "R-1",
+         *       "revision": 2,
+         *       "family": "hyperbolic-roll",
+         *       "family_revision": 2,
+         *       "values": {
+         *         "angle_step": "1 deg"
+         *       },
+         *       "changed_by": "the programmer",
+         *       "changed_at_ms": 1795879506950
+         *     }
+         */
         Part: {
             /** @description of the part */
             number: string;
@@ -5733,7 +6723,21 @@ export interface components {
             /** @description when it was made; milliseconds since 1970, UTC */
             created_at_ms: number;
         };
-        /** @description one revision of a program */
+        /**
+         * @description one revision of a program
+         * @example {
+         *       "id": 2,
+         *       "revision": 2,
+         *       "sha256": "f9d057e3f0ca2812ff3706a9859af1125ae513181d084c35a4c46400cb3c4933",
+         *       "bytes": 51908,
+         *       "blocks": 2010,
+         *       "origin": {
+         *         "kind": "uploaded"
+         *       },
+         *       "created_by": "the programmer",
+         *       "created_at_ms": 1795879507303
+         *     }
+         */
         ProgramRevision: {
             /** @description of the program */
             id: number;
@@ -5775,7 +6779,42 @@ export interface components {
             /** @description when it was made; milliseconds since 1970, UTC */
             created_at_ms: number;
         };
-        /** @description some lines of a revision */
+        /**
+         * @description some lines of a revision
+         * @example {
+         *       "from": 22,
+         *       "count_all": 51,
+         *       "lines": [
+         *         {
+         *           "line": 22,
+         *           "text": "X215.458 Z81.101",
+         *           "family_line": 43,
+         *           "family_text": "        cut x 2*half_axis_x/cos(t)  z half_axis_z*tan(t)",
+         *           "values": {
+         *             "t": 21.8358
+         *           }
+         *         },
+         *         {
+         *           "line": 23,
+         *           "text": "X212.615 Z73.011",
+         *           "family_line": 43,
+         *           "family_text": "        cut x 2*half_axis_x/cos(t)  z half_axis_z*tan(t)",
+         *           "values": {
+         *             "t": 19.8358
+         *           }
+         *         },
+         *         {
+         *           "line": 24,
+         *           "text": "X210.098 Z65.123",
+         *           "family_line": 43,
+         *           "family_text": "        cut x 2*half_axis_x/cos(t)  z half_axis_z*tan(t)",
+         *           "values": {
+         *             "t": 17.8358
+         *           }
+         *         }
+         *       ]
+         *     }
+         */
         ProgramLines: {
             /** @description the first of them, from 1 */
             from: number;
@@ -5797,7 +6836,122 @@ export interface components {
                 } | null;
             }[];
         };
-        /** @description what rendering would store; nothing is stored */
+        /**
+         * @description what rendering would store; nothing is stored
+         * @example {
+         *       "text": "%\nO0001(TURNING)\nG21 G18 G99 G40\n(HYPERBOLIC-ROLL, HYPERBOLIC ROLLING-MILL ROLL)\n(REVISION 2)\n(PART R-1 REVISION 2)\n(HALF AXIS X 100 MM)\n(HALF AXIS Z 202.4 MM)\n(ROLL LENGTH 196 MM)\n(STEPPING UNIFORM)\n(ANGLE STEP 1 DEG)\n(CHORD ERROR 0.002 MM)\n(CLEARANCE 25 MM)\n(SPEED RPM 500 RPM)\n(CUT FEED 0.15 MM/RE",
+         *       "mode": "explicit",
+         *       "because": "the control is fed block by block and then rejects jumps and loops",
+         *       "blocks": 76,
+         *       "bytes": 1314,
+         *       "variables": 0,
+         *       "legend": [],
+         *       "diagnostics": [],
+         *       "drawing": [
+         *         {
+         *           "axes": "zx",
+         *           "lines": [
+         *             {
+         *               "of": "stock",
+         *               "points": [
+         *                 [
+         *                   -98,
+         *                   -113.105
+         *                 ],
+         *                 [
+         *                   98,
+         *                   -113.105
+         *                 ],
+         *                 [
+         *                   98,
+         *                   113.105
+         *                 ]
+         *               ]
+         *             },
+         *             {
+         *               "of": "nominal",
+         *               "points": [
+         *                 [
+         *                   -98,
+         *                   111.105
+         *                 ],
+         *                 [
+         *                   -97.948,
+         *                   111.094
+         *                 ],
+         *                 [
+         *                   -97.79,
+         *                   111.06
+         *                 ]
+         *               ]
+         *             },
+         *             {
+         *               "of": "nominal",
+         *               "points": [
+         *                 [
+         *                   -98,
+         *                   -111.105
+         *                 ],
+         *                 [
+         *                   -97.948,
+         *                   -111.094
+         *                 ],
+         *                 [
+         *                   -97.79,
+         *                   -111.06
+         *                 ]
+         *               ]
+         *             }
+         *           ],
+         *           "circles": [],
+         *           "dimensions": [
+         *             {
+         *               "parameter": "half_axis_x",
+         *               "kind": "radius",
+         *               "value": "100 mm",
+         *               "from": [
+         *                 0,
+         *                 0
+         *               ],
+         *               "to": [
+         *                 0,
+         *                 100
+         *               ],
+         *               "at": null
+         *             },
+         *             {
+         *               "parameter": "roll_length",
+         *               "kind": "length",
+         *               "value": "196 mm",
+         *               "from": [
+         *                 -98,
+         *                 -111.105
+         *               ],
+         *               "to": [
+         *                 98,
+         *                 -111.105
+         *               ],
+         *               "at": null
+         *             },
+         *             {
+         *               "parameter": "clearance",
+         *               "kind": "length",
+         *               "value": "25 mm",
+         *               "from": [
+         *                 98,
+         *                 111.105
+         *               ],
+         *               "to": [
+         *                 98,
+         *                 136.105
+         *               ],
+         *               "at": null
+         *             }
+         *           ]
+         *         }
+         *       ]
+         *     }
+         */
         Preview: {
             /** @description of the program */
             text: string;
@@ -5884,7 +7038,22 @@ export interface components {
                 alarm: string | null;
             }[];
         };
-        /** @description a program that was rendered and stored */
+        /**
+         * @description a program that was rendered and stored
+         * @example {
+         *       "program": 1,
+         *       "name": "O0100",
+         *       "revision": 1,
+         *       "mode": "explicit",
+         *       "because": "the control is fed block by block and then rejects jumps and loops",
+         *       "blocks": 76,
+         *       "bytes": 1305,
+         *       "variables": 0,
+         *       "legend": [],
+         *       "sha256": "d9a4ed95a1dfc8bc8bb4f85b99338a8b60167b15da76a43e930612a8bbc50bf2",
+         *       "diagnostics": []
+         *     }
+         */
         Rendered: {
             /** @description its id */
             program: number;
@@ -6260,7 +7429,156 @@ export interface components {
                 expires_at_ms: number | null;
             }[];
         };
-        /** @description what a check of a rendered program would find; it is stored nowhere, and releases nothing */
+        /**
+         * @description what a check of a rendered program would find; it is stored nowhere, and releases nothing
+         * @example {
+         *       "verdict": "pass",
+         *       "points": [],
+         *       "dialect": "fanuc",
+         *       "control": {
+         *         "title": "Fanuc 0i-TF",
+         *         "kind": "lathe",
+         *         "g_system": "A",
+         *         "feed_mode": "per-revolution",
+         *         "because_line": 0,
+         *         "inferred": false
+         *       },
+         *       "diagnostics": [],
+         *       "folded": [],
+         *       "blocks": 63,
+         *       "ran": true,
+         *       "timing": {
+         *         "blocks": 63,
+         *         "cycle_s": 162.4901,
+         *         "motion_s": 162.3183,
+         *         "compute_s": 0.126,
+         *         "line_s": 0.7009,
+         *         "stalls": 0,
+         *         "stall_s": 0,
+         *         "first_stall_line": 0,
+         *         "compute_low_s": 0.0252,
+         *         "compute_high_s": 0.63,
+         *         "compute_source": "assumed",
+         *         "compute_origin": "0i class",
+         *         "standstill_s": 0,
+         *         "first_stall_at_s": 0,
+         *         "longest_standstill_s": 0,
+         *         "longest_standstill_line": 0,
+         *         "first_move_s": 0.1718,
+         *         "rapid_s": 1.1125,
+         *         "path_mm": 479.6022,
+         *         "blocks_per_s": 0.3877,
+         *         "limited_s": {
+         *           "motion": 162.3183,
+         *           "compute": 0,
+         *           "line": 0,
+         *           "buffer": 0
+         *         },
+         *         "whole": true,
+         *         "course": [
+         *           [
+         *             16,
+         *             0.1698
+         *           ],
+         *           [
+         *             17,
+         *             0.1718
+         *           ],
+         *           [
+         *             18,
+         *             1.6718
+         *           ]
+         *         ],
+         *         "stretches": [
+         *           {
+         *             "limited_by": "motion",
+         *             "first_line": 16,
+         *             "last_line": 77,
+         *             "start_s": 0.1698,
+         *             "duration_s": 162.3183
+         *           }
+         *         ],
+         *         "stretch_count": 1,
+         *         "lowest_buffer_bytes": 0,
+         *         "lowest_buffer_blocks": 0,
+         *         "without_stall": {
+         *           "feed_share": null,
+         *           "feed_mm_min": null,
+         *           "baud": null,
+         *           "standard_baud": null
+         *         }
+         *       },
+         *       "accuracy": {
+         *         "blocks": 53,
+         *         "points": 329,
+         *         "max_mm": 0.0042,
+         *         "max_at_line": 22,
+         *         "mean_mm": 0.0026,
+         *         "rmse_mm": 0.0029,
+         *         "chord_bound_mm": 0.0043,
+         *         "measured": "surface",
+         *         "path": {
+         *           "points": 329,
+         *           "max_mm": 0.0042,
+         *           "max_at_line": 22,
+         *           "max_at": [
+         *             95.8395,
+         *             110.6487
+         *           ],
+         *           "mean_mm": 0.0026,
+         *           "rmse_mm": 0.0029
+         *         },
+         *         "surface": {
+         *           "points": 329,
+         *           "max_mm": 0.0042,
+         *           "max_at_line": 22,
+         *           "max_at": [
+         *             95.8395,
+         *             110.6487
+         *           ],
+         *           "mean_mm": 0.0026,
+         *           "rmse_mm": 0.0029
+         *         },
+         *         "overrun_mm": 1.9552,
+         *         "covered": true,
+         *         "findings": [],
+         *         "counts": {}
+         *       },
+         *       "envelope": {
+         *         "findings": [],
+         *         "counts": {},
+         *         "moves": 57,
+         *         "machine_travel": {
+         *           "X": [
+         *             100.0005,
+         *             136.1055
+         *           ],
+         *           "Z": [
+         *             -498,
+         *             -277
+         *           ]
+         *         },
+         *         "feed_max_mm_min": 75,
+         *         "spindle_max_rpm": 500
+         *       },
+         *       "gouge": {
+         *         "findings": [],
+         *         "counts": {},
+         *         "rapids": 4,
+         *         "cuts": 53,
+         *         "deepest_rapid_mm": 0,
+         *         "deepest_cut_mm": 0.0003
+         *       },
+         *       "not_checked": [
+         *         "with tool radius compensation the travel is that of the programmed path (line 21)",
+         *         "a move starts at a position that is not known: its end alone was checked (line 19)",
+         *         "a move starts at a position that is not known: its length is not counted (line 19)"
+         *       ],
+         *       "programs": [
+         *         "O0001"
+         *       ]
+         *     }
+         */
         PreviewVerdict: {
             /**
              * @description pass needs everything that moves, shifts or writes to be understood
@@ -6342,7 +7660,169 @@ export interface components {
             /** @description the main one first, then those that it calls */
             programs: string[];
         };
-        /** @description what the checks found in a program */
+        /**
+         * @description what the checks found in a program
+         * @example {
+         *       "id": 1,
+         *       "program": 4,
+         *       "revision": 1,
+         *       "sha256": "74b2997644c255a0cee818b1c9272ca503b3fad32297b9f18dc09ce4884d03a0",
+         *       "machine": "turning",
+         *       "machine_revision": 1,
+         *       "delivery": "drip",
+         *       "verdict": "pass",
+         *       "rules": "291e0de94dd6f99e",
+         *       "stale": false,
+         *       "created_by": "admin",
+         *       "created_at_ms": 1795880032131,
+         *       "dialect": "fanuc",
+         *       "control": {
+         *         "title": "Fanuc 0i-TF",
+         *         "kind": "lathe",
+         *         "g_system": "A",
+         *         "feed_mode": "per-revolution",
+         *         "because_line": 0,
+         *         "inferred": false
+         *       },
+         *       "diagnostics": [],
+         *       "folded": [],
+         *       "blocks": 37,
+         *       "ran": true,
+         *       "timing": {
+         *         "blocks": 37,
+         *         "cycle_s": 162.4771,
+         *         "motion_s": 162.317,
+         *         "compute_s": 0.074,
+         *         "line_s": 0.4496,
+         *         "stalls": 0,
+         *         "stall_s": 0,
+         *         "first_stall_line": 0,
+         *         "compute_low_s": 0.0148,
+         *         "compute_high_s": 0.37,
+         *         "compute_source": "assumed",
+         *         "compute_origin": "0i class",
+         *         "standstill_s": 0,
+         *         "first_stall_at_s": 0,
+         *         "longest_standstill_s": 0,
+         *         "longest_standstill_line": 0,
+         *         "first_move_s": 0.1601,
+         *         "rapid_s": 1.1125,
+         *         "path_mm": 479.6006,
+         *         "blocks_per_s": 0.2277,
+         *         "limited_s": {
+         *           "motion": 162.317,
+         *           "compute": 0,
+         *           "line": 0,
+         *           "buffer": 0
+         *         },
+         *         "whole": true,
+         *         "course": [
+         *           [
+         *             15,
+         *             0.1581
+         *           ],
+         *           [
+         *             16,
+         *             0.1601
+         *           ],
+         *           [
+         *             17,
+         *             1.6601
+         *           ]
+         *         ],
+         *         "stretches": [
+         *           {
+         *             "limited_by": "motion",
+         *             "first_line": 15,
+         *             "last_line": 50,
+         *             "start_s": 0.1581,
+         *             "duration_s": 162.317
+         *           }
+         *         ],
+         *         "stretch_count": 1,
+         *         "lowest_buffer_bytes": 0,
+         *         "lowest_buffer_blocks": 0,
+         *         "without_stall": {
+         *           "feed_share": null,
+         *           "feed_mm_min": null,
+         *           "baud": null,
+         *           "standard_baud": null
+         *         }
+         *       },
+         *       "accuracy": {
+         *         "blocks": 27,
+         *         "points": 290,
+         *         "max_mm": 0.0165,
+         *         "max_at_line": 21,
+         *         "mean_mm": 0.0105,
+         *         "rmse_mm": 0.0114,
+         *         "chord_bound_mm": 0.0167,
+         *         "measured": "surface",
+         *         "path": {
+         *           "points": 290,
+         *           "max_mm": 0.0165,
+         *           "max_at_line": 21,
+         *           "max_at": [
+         *             93.703,
+         *             110.2135
+         *           ],
+         *           "mean_mm": 0.0105,
+         *           "rmse_mm": 0.0114
+         *         },
+         *         "surface": {
+         *           "points": 290,
+         *           "max_mm": 0.0165,
+         *           "max_at_line": 21,
+         *           "max_at": [
+         *             93.703,
+         *             110.2135
+         *           ],
+         *           "mean_mm": 0.0105,
+         *           "rmse_mm": 0.0114
+         *         },
+         *         "overrun_mm": 1.9552,
+         *         "covered": true,
+         *         "findings": [],
+         *         "counts": {}
+         *       },
+         *       "envelope": {
+         *         "findings": [],
+         *         "counts": {},
+         *         "moves": 31,
+         *         "machine_travel": {
+         *           "X": [
+         *             100.0005,
+         *             136.1055
+         *           ],
+         *           "Z": [
+         *             -498,
+         *             -277
+         *           ]
+         *         },
+         *         "feed_max_mm_min": 75,
+         *         "spindle_max_rpm": 500
+         *       },
+         *       "gouge": {
+         *         "findings": [],
+         *         "counts": {},
+         *         "rapids": 4,
+         *         "cuts": 27,
+         *         "deepest_rapid_mm": 0,
+         *         "deepest_cut_mm": 0.0003
+         *       },
+         *       "not_checked": [
+         *         "with tool radius compensation the travel is that of the programmed path (line 20)",
+         *         "a move starts at a position that is not known: its end alone was checked (line 18)",
+         *         "a move starts at a position that is not known: its length is not counted (line 18)"
+         *       ],
+         *       "programs": [
+         *         "O0001"
+         *       ],
+         *       "calls": [],
+         *       "points": [],
+         *       "waivers": []
+         *     }
+         */
         Verdict: {
             /** @description of the verdict */
             id: number;
@@ -6471,7 +7951,15 @@ export interface components {
                 expires_at_ms: number | null;
             }[];
         };
-        /** @description a program was checked */
+        /**
+         * @description a program was checked
+         * @example {
+         *       "id": 2,
+         *       "verdict": "pass",
+         *       "machine": "lathe",
+         *       "text": "O0042"
+         *     }
+         */
         EventVerdict: {
             /** @description of the verdict */
             id: number;
@@ -6485,7 +7973,74 @@ export interface components {
             /** @description one sentence */
             text: string;
         };
-        /** @description two revisions, compared */
+        /**
+         * @description two revisions, compared
+         * @example {
+         *       "first": {
+         *         "program": 1,
+         *         "name": "O0100",
+         *         "revision": 3
+         *       },
+         *       "second": {
+         *         "program": 1,
+         *         "name": "O0100",
+         *         "revision": 1
+         *       },
+         *       "text": {
+         *         "answer": "differs",
+         *         "why": null,
+         *         "changes": [
+         *           {
+         *             "first": [
+         *               {
+         *                 "line": 6,
+         *                 "text": "N30 X20.25"
+         *               }
+         *             ],
+         *             "second": [
+         *               {
+         *                 "line": 6,
+         *                 "text": "N30 X20."
+         *               }
+         *             ]
+         *           }
+         *         ],
+         *         "change_count": 1
+         *       },
+         *       "meaning": {
+         *         "answer": "differs",
+         *         "why": null,
+         *         "changes": [
+         *           {
+         *             "first": [
+         *               {
+         *                 "line": 6,
+         *                 "text": "N30 X20.25"
+         *               }
+         *             ],
+         *             "second": [
+         *               {
+         *                 "line": 6,
+         *                 "text": "N30 X20."
+         *               }
+         *             ]
+         *           }
+         *         ],
+         *         "change_count": 1
+         *       },
+         *       "motions": {
+         *         "answer": "differs",
+         *         "why": null,
+         *         "moves": 2,
+         *         "first_line": 6,
+         *         "second_line": 6,
+         *         "first": "line X20.25 F100",
+         *         "second": "line X20. F100",
+         *         "deviation_mm": 0.25,
+         *         "deviation_deg": 0
+         *       }
+         *     }
+         */
         Comparison: {
             /** @description of the path */
             first: {
@@ -6588,7 +8143,46 @@ export interface components {
                 deviation_deg: number | null;
             };
         };
-        /** @description programs by words, a page of them */
+        /**
+         * @description programs by words, a page of them
+         * @example {
+         *       "items": [
+         *         {
+         *           "is_similar": false,
+         *           "snippet": [
+         *             {
+         *               "text": "O0042",
+         *               "is_hit": true
+         *             }
+         *           ],
+         *           "program": {
+         *             "id": 2,
+         *             "name": "O0042",
+         *             "dialect": "fanuc",
+         *             "tags": [
+         *               "pump"
+         *             ],
+         *             "folder": "acme",
+         *             "archived": null,
+         *             "deleted": null,
+         *             "revision": 2,
+         *             "sha256": "f9d057e3f0ca2812ff3706a9859af1125ae513181d084c35a4c46400cb3c4933",
+         *             "bytes": 51908,
+         *             "blocks": 2010,
+         *             "origin": {
+         *               "kind": "uploaded"
+         *             },
+         *             "created_by": "the programmer",
+         *             "created_at_ms": 1795879507303
+         *           }
+         *         }
+         *       ],
+         *       "next": null,
+         *       "programs": 2,
+         *       "waiting": 0,
+         *       "cut": 0
+         *     }
+         */
         SearchResult: {
             /** @description best first */
             items: {
@@ -6612,7 +8206,23 @@ export interface components {
             /** @description programs so long that not all of their moves are looked through */
             cut: number;
         };
-        /** @description where a program is used */
+        /**
+         * @description where a program is used
+         * @example {
+         *       "parts": [],
+         *       "machines": [],
+         *       "releases": [],
+         *       "has_more_releases": false,
+         *       "jobs": [],
+         *       "has_more_jobs": false,
+         *       "called_by": [],
+         *       "calls": [],
+         *       "computed_calls": 0,
+         *       "calls_not_known": null,
+         *       "waiting": 2,
+         *       "unread": 0
+         *     }
+         */
         ProgramUses: {
             /** @description newest first */
             parts: {
@@ -6688,7 +8298,33 @@ export interface components {
             /** @description programs that could not be read as a whole: what they call is not known */
             unread: number;
         };
-        /** @description what became of a file */
+        /**
+         * @description what became of a file
+         * @example {
+         *       "added": 1,
+         *       "revised": 0,
+         *       "same": 0,
+         *       "skipped": 0,
+         *       "failed": 0,
+         *       "only_looked": false,
+         *       "items": [
+         *         {
+         *           "file": "O7.nc",
+         *           "kind": "program",
+         *           "outcome": "added",
+         *           "why": null,
+         *           "why_said": null,
+         *           "name": "O7",
+         *           "folder": null,
+         *           "dialect": "fanuc",
+         *           "program": 4,
+         *           "revision": 1,
+         *           "bytes": 11,
+         *           "sha256": "d1d47ca349a4552de786b6b202bc58d2a08ecc87b8bd3443b4e341a29c40400f"
+         *         }
+         *       ]
+         *     }
+         */
         ImportReport: {
             /** @description programs that are new */
             added: number;
@@ -6735,7 +8371,27 @@ export interface components {
                 sha256: string | null;
             }[];
         };
-        /** @description a file of a program, family, part or order */
+        /**
+         * @description a file of a program, family, part or order
+         * @example {
+         *       "id": 1,
+         *       "program": 2,
+         *       "family": null,
+         *       "part": null,
+         *       "order": null,
+         *       "name": "sheet.pdf",
+         *       "media_type": "application/octet-stream",
+         *       "bytes": 8,
+         *       "sha256": "e16fa5d9b51928755db85b917f0297babaf22c7a47e97d9212adab56e61ba04e",
+         *       "added_by": "the programmer",
+         *       "added_at_ms": 1795879507371,
+         *       "removed": {
+         *         "by": "the programmer",
+         *         "reason": "of another part",
+         *         "at_ms": 1795879507474
+         *       }
+         *     }
+         */
         Attachment: {
             /** @description of the attachment */
             id: number;
@@ -6769,7 +8425,86 @@ export interface components {
                 at_ms: number;
             } | null;
         };
-        /** @description what reading and validating a text finds; it is not run */
+        /**
+         * @description what reading and validating a text finds; it is not run
+         * @example {
+         *       "dialect": "fanuc",
+         *       "control": {
+         *         "title": "Fanuc 0i-MF",
+         *         "kind": "mill",
+         *         "g_system": "A",
+         *         "feed_mode": "per-minute",
+         *         "because_line": 4,
+         *         "inferred": true
+         *       },
+         *       "faults": [
+         *         {
+         *           "id": "invalid-character",
+         *           "severity": "warning",
+         *           "line": 7,
+         *           "column_chars": 7,
+         *           "end_line": 7,
+         *           "end_column_chars": 8,
+         *           "text": "the character n is not one that the control reads",
+         *           "help": "Controls read ASCII only. Remove the character, or put it inside a comment if the control allows it there.",
+         *           "alarm": null,
+         *           "notes": [],
+         *           "fix": {
+         *             "line": 7,
+         *             "column_chars": 7,
+         *             "end_line": 7,
+         *             "end_column_chars": 8,
+         *             "text": "N"
+         *           }
+         *         },
+         *         {
+         *           "id": "jump-target-missing",
+         *           "severity": "error",
+         *           "line": 8,
+         *           "column_chars": 1,
+         *           "end_line": 8,
+         *           "end_column_chars": 7,
+         *           "text": "the jump target N20 is not in the program",
+         *           "help": "Write the label or block number at the target, or check the direction in which the jump looks.",
+         *           "alarm": "PS0128",
+         *           "notes": [],
+         *           "fix": null
+         *         },
+         *         {
+         *           "id": "unreachable",
+         *           "severity": "warning",
+         *           "line": 9,
+         *           "column_chars": 1,
+         *           "end_line": 9,
+         *           "end_column_chars": 4,
+         *           "text": "the block is never reached",
+         *           "help": "No control-flow path leads here: a jump or the program's end stands before it.",
+         *           "alarm": null,
+         *           "notes": [],
+         *           "fix": null
+         *         }
+         *       ],
+         *       "folded": [],
+         *       "outline": [
+         *         {
+         *           "sort": "program",
+         *           "line": 2,
+         *           "text": "O0100 (PUMP)"
+         *         },
+         *         {
+         *           "sort": "tool",
+         *           "line": 4,
+         *           "text": "T5 M6"
+         *         },
+         *         {
+         *           "sort": "call",
+         *           "line": 6,
+         *           "text": "M98 P200"
+         *         }
+         *       ],
+         *       "outline_is_cut": false
+         *     }
+         */
         Diagnosed: {
             /** @description in which it was read */
             dialect: string;
@@ -6868,7 +8603,23 @@ export interface components {
             /** @description there are more places than these */
             outline_is_cut: boolean;
         };
-        /** @description the programs of a text */
+        /**
+         * @description the programs of a text
+         * @example {
+         *       "programs": [
+         *         {
+         *           "name": "O0001",
+         *           "comment": "HOUSING",
+         *           "text": "%\nO0001(HOUSING)\nM98P2\nM30\n%\n"
+         *         },
+         *         {
+         *           "name": "O0002",
+         *           "comment": null,
+         *           "text": "%\nO0002\nM99\n%\n"
+         *         }
+         *       ]
+         *     }
+         */
         SplitText: {
             /** @description in their order; one where the text is not several */
             programs: {
@@ -6880,7 +8631,51 @@ export interface components {
                 text: string;
             }[];
         };
-        /** @description a text in another control's language; it is not stored */
+        /**
+         * @description a text in another control's language; it is not stored
+         * @example {
+         *       "from": "sinumerik-840d",
+         *       "to": "fanuc",
+         *       "mode": "macro",
+         *       "text": null,
+         *       "verified": false,
+         *       "not_verified": null,
+         *       "origins": [],
+         *       "diagnostics": [
+         *         {
+         *           "id": "unit-not-stated",
+         *           "severity": "error",
+         *           "file": null,
+         *           "line": 3,
+         *           "column": 1,
+         *           "column_chars": 1,
+         *           "text": "the program moves before it states inch or millimetre",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "distance-mode-not-stated",
+         *           "severity": "warning",
+         *           "file": null,
+         *           "line": 3,
+         *           "column": 1,
+         *           "column_chars": 1,
+         *           "text": "the program moves before it states absolute or incremental",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "translation-value",
+         *           "severity": "error",
+         *           "file": null,
+         *           "line": 2,
+         *           "column": 4,
+         *           "column_chars": 4,
+         *           "text": "the system variable GETT(\"X\",1) has no counterpart on Fanuc 0i-MF",
+         *           "alarm": null
+         *         }
+         *       ],
+         *       "folded": []
+         *     }
+         */
         Converted: {
             /** @description dialect that it was read in */
             from: string;
@@ -6934,7 +8729,65 @@ export interface components {
                 more: number;
             }[];
         };
-        /** @description a text made faster for its control; it is not stored */
+        /**
+         * @description a text made faster for its control; it is not stored
+         * @example {
+         *       "text": "G21 G90 G94 G17 G40\nT1 M6\nG54\nS900 M3\nG0 X0 Y0 Z5.\nG1 Z-1. F100\nX3. Y3.\nM30\n",
+         *       "origins": [
+         *         1,
+         *         2,
+         *         3
+         *       ],
+         *       "passes": [
+         *         {
+         *           "rule": "lines",
+         *           "edits": 1,
+         *           "saved": {
+         *             "ms": 4,
+         *             "least_ms": 0.8,
+         *             "most_ms": 20
+         *           }
+         *         }
+         *       ],
+         *       "changes": [
+         *         {
+         *           "line": 7,
+         *           "rule": "lines",
+         *           "what": "3 blocks are one, 0.000707 mm off at most"
+         *         }
+         *       ],
+         *       "left_because": null,
+         *       "not_verified": null,
+         *       "proved_max_mm": 0.0007,
+         *       "not_merged": null,
+         *       "not_tabulated": null,
+         *       "saved": {
+         *         "ms": 4,
+         *         "least_ms": 0.8,
+         *         "most_ms": 20
+         *       },
+         *       "before": {
+         *         "total_ms": 20,
+         *         "longest_ms": 10,
+         *         "longest_line": 5,
+         *         "moves": 5,
+         *         "blocks": 10
+         *       },
+         *       "after": {
+         *         "total_ms": 16,
+         *         "longest_ms": 10,
+         *         "longest_line": 5,
+         *         "moves": 3,
+         *         "blocks": 8
+         *       },
+         *       "cost": {
+         *         "source": "assumed",
+         *         "origin": "0i class",
+         *         "spread": 5
+         *       },
+         *       "diagnostics": []
+         *     }
+         */
         Optimized: {
             /** @description the new text; unchanged where nothing was gained; null: it could not be read */
             text: string | null;
@@ -7051,7 +8904,18 @@ export interface components {
                 alarm: string | null;
             }[];
         };
-        /** @description a rewritten text; it is not stored */
+        /**
+         * @description a rewritten text; it is not stored
+         * @example {
+         *       "text": "%\nO0100 (PUMP)\nN100 G21 G17 G90 G94 G54\nN200 T5 M6\nN300 G0 X0. Y0.\nN400 M98 P200\nN500 G1 X10. F100.\nN600 GOTO500\nN700 M30\n%\n",
+         *       "numbers": 7,
+         *       "references": 1,
+         *       "assumptions": [
+         *         "the programs that it calls name no block of it (M99 P, RET, GOTO of the caller)"
+         *       ],
+         *       "refused": []
+         *     }
+         */
         Rewritten: {
             /** @description the same program; null: refused */
             text: string | null;
@@ -7069,7 +8933,41 @@ export interface components {
                 text: string;
             }[];
         };
-        /** @description the words of a control's language */
+        /**
+         * @description the words of a control's language
+         * @example {
+         *       "dialect": "fanuc",
+         *       "title": "Fanuc 0i-MF",
+         *       "comment": {
+         *         "open": "(",
+         *         "close": ")"
+         *       },
+         *       "touching": true,
+         *       "words": [
+         *         {
+         *           "word": "G00",
+         *           "sort": "code",
+         *           "about": "rapid",
+         *           "reference": "0i-F B-64604EN, G code list; Mazak and Mitsubishi alike",
+         *           "last": null
+         *         },
+         *         {
+         *           "word": "G01",
+         *           "sort": "code",
+         *           "about": "linear",
+         *           "reference": "0i-F B-64604EN, G code list; Mazak and Mitsubishi alike",
+         *           "last": null
+         *         },
+         *         {
+         *           "word": "G02",
+         *           "sort": "code",
+         *           "about": "arc clockwise",
+         *           "reference": "0i-F B-64604EN, G code list; Mazak and Mitsubishi alike",
+         *           "last": null
+         *         }
+         *       ]
+         *     }
+         */
         DialectWords: {
             /** @description its name */
             dialect: string;
@@ -7101,7 +8999,111 @@ export interface components {
                 last: number | null;
             }[];
         };
-        /** @description what is known of a program's toolpath: the programmed one, without tool radius compensation, in the active work offset */
+        /**
+         * @description what is known of a program's toolpath: the programmed one, without tool radius compensation, in the active work offset
+         * @example {
+         *       "dialect": "fanuc",
+         *       "control": {
+         *         "title": "Fanuc 0i-TF",
+         *         "kind": "lathe",
+         *         "g_system": "A",
+         *         "feed_mode": "per-revolution",
+         *         "because_line": 0,
+         *         "inferred": false
+         *       },
+         *       "x_is_diameter": true,
+         *       "segments": 3,
+         *       "low_mm": [
+         *         0,
+         *         0,
+         *         -1
+         *       ],
+         *       "high_mm": [
+         *         5,
+         *         0,
+         *         5
+         *       ],
+         *       "cut_mm": 11,
+         *       "rapid_mm": 6,
+         *       "not_drawn": [
+         *         {
+         *           "why": "unknown_place",
+         *           "moves": 1,
+         *           "first_line": 4
+         *         }
+         *       ],
+         *       "other_axes": [],
+         *       "work_offsets": [
+         *         1
+         *       ],
+         *       "compensated": false,
+         *       "is_cut_off": false,
+         *       "ran": true,
+         *       "not_known": [
+         *         "Y: not interpreted (line 4)"
+         *       ],
+         *       "diagnostics": [
+         *         {
+         *           "id": "codes-of-one-group",
+         *           "severity": "warning",
+         *           "file": null,
+         *           "line": 3,
+         *           "column": 13,
+         *           "column_chars": 13,
+         *           "text": "G90 and G94 are of the same group and stand in one block",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "unknown-address",
+         *           "severity": "error",
+         *           "file": null,
+         *           "line": 4,
+         *           "column": 7,
+         *           "column_chars": 7,
+         *           "text": "the control has no address Y",
+         *           "alarm": "PS0009"
+         *         }
+         *       ],
+         *       "time": {
+         *         "cycle_s": 0.108,
+         *         "is_fed": false,
+         *         "notes": [
+         *           "a move starts at a position that is not known: its length is not counted (line 4)",
+         *           "a move has no feed, or a feed per revolution and no spindle speed: its time is not counted (line 5)"
+         *         ]
+         *       },
+         *       "why_no_time": null,
+         *       "deviation": null,
+         *       "tools": [
+         *         {
+         *           "tool": null,
+         *           "shape": null
+         *         }
+         *       ],
+         *       "tool_changes": [
+         *         {
+         *           "point": 0,
+         *           "tool": 0
+         *         }
+         *       ],
+         *       "points": 4,
+         *       "kind_names": [
+         *         "begin",
+         *         "rapid",
+         *         "cut_per_min"
+         *       ],
+         *       "columns": {
+         *         "points_mm": "AAAAAAAAAAAAAKBAAAAAAAAAAAAAAIC/AACgQAAAAAAAAIC/AACgQAAAAAAAAKBA",
+         *         "kinds": "AAMDAQ==",
+         *         "lines": "BAAAAAUAAAAGAAAABwAAAA==",
+         *         "feeds": "AAAAAAAAyEIAAMhCAAAAAA==",
+         *         "times_s": "bxKDO6abxDtvEgM8ZyTdPQ==",
+         *         "speeds": "AADAfwAAwH8AAMB/waNlRQ==",
+         *         "buffer": "",
+         *         "deviations_mm": ""
+         *       }
+         *     }
+         */
         ToolPath: {
             /** @description in which the text was read */
             dialect: string;
@@ -7270,7 +9272,17 @@ export interface components {
                 deviations_mm: string;
             };
         };
-        /** @description a program's toolpath as a small drawing of lines */
+        /**
+         * @description a program's toolpath as a small drawing of lines
+         * @example {
+         *       "view": "turning",
+         *       "width": 240,
+         *       "height": 180,
+         *       "cut": "M234 64 213 116 213 115M213 116 212 116 212 115M212 116 211 115 211 116M211 115 210 115 210 116 209 116 209 115 208 115 208 116M208 115 207 116 207 115M207 116 206 116 206 115 205 115 205 116 204 116 204 115M204 116 203 115 203 116M203 115 202 115 202 116 201 116 201 115 200 115 200 116M200 115 199 ",
+         *       "rapid": "M6 115 6 64",
+         *       "has_all_cuts": true
+         *     }
+         */
         PathPicture: {
             /**
              * @description of it: turning has z to the right and x up
@@ -7288,7 +9300,102 @@ export interface components {
             /** @description it was run to its end, and no cut lies at a position that is not known */
             has_all_cuts: boolean;
         };
-        /** @description what a text amounts to; without the programs that it calls */
+        /**
+         * @description what a text amounts to; without the programs that it calls
+         * @example {
+         *       "dialect": "fanuc",
+         *       "control": {
+         *         "title": "Fanuc 0i-MF",
+         *         "kind": "mill",
+         *         "g_system": "A",
+         *         "feed_mode": "per-minute",
+         *         "because_line": 3,
+         *         "inferred": true
+         *       },
+         *       "x_is_diameter": false,
+         *       "segments": 3,
+         *       "low_mm": [
+         *         0,
+         *         0,
+         *         0
+         *       ],
+         *       "high_mm": [
+         *         60,
+         *         0,
+         *         5
+         *       ],
+         *       "cut_mm": 65,
+         *       "rapid_mm": 60,
+         *       "not_drawn": [
+         *         {
+         *           "why": "unknown_place",
+         *           "moves": 1,
+         *           "first_line": 4
+         *         }
+         *       ],
+         *       "other_axes": [],
+         *       "work_offsets": [
+         *         1
+         *       ],
+         *       "compensated": false,
+         *       "is_cut_off": false,
+         *       "ran": true,
+         *       "not_known": [],
+         *       "diagnostics": [
+         *         {
+         *           "id": "missing-tape-mark",
+         *           "severity": "warning",
+         *           "file": null,
+         *           "line": 1,
+         *           "column": 1,
+         *           "column_chars": 1,
+         *           "text": "the first % is missing",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "length-offset-missing",
+         *           "severity": "warning",
+         *           "file": null,
+         *           "line": 4,
+         *           "column": 1,
+         *           "column_chars": 1,
+         *           "text": "Z moves with tool T1 and no tool length is in effect",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "spindle-not-turning",
+         *           "severity": "warning",
+         *           "file": null,
+         *           "line": 6,
+         *           "column": 1,
+         *           "column_chars": 1,
+         *           "text": "a cut begins while the spindle is stopped",
+         *           "alarm": null
+         *         }
+         *       ],
+         *       "lines": 9,
+         *       "bytes": 82,
+         *       "blocks": 8,
+         *       "time_s": null,
+         *       "why_no_time": "no machine is named: its axes decide",
+         *       "tools": [
+         *         {
+         *           "tool": "T1",
+         *           "first_line": 3,
+         *           "cut_mm": 65,
+         *           "rapid_mm": 0,
+         *           "time_s": null
+         *         },
+         *         {
+         *           "tool": "T2",
+         *           "first_line": 7,
+         *           "cut_mm": 0,
+         *           "rapid_mm": 60,
+         *           "time_s": null
+         *         }
+         *       ]
+         *     }
+         */
         Statistics: {
             /** @description in which the text was read */
             dialect: string;
@@ -7398,7 +9505,81 @@ export interface components {
                 time_s: number | null;
             }[];
         };
-        /** @description how far a program lies from the nominal */
+        /**
+         * @description how far a program lies from the nominal
+         * @example {
+         *       "blocks": 2001,
+         *       "points": 4605,
+         *       "max_mm": 84.612,
+         *       "max_at_line": 2003,
+         *       "mean_mm": 74.6089,
+         *       "rmse_mm": 75.0073,
+         *       "chord_bound_mm": 84.7465,
+         *       "measured": "surface",
+         *       "path": {
+         *         "points": 6599,
+         *         "max_mm": -84.7465,
+         *         "max_at_line": 2003,
+         *         "max_at": [
+         *           -99.75,
+         *           25
+         *         ],
+         *         "mean_mm": 76.3879,
+         *         "rmse_mm": 76.639
+         *       },
+         *       "surface": {
+         *         "points": 4605,
+         *         "max_mm": -84.612,
+         *         "max_at_line": 2003,
+         *         "max_at": [
+         *           -99.098,
+         *           25.0138
+         *         ],
+         *         "mean_mm": 74.6089,
+         *         "rmse_mm": 75.0073
+         *       },
+         *       "overrun_mm": 0,
+         *       "covered": false,
+         *       "findings": [
+         *         {
+         *           "id": "deviation-beyond-tolerance",
+         *           "severity": "error",
+         *           "line": 8,
+         *           "program": 0,
+         *           "value": 75.0007,
+         *           "limit": 0.02,
+         *           "text": "the surface is -75.0007 mm off the nominal at z 0.801, the tolerance is 0.02",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "deviation-beyond-tolerance",
+         *           "severity": "error",
+         *           "line": 8,
+         *           "program": 0,
+         *           "value": 74.4996,
+         *           "limit": 0.02,
+         *           "text": "the surface is -74.4996 mm off the nominal at z 1.543, the tolerance is 0.02",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "deviation-beyond-tolerance",
+         *           "severity": "error",
+         *           "line": 9,
+         *           "program": 0,
+         *           "value": 74.7657,
+         *           "limit": 0.02,
+         *           "text": "the surface is -74.7657 mm off the nominal at z 0.234, the tolerance is 0.02",
+         *           "alarm": null
+         *         }
+         *       ],
+         *       "counts": {
+         *         "deviation-beyond-tolerance": 1717,
+         *         "nominal-not-covered": 1
+         *       },
+         *       "validated": true,
+         *       "not_checked": []
+         *     }
+         */
         AccuracyFigures: {
             /** @description that were measured */
             blocks: number;
@@ -7518,7 +9699,55 @@ export interface components {
             /** @description what was not checked, and why */
             not_checked: string[];
         };
-        /** @description where a program cuts what it must not */
+        /**
+         * @description where a program cuts what it must not
+         * @example {
+         *       "findings": [
+         *         {
+         *           "id": "rapid-into-nominal",
+         *           "severity": "error",
+         *           "line": 7,
+         *           "program": 0,
+         *           "value": 50.127,
+         *           "limit": 0,
+         *           "text": "a rapid move enters the finished part by 50.127 mm at z 10.800",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "cut-below-nominal",
+         *           "severity": "error",
+         *           "line": 8,
+         *           "program": 0,
+         *           "value": 75.0007,
+         *           "limit": 0.02,
+         *           "text": "the cut is 75.001 mm below the nominal at z 0.800, the tolerance is 0.02",
+         *           "alarm": null
+         *         },
+         *         {
+         *           "id": "cut-below-nominal",
+         *           "severity": "error",
+         *           "line": 10,
+         *           "program": 0,
+         *           "value": 74.9506,
+         *           "limit": 0.02,
+         *           "text": "the cut is 74.951 mm below the nominal at z 0.750, the tolerance is 0.02",
+         *           "alarm": null
+         *         }
+         *       ],
+         *       "counts": {
+         *         "rapid-into-nominal": 2,
+         *         "cut-below-nominal": 2001
+         *       },
+         *       "rapids": 2,
+         *       "cuts": 2001,
+         *       "deepest_rapid_mm": 84.4126,
+         *       "deepest_cut_mm": 84.612,
+         *       "validated": true,
+         *       "not_checked": [
+         *         "a move starts at a position that is not known: its end alone was checked (line 7)"
+         *       ]
+         *     }
+         */
         GougeFigures: {
             /** @description the first ones of each kind */
             findings: {
@@ -7559,7 +9788,71 @@ export interface components {
             /** @description what was not checked, and why */
             not_checked: string[];
         };
-        /** @description how long a program takes on its machine and line */
+        /**
+         * @description how long a program takes on its machine and line
+         * @example {
+         *       "blocks": 2009,
+         *       "cycle_s": 142.6474,
+         *       "motion_s": 142.6239,
+         *       "compute_s": 4.018,
+         *       "line_s": 27.5898,
+         *       "stalls": 0,
+         *       "stall_s": 0,
+         *       "first_stall_line": 0,
+         *       "compute_low_s": 0.8036,
+         *       "compute_high_s": 20.09,
+         *       "compute_source": "assumed",
+         *       "compute_origin": "0i class",
+         *       "standstill_s": 0,
+         *       "first_stall_at_s": 0,
+         *       "longest_standstill_s": 0,
+         *       "longest_standstill_line": 0,
+         *       "first_move_s": 0.0235,
+         *       "rapid_s": 0.199,
+         *       "path_mm": 259.624,
+         *       "blocks_per_s": 14.0837,
+         *       "limited_s": {
+         *         "motion": 142.6239,
+         *         "compute": 0,
+         *         "line": 0,
+         *         "buffer": 0
+         *       },
+         *       "whole": true,
+         *       "course": [
+         *         [
+         *           4,
+         *           0.0215
+         *         ],
+         *         [
+         *           12,
+         *           17.8066
+         *         ],
+         *         [
+         *           20,
+         *           18.286
+         *         ]
+         *       ],
+         *       "stretches": [
+         *         {
+         *           "limited_by": "motion",
+         *           "first_line": 4,
+         *           "last_line": 2011,
+         *           "start_s": 0.0215,
+         *           "duration_s": 142.6239
+         *         }
+         *       ],
+         *       "stretch_count": 1,
+         *       "lowest_buffer_bytes": 0,
+         *       "lowest_buffer_blocks": 0,
+         *       "without_stall": {
+         *         "feed_share": null,
+         *         "feed_mm_min": null,
+         *         "baud": null,
+         *         "standard_baud": null
+         *       },
+         *       "validated": true
+         *     }
+         */
         TimingFigures: {
             /** @description that ran */
             blocks: number;
@@ -7655,7 +9948,54 @@ export interface components {
             /** @description the text was validated before it ran */
             validated: boolean;
         };
-        /** @description for which values a family passes */
+        /**
+         * @description for which values a family passes
+         * @example {
+         *       "parameters": [
+         *         {
+         *           "name": "chord_error",
+         *           "unit": "mm",
+         *           "low": 0.0001,
+         *           "high": 0.5,
+         *           "standard": 0.002,
+         *           "passes": [
+         *             0.0001,
+         *             0.5
+         *           ],
+         *           "low_bound": null,
+         *           "high_bound": null
+         *         },
+         *         {
+         *           "name": "speed_rpm",
+         *           "unit": "rpm",
+         *           "low": 10,
+         *           "high": 2500,
+         *           "standard": 500,
+         *           "passes": [
+         *             10,
+         *             2500
+         *           ],
+         *           "low_bound": null,
+         *           "high_bound": null
+         *         }
+         *       ],
+         *       "standard": {
+         *         "passes": true,
+         *         "check": "",
+         *         "text": ""
+         *       },
+         *       "corners": {
+         *         "tried": 4,
+         *         "passed": 4
+         *       },
+         *       "samples": {
+         *         "tried": 0,
+         *         "passed": 0
+         *       },
+         *       "smallest_failure": null,
+         *       "trials": 9
+         *     }
+         */
         SweepFigures: {
             /** @description in the family's order */
             parameters: {
@@ -7731,7 +10071,21 @@ export interface components {
             /** @description programs that were rendered and checked */
             trials: number;
         };
-        /** @description heavy work that waits for a worker process or runs in one */
+        /**
+         * @description heavy work that waits for a worker process or runs in one
+         * @example {
+         *       "id": 55,
+         *       "kind": "check",
+         *       "subject": "program/7",
+         *       "machine": "lathe",
+         *       "actor": "the programmer",
+         *       "state": "running",
+         *       "place": null,
+         *       "waiting_since_ms": 1795879519557,
+         *       "running_since_ms": 1795879519557,
+         *       "budget_s": 60
+         *     }
+         */
         Work: {
             /** @description since the server's start */
             id: number;
@@ -7826,7 +10180,27 @@ export interface components {
             /** @description when its state changed last; milliseconds since 1970, UTC */
             changed_at_ms: number;
         };
-        /** @description the restart of a program at a line, as it would be sent */
+        /**
+         * @description the restart of a program at a line, as it would be sent
+         * @example {
+         *       "possible": true,
+         *       "text": "%\nO0042\n(RESTART AT LINE 8)\nG21\nG18 G99 G40\nG28 U0.\nG28 W0.\nG55\nT0101\nG97 S500 M03\nG00 X100.\nG00 Z10.\nG01 X50.000 Z0.000 F0.2\nG01 X50.100 Z-0.050 F0.2\nG01 X50.200 Z-0.100 F0.2\nG01 X50.300 Z-0.150 F0.2\nG01 X50.400 Z-0.200 F0.2\nG01 X50.500 Z-0.250 F0.2\nG01 X50.600 Z-0.300 F0.2\nG01 X50.000 Z-0.350 F0.2",
+         *       "sha256": "8dcd2a66871ee5b2fcc687800337be684cc4e5dc400b6f4ac24fde778d46051f",
+         *       "preamble_line": 3,
+         *       "rest_line": 13,
+         *       "assumptions": [
+         *         "The control is reset, and the tool stands clear of the work, its fixture and the machine.",
+         *         "All that stands before line 8 is done, and the work has not been moved since; work offsets and the lengths and radii of tools are those of the first run.",
+         *         "X and then Z can go to the reference point from where the tool stands, and the tool is changed there."
+         *       ],
+         *       "compared_moves": 2002,
+         *       "findings": [],
+         *       "not_held": "the part is not known",
+         *       "safe_before": null,
+         *       "safe_after": null,
+         *       "diagnostics": []
+         *     }
+         */
         RestartPreview: {
             /** @description a text could be made, and nothing found forbids to send it */
             possible: boolean;
@@ -8034,7 +10408,31 @@ export interface components {
             /** @description what they wrote */
             end_note: string | null;
         };
-        /** @description how long a job's program takes by its check; nothing here was seen at the machine */
+        /**
+         * @description how long a job's program takes by its check; nothing here was seen at the machine
+         * @example {
+         *       "job": 1,
+         *       "verdict": 1,
+         *       "stale": false,
+         *       "cycle_s": 21.5025,
+         *       "course": [
+         *         [
+         *           4,
+         *           0.0215
+         *         ],
+         *         [
+         *           5,
+         *           0.0235
+         *         ],
+         *         [
+         *           6,
+         *           1.5235
+         *         ]
+         *       ],
+         *       "buffer_bytes": 2048,
+         *       "buffer_blocks": null
+         *     }
+         */
         JobForecast: {
             /** @description its id */
             job: number;
@@ -8051,7 +10449,108 @@ export interface components {
             /** @description that the control holds; null: not known, or not limited so */
             buffer_blocks: number | null;
         };
-        /** @description a program that is queued for several machines: one of the jobs is armed, the others leave the queue then */
+        /**
+         * @description a program that is queued for several machines: one of the jobs is armed, the others leave the queue then
+         * @example {
+         *       "choice": 1,
+         *       "jobs": [
+         *         {
+         *           "id": 1,
+         *           "state": "queued",
+         *           "machine": "lathe",
+         *           "release": 1,
+         *           "order": 1,
+         *           "restart": null,
+         *           "program": 1,
+         *           "revision": 1,
+         *           "sha256": "2f8a65ba79af81222c550f3d60fc7743f38a6972664a5d49ecaf9f075e153f63",
+         *           "delivery": "drip",
+         *           "link": "tcp://10.0.0.21:4001",
+         *           "bytes": 3831,
+         *           "reason": "",
+         *           "reason_id": null,
+         *           "reason_said": null,
+         *           "rank": 1,
+         *           "created_by": "the operator",
+         *           "created_at_ms": 1795879534584,
+         *           "armed_by": null,
+         *           "armed_at_ms": null,
+         *           "expires_at_ms": null,
+         *           "started_at_ms": null,
+         *           "ended_at_ms": null,
+         *           "torn": false,
+         *           "needs_confirmation": false,
+         *           "confirmed_by": null,
+         *           "confirm_reason": null,
+         *           "read_back": null,
+         *           "read_back_state": null,
+         *           "held_s": null,
+         *           "holds": null,
+         *           "line_s": null,
+         *           "forecast_s": null,
+         *           "not_before_ms": null,
+         *           "on_hold": null,
+         *           "retry_of": null,
+         *           "choice": 1,
+         *           "end_check": "part taken out",
+         *           "needs_end_confirmation": false,
+         *           "end_confirmed_by": null,
+         *           "end_confirmed_at_ms": null,
+         *           "end_note": null
+         *         },
+         *         {
+         *           "id": 2,
+         *           "state": "queued",
+         *           "machine": "second",
+         *           "release": 2,
+         *           "order": 1,
+         *           "restart": null,
+         *           "program": 1,
+         *           "revision": 1,
+         *           "sha256": "2f8a65ba79af81222c550f3d60fc7743f38a6972664a5d49ecaf9f075e153f63",
+         *           "delivery": "drip",
+         *           "link": "tcp://10.0.0.21:4001",
+         *           "bytes": 3831,
+         *           "reason": "",
+         *           "reason_id": null,
+         *           "reason_said": null,
+         *           "rank": 1,
+         *           "created_by": "the operator",
+         *           "created_at_ms": 1795879534584,
+         *           "armed_by": null,
+         *           "armed_at_ms": null,
+         *           "expires_at_ms": null,
+         *           "started_at_ms": null,
+         *           "ended_at_ms": null,
+         *           "torn": false,
+         *           "needs_confirmation": false,
+         *           "confirmed_by": null,
+         *           "confirm_reason": null,
+         *           "read_back": null,
+         *           "read_back_state": null,
+         *           "held_s": null,
+         *           "holds": null,
+         *           "line_s": null,
+         *           "forecast_s": null,
+         *           "not_before_ms": null,
+         *           "on_hold": null,
+         *           "retry_of": null,
+         *           "choice": 1,
+         *           "end_check": "part taken out",
+         *           "needs_end_confirmation": false,
+         *           "end_confirmed_by": null,
+         *           "end_confirmed_at_ms": null,
+         *           "end_note": null
+         *         }
+         *       ],
+         *       "left_out": [
+         *         {
+         *           "machine": "third",
+         *           "why": "no release lets this text go to this machine (text 2f8a65ba79af81222c550f3d60fc7743f38a6972664a5d49ecaf9f075e153f63 on third)"
+         *         }
+         *       ]
+         *     }
+         */
         JobChoice: {
             /** @description id of the first of its jobs, by which they belong together */
             choice: number;
@@ -8065,7 +10564,46 @@ export interface components {
                 why: string;
             }[];
         };
-        /** @description what is known of a transfer */
+        /**
+         * @description what is known of a transfer
+         * @example {
+         *       "items": [
+         *         {
+         *           "seq": 28,
+         *           "at_ms": 1795879552858,
+         *           "handed": 3830,
+         *           "clocked": 2798,
+         *           "confirmed": 0,
+         *           "reserve": 3831,
+         *           "note": ""
+         *         },
+         *         {
+         *           "seq": 29,
+         *           "at_ms": 1795879552863,
+         *           "handed": 3831,
+         *           "clocked": 2807,
+         *           "confirmed": 0,
+         *           "reserve": 3831,
+         *           "note": "waiting for end"
+         *         },
+         *         {
+         *           "seq": 30,
+         *           "at_ms": 1795879552971,
+         *           "handed": 3831,
+         *           "clocked": 2924,
+         *           "confirmed": 0,
+         *           "reserve": 3831,
+         *           "note": ""
+         *         }
+         *       ],
+         *       "next": "30",
+         *       "interval": {
+         *         "low": 3831,
+         *         "high": 3831,
+         *         "known": "clocked"
+         *       }
+         *     }
+         */
         Ledger: {
             /** @description in the order of writing */
             items: {
@@ -8099,8 +10637,162 @@ export interface components {
                 known: "clocked" | "confirmed";
             };
         };
+        /**
+         * @example {
+         *       "id": 1,
+         *       "state": "failed",
+         *       "machine": "lathe",
+         *       "release": 1,
+         *       "order": null,
+         *       "restart": null,
+         *       "program": 1,
+         *       "revision": 1,
+         *       "sha256": "2f8a65ba79af81222c550f3d60fc7743f38a6972664a5d49ecaf9f075e153f63",
+         *       "delivery": "drip",
+         *       "link": "tcp://10.0.0.21:4001",
+         *       "bytes": 3831,
+         *       "reason": "link_lost: between wire byte 0 and 29 of 3831 may have reached the control (line 1 to 5); a block is torn: reset the control and confirm it; Connection reset by peer",
+         *       "reason_id": "link_lost",
+         *       "reason_said": {
+         *         "id": "reached_torn_because_lines",
+         *         "values": {
+         *           "cause": {
+         *             "text": "link_lost",
+         *             "said": null
+         *           },
+         *           "from": {
+         *             "text": "0",
+         *             "said": null
+         *           },
+         *           "to": {
+         *             "text": "29",
+         *             "said": null
+         *           },
+         *           "total": {
+         *             "text": "3831",
+         *             "said": null
+         *           },
+         *           "first": {
+         *             "text": "1",
+         *             "said": null
+         *           },
+         *           "last": {
+         *             "text": "5",
+         *             "said": null
+         *           },
+         *           "why": {
+         *             "text": "Connection reset by peer",
+         *             "said": null
+         *           }
+         *         }
+         *       },
+         *       "rank": 1,
+         *       "created_by": "admin",
+         *       "created_at_ms": 1795879628314,
+         *       "armed_by": "admin",
+         *       "armed_at_ms": 1795879628364,
+         *       "expires_at_ms": null,
+         *       "started_at_ms": 1795879628381,
+         *       "ended_at_ms": 1795879628549,
+         *       "torn": true,
+         *       "needs_confirmation": true,
+         *       "confirmed_by": null,
+         *       "confirm_reason": null,
+         *       "read_back": null,
+         *       "read_back_state": null,
+         *       "held_s": 0.15,
+         *       "holds": 1,
+         *       "line_s": 0,
+         *       "forecast_s": 27.142,
+         *       "not_before_ms": null,
+         *       "on_hold": null,
+         *       "retry_of": null,
+         *       "choice": null,
+         *       "end_check": null,
+         *       "needs_end_confirmation": false,
+         *       "end_confirmed_by": null,
+         *       "end_confirmed_at_ms": null,
+         *       "end_note": null
+         *     }
+         */
         EventJob: components["schemas"]["Job"];
-        /** @description sums of the transfers that ended in a time */
+        /**
+         * @description sums of the transfers that ended in a time
+         * @example {
+         *       "by": "part",
+         *       "all": {
+         *         "jobs": 4,
+         *         "done": 2,
+         *         "failed": 0,
+         *         "cancelled": 2,
+         *         "interrupted": 0,
+         *         "bytes": 20562,
+         *         "fed": 3,
+         *         "held_jobs": 3,
+         *         "holds_jobs": 3,
+         *         "holds": 2,
+         *         "line_jobs": 3,
+         *         "forecast_jobs": 2,
+         *         "feeding_s": 12.301,
+         *         "held_s": 0.699,
+         *         "line_s": 10.958,
+         *         "line_free_s": 11.602,
+         *         "forecast_s": 85.582,
+         *         "forecast_took_s": 11.889,
+         *         "line_use": 0.9445
+         *       },
+         *       "groups": [
+         *         {
+         *           "name": "",
+         *           "from_ms": null,
+         *           "to_ms": null,
+         *           "jobs": 2,
+         *           "done": 1,
+         *           "failed": 0,
+         *           "cancelled": 1,
+         *           "interrupted": 0,
+         *           "bytes": 10281,
+         *           "fed": 1,
+         *           "held_jobs": 1,
+         *           "holds_jobs": 1,
+         *           "holds": 1,
+         *           "line_jobs": 1,
+         *           "forecast_jobs": 1,
+         *           "feeding_s": 6.118,
+         *           "held_s": 0.339,
+         *           "line_s": 5.463,
+         *           "line_free_s": 5.779,
+         *           "forecast_s": 42.791,
+         *           "forecast_took_s": 6.118,
+         *           "line_use": 0.9453
+         *         },
+         *         {
+         *           "name": "=R,1",
+         *           "from_ms": null,
+         *           "to_ms": null,
+         *           "jobs": 2,
+         *           "done": 1,
+         *           "failed": 0,
+         *           "cancelled": 1,
+         *           "interrupted": 0,
+         *           "bytes": 10281,
+         *           "fed": 2,
+         *           "held_jobs": 2,
+         *           "holds_jobs": 2,
+         *           "holds": 1,
+         *           "line_jobs": 2,
+         *           "forecast_jobs": 1,
+         *           "feeding_s": 6.183,
+         *           "held_s": 0.36,
+         *           "line_s": 5.495,
+         *           "line_free_s": 5.823,
+         *           "forecast_s": 42.791,
+         *           "forecast_took_s": 5.771,
+         *           "line_use": 0.9437
+         *         }
+         *       ]
+         *     }
+         */
         HistorySums: {
             /**
              * @description what they are grouped by
@@ -8196,7 +10888,16 @@ export interface components {
                 line_use: number | null;
             }[];
         };
-        /** @description why a transfer stood still or broke off, as a person stated it */
+        /**
+         * @description why a transfer stood still or broke off, as a person stated it
+         * @example {
+         *       "job": 1,
+         *       "reason": "tool broken",
+         *       "note": "insert of T3",
+         *       "by": "the operator",
+         *       "at_ms": 1795879575591
+         *     }
+         */
         StopReason: {
             /** @description its id */
             job: number;
@@ -8209,12 +10910,53 @@ export interface components {
             /** @description when; milliseconds since 1970, UTC */
             at_ms: number;
         };
-        /** @description what people stated of a job */
+        /**
+         * @description what people stated of a job
+         * @example {
+         *       "reasons": [
+         *         {
+         *           "job": 2,
+         *           "reason": "tool change",
+         *           "note": "",
+         *           "by": "the operator",
+         *           "at_ms": 1795880052504
+         *         },
+         *         {
+         *           "job": 2,
+         *           "reason": "tool broken",
+         *           "note": "insert: T3, second edge",
+         *           "by": "the operator",
+         *           "at_ms": 1795880052464
+         *         }
+         *       ]
+         *     }
+         */
         JobStopReasons: {
             /** @description newest first, 1000 at most */
             reasons: components["schemas"]["StopReason"][];
         };
-        /** @description which reasons there are, and how often each was stated */
+        /**
+         * @description which reasons there are, and how often each was stated
+         * @example {
+         *       "offered": [
+         *         "tool broken",
+         *         "tool change",
+         *         "material missing"
+         *       ],
+         *       "counts": [
+         *         {
+         *           "machine": "lathe",
+         *           "reason": "tool change",
+         *           "count": 2
+         *         },
+         *         {
+         *           "machine": "lathe",
+         *           "reason": "tool broken",
+         *           "count": 1
+         *         }
+         *       ]
+         *     }
+         */
         StopReasonCounts: {
             /** @description that people choose from; --stop-reason */
             offered: string[];
@@ -8228,7 +10970,29 @@ export interface components {
                 count: number;
             }[];
         };
-        /** @description a program that a control punched */
+        /**
+         * @description a program that a control punched
+         * @example {
+         *       "id": 4,
+         *       "machine": "lathe",
+         *       "at_ms": 1795879620539,
+         *       "name": "O9",
+         *       "named_by": "number",
+         *       "state": "accepted",
+         *       "reason": "characters have wrong parity (2, the first at byte 5)",
+         *       "sha256": "8e539c21a2115c6f0c04b2446603d875fd2de00719fd8d3cdbe9c1fbc790697e",
+         *       "bytes": 11,
+         *       "raw_bytes": 11,
+         *       "code": "iso",
+         *       "ended_by": "punch_off",
+         *       "stored": null,
+         *       "program": 2,
+         *       "revision": 1,
+         *       "decided_by": "the approver",
+         *       "decided_reason": "only its end is missing",
+         *       "decided_at_ms": 1795879620569
+         *     }
+         */
         Receipt: {
             /** @description of the receipt */
             id: number;
@@ -8288,7 +11052,20 @@ export interface components {
             /** @description when; milliseconds since 1970, UTC */
             decided_at_ms: number | null;
         };
-        /** @description which values of a part make its family give a received text */
+        /**
+         * @description which values of a part make its family give a received text
+         * @example {
+         *       "explains_all": false,
+         *       "why_not": "no number differs from the stored program",
+         *       "values": [],
+         *       "rest": [],
+         *       "program": 1,
+         *       "revision": 1,
+         *       "family": "hyperbolic-roll",
+         *       "part": "R-1",
+         *       "part_revision": 2
+         *     }
+         */
         ReceivedValues: {
             /** @description id of the stored program of the same name */
             program: number;
@@ -8323,7 +11100,20 @@ export interface components {
                 received: string;
             }[];
         };
-        /** @description what an operator asked for at the control */
+        /**
+         * @description what an operator asked for at the control
+         * @example {
+         *       "id": 8,
+         *       "machine": "lathe",
+         *       "at_ms": 1795879625020,
+         *       "verb": "load",
+         *       "argument": "42",
+         *       "text": "%\nO9999(LOAD 42)\n%\n",
+         *       "outcome": "armed",
+         *       "detail": "O0042 as job 3",
+         *       "job": 3
+         *     }
+         */
         OperatorRequest: {
             /** @description of the request */
             id: number;
@@ -8347,7 +11137,18 @@ export interface components {
             /** @description that it made or armed */
             job: number | null;
         };
-        /** @description who calls */
+        /**
+         * @description who calls
+         * @example {
+         *       "name": "paul",
+         *       "role": "viewer",
+         *       "by": "token",
+         *       "scope": [],
+         *       "machines": {
+         *         "mill": "approver"
+         *       }
+         *     }
+         */
         Session: {
             /** @description of the user, or of a program's token */
             name: string;
@@ -8368,17 +11169,43 @@ export interface components {
                 [key: string]: "viewer" | "operator" | "programmer" | "approver" | "admin";
             };
         };
-        /** @description an OpenID Connect provider that people may sign in by */
+        /**
+         * @description an OpenID Connect provider that people may sign in by
+         * @example {
+         *       "title": "the shop's accounts"
+         *     }
+         */
         SignInProvider: {
             /** @description its name for people; null: none is configured */
             title: string | null;
         };
-        /** @description a sign-in that has begun */
+        /**
+         * @description a sign-in that has begun
+         * @example {
+         *       "url": "https://login.shop/authorize?response_type=code&client_id=dnc&scope=openid"
+         *     }
+         */
         ProviderSignIn: {
             /** @description of the provider: the browser opens it */
             url: string;
         };
-        /** @description a person */
+        /**
+         * @description a person
+         * @example {
+         *       "name": "olga",
+         *       "provider": null,
+         *       "role": "programmer",
+         *       "grants": [],
+         *       "has_password": true,
+         *       "has_pin": true,
+         *       "failures": 0,
+         *       "locked_until_ms": null,
+         *       "disabled_at_ms": 1795879437507,
+         *       "revision": 2,
+         *       "created_by": "admin",
+         *       "created_at_ms": 1795879435708
+         *     }
+         */
         User: {
             /** @description with which the person signs in */
             name: string;
@@ -8416,7 +11243,20 @@ export interface components {
             /** @description when; milliseconds since 1970, UTC */
             created_at_ms: number;
         };
-        /** @description a token, without its secret */
+        /**
+         * @description a token, without its secret
+         * @example {
+         *       "id": 13,
+         *       "name": "wall",
+         *       "role": "viewer",
+         *       "user": null,
+         *       "scope": [],
+         *       "created_by": "admin",
+         *       "created_at_ms": 1795879506246,
+         *       "expires_at_ms": null,
+         *       "revoked_at_ms": null
+         *     }
+         */
         Token: {
             /** @description of this token */
             id: number;
@@ -8440,7 +11280,23 @@ export interface components {
             /** @description since then it is not valid; milliseconds since 1970, UTC */
             revoked_at_ms: number | null;
         };
-        /** @description a new token */
+        /**
+         * @description a new token
+         * @example {
+         *       "id": 6,
+         *       "name": "mes",
+         *       "role": "operator",
+         *       "user": null,
+         *       "scope": [
+         *         "queue"
+         *       ],
+         *       "created_by": "admin",
+         *       "created_at_ms": 1795879446740,
+         *       "expires_at_ms": 1795879450740,
+         *       "revoked_at_ms": null,
+         *       "token": "the-secret-is-shown-once-and-kept-nowhere"
+         *     }
+         */
         TokenMade: {
             /** @description of this token */
             id: number;
@@ -8466,7 +11322,19 @@ export interface components {
             /** @description the secret; shown this once */
             token: string;
         };
-        /** @description machines that belong together; a machine is in one group at most */
+        /**
+         * @description machines that belong together; a machine is in one group at most
+         * @example {
+         *       "name": "lathes",
+         *       "machines": [
+         *         "lathe",
+         *         "second",
+         *         "third"
+         *       ],
+         *       "four_eyes": false,
+         *       "operator_sign_off": true
+         *     }
+         */
         MachineGroup: {
             /** @description of this group */
             name: string;
@@ -8477,7 +11345,19 @@ export interface components {
             /** @description a release is approved for these machines after an operator signed its proving off */
             operator_sign_off: boolean;
         };
-        /** @description who did what to what, and when; each row holds the hash of the one before */
+        /**
+         * @description who did what to what, and when; each row holds the hash of the one before
+         * @example {
+         *       "seq": 39,
+         *       "at_ms": 1795879506283,
+         *       "actor": "admin",
+         *       "action": "token.revoke",
+         *       "subject": "token/13",
+         *       "detail": "wall",
+         *       "previous_hash": "663263f0b25684ca3895d85d0c3a48ebb7970acee75e3c53340682ce01aba4fd",
+         *       "hash": "017733a229f635d939071ebbc0929dacea3333a42b1bac3d5fd59915099d1655"
+         *     }
+         */
         AuditRow: {
             /** @description 1, 2, 3, … */
             seq: number;
@@ -8496,7 +11376,18 @@ export interface components {
             /** @description SHA-256 of all other members */
             hash: string;
         };
-        /** @description where the store is and what room it has */
+        /**
+         * @description where the store is and what room it has
+         * @example {
+         *       "engine": "sqlite",
+         *       "folder": "/var/lib/dripfeed",
+         *       "bytes": 1327624,
+         *       "free_bytes": 60741840896,
+         *       "backups": "/mnt/backups",
+         *       "backups_free_bytes": 60741840896,
+         *       "why_no_backups": null
+         *     }
+         */
         StoreRoom: {
             /**
              * @description that keeps it
@@ -8516,7 +11407,26 @@ export interface components {
             /** @description why none are made here; null: they are */
             why_no_backups: string | null;
         };
-        /** @description the whole store, read through */
+        /**
+         * @description the whole store, read through
+         * @example {
+         *       "whole": true,
+         *       "audit": {
+         *         "rows": 17,
+         *         "head": "097c378bc587f231fdea35f17aaa1d4a084fb308896555148d0380eea1b533ba"
+         *       },
+         *       "ledger": {
+         *         "jobs": 1,
+         *         "rows": 9
+         *       },
+         *       "contents": {
+         *         "count": 4,
+         *         "bytes": 1666185
+         *       },
+         *       "torn_machines": 0,
+         *       "faults": []
+         *     }
+         */
         StoreVerification: {
             /** @description no fault was found */
             whole: boolean;
@@ -8551,7 +11461,14 @@ export interface components {
                 what: string;
             }[];
         };
-        /** @description a backup in the server's folder for them */
+        /**
+         * @description a backup in the server's folder for them
+         * @example {
+         *       "name": "dripfeed-2026-11-28T152506Z.backup",
+         *       "bytes": 569344,
+         *       "made_at_ms": 1795879506640
+         *     }
+         */
         Backup: {
             /** @description of the file */
             name: string;
@@ -8560,7 +11477,39 @@ export interface components {
             /** @description when; milliseconds since 1970, UTC */
             made_at_ms: number;
         };
-        /** @description a backup that was read through before it got its name */
+        /**
+         * @description a backup that was read through before it got its name
+         * @example {
+         *       "whole": true,
+         *       "audit": {
+         *         "rows": 8,
+         *         "head": "ea1c0edcd4636b564357290ff6386734fa7db94d3aad5ddb871a1f8c8c137bfb"
+         *       },
+         *       "ledger": {
+         *         "jobs": 0,
+         *         "rows": 0
+         *       },
+         *       "contents": {
+         *         "count": 3,
+         *         "bytes": 1587304
+         *       },
+         *       "torn_machines": 0,
+         *       "faults": [],
+         *       "backup": "dripfeed-2026-11-28T152934Z.backup",
+         *       "schema": 20,
+         *       "bytes": 2142208,
+         *       "holds": {
+         *         "machines": 0,
+         *         "families": 0,
+         *         "parts": 0,
+         *         "programs": 3,
+         *         "releases": 0,
+         *         "receipts": 0,
+         *         "tokens": 5
+         *       },
+         *       "kept": null
+         *     }
+         */
         BackupMade: {
             /** @description no fault was found */
             whole: boolean;
@@ -8620,7 +11569,14 @@ export interface components {
             /** @description always null: nothing was replaced */
             kept: string | null;
         };
-        /** @description a type of event that is sent */
+        /**
+         * @description a type of event that is sent
+         * @example {
+         *       "name": "program.added",
+         *       "when": "a program is new",
+         *       "schema": "ProgramEvent"
+         *     }
+         */
         OutboundType: {
             /** @description of the type */
             name: string;
@@ -8629,7 +11585,29 @@ export interface components {
             /** @description of the event, in this description */
             schema: string;
         };
-        /** @description a job has another state */
+        /**
+         * @description a job has another state
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c393b6-6",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "job.armed",
+         *       "subject": "job/1",
+         *       "time": "2026-11-28T15:26:12.406Z",
+         *       "sequence": "00000000000000000006",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "job": 1,
+         *         "state": "armed",
+         *         "machine": "lathe",
+         *         "program": 1,
+         *         "revision": 1,
+         *         "reason": "armed",
+         *         "reason_id": "armed",
+         *         "actor": "admin"
+         *       }
+         *     }
+         */
         JobEvent: {
             /**
              * @description of CloudEvents
@@ -8679,7 +11657,27 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description a person planned a job, or confirmed its end; its state stays */
+        /**
+         * @description a person planned a job, or confirmed its end; its state stays
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c39de3-6",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "job.scheduled",
+         *       "subject": "job/1",
+         *       "time": "2026-11-28T15:26:15.011Z",
+         *       "sequence": "00000000000000000006",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "job": 1,
+         *         "machine": "lathe",
+         *         "program": 1,
+         *         "revision": 1,
+         *         "note": "at any time",
+         *         "actor": "admin"
+         *       }
+         *     }
+         */
         JobPlanEvent: {
             /**
              * @description of CloudEvents
@@ -8722,7 +11720,28 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description a person stated why a transfer stood still or broke off; the job's state stays */
+        /**
+         * @description a person stated why a transfer stood still or broke off; the job's state stays
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c3a027-11",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "job.stop_reason",
+         *       "subject": "job/1",
+         *       "time": "2026-11-28T15:26:15.591Z",
+         *       "sequence": "00000000000000000011",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "job": 1,
+         *         "machine": "lathe",
+         *         "program": 1,
+         *         "revision": 1,
+         *         "note": "insert of T3",
+         *         "reason": "tool broken",
+         *         "actor": "the operator"
+         *       }
+         *     }
+         */
         JobStopEvent: {
             /**
              * @description of CloudEvents
@@ -8767,7 +11786,27 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description a machine's line has had another state for a second */
+        /**
+         * @description a machine's line has had another state for a second
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c39a3f-9",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "line.idle",
+         *       "subject": "machine/lathe",
+         *       "time": "2026-11-28T15:26:14.079Z",
+         *       "sequence": "00000000000000000009",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "machine": "lathe",
+         *         "state": "idle",
+         *         "job": 1,
+         *         "stall": null,
+         *         "link_error": null,
+         *         "actor": "dripfeed"
+         *       }
+         *     }
+         */
         LineEvent: {
             /**
              * @description of CloudEvents
@@ -8813,7 +11852,28 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description an alarm changed */
+        /**
+         * @description an alarm changed
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c393b6-31",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "alarm.raised",
+         *       "subject": "alarm/3",
+         *       "time": "2026-11-28T15:26:12.406Z",
+         *       "sequence": "00000000000000000031",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "alarm": 3,
+         *         "machine": "lathe-1",
+         *         "kind": "link_lost",
+         *         "severity": "warning",
+         *         "text": "Connection reset by peer",
+         *         "job": null,
+         *         "actor": "dripfeed"
+         *       }
+         *     }
+         */
         AlarmEvent: {
             /**
              * @description of CloudEvents
@@ -8861,7 +11921,28 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description a release moved on */
+        /**
+         * @description a release moved on
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c3934a-2",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "release.draft",
+         *       "subject": "release/1",
+         *       "time": "2026-11-28T15:26:12.298Z",
+         *       "sequence": "00000000000000000002",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "release": 1,
+         *         "state": "draft",
+         *         "machine": "lathe",
+         *         "program": 1,
+         *         "revision": 1,
+         *         "note": null,
+         *         "actor": "admin"
+         *       }
+         *     }
+         */
         ReleaseEvent: {
             /**
              * @description of CloudEvents
@@ -8909,7 +11990,26 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description a program changed */
+        /**
+         * @description a program changed
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c3930f-1",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "program.added",
+         *       "subject": "program/1",
+         *       "time": "2026-11-28T15:26:12.239Z",
+         *       "sequence": "00000000000000000001",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "program": 1,
+         *         "name": "O0042",
+         *         "revision": 1,
+         *         "machine": null,
+         *         "actor": "admin"
+         *       }
+         *     }
+         */
         ProgramEvent: {
             /**
              * @description of CloudEvents
@@ -8950,7 +12050,25 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description an order is new or changed */
+        /**
+         * @description an order is new or changed
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c393b6-32",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "order.parts",
+         *       "subject": "order/31",
+         *       "time": "2026-11-28T15:26:12.406Z",
+         *       "sequence": "00000000000000000032",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "order": 31,
+         *         "number": "4711",
+         *         "machine": null,
+         *         "actor": "the MES"
+         *       }
+         *     }
+         */
         OrderEvent: {
             /**
              * @description of CloudEvents
@@ -8989,7 +12107,28 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description something that a control punched */
+        /**
+         * @description something that a control punched
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c393b6-33",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "receipt.stored",
+         *       "subject": "receipt/4",
+         *       "time": "2026-11-28T15:26:12.406Z",
+         *       "sequence": "00000000000000000033",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "receipt": 4,
+         *         "state": "stored",
+         *         "machine": "lathe-1",
+         *         "name": "O0700",
+         *         "program": null,
+         *         "revision": null,
+         *         "actor": "dripfeed"
+         *       }
+         *     }
+         */
         ReceiptEvent: {
             /**
              * @description of CloudEvents
@@ -9037,7 +12176,23 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description a person tries a webhook */
+        /**
+         * @description a person tries a webhook
+         * @example {
+         *       "specversion": "1.0",
+         *       "id": "1a222c39a7a-10",
+         *       "source": "https://dnc.shop/a",
+         *       "type": "webhook.ping",
+         *       "subject": "webhook/1",
+         *       "time": "2026-11-28T15:26:14.138Z",
+         *       "sequence": "00000000000000000010",
+         *       "datacontenttype": "application/json",
+         *       "data": {
+         *         "webhook": 1,
+         *         "actor": "admin"
+         *       }
+         *     }
+         */
         WebhookEvent: {
             /**
              * @description of CloudEvents
@@ -9072,7 +12227,25 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description who receives events by HTTP */
+        /**
+         * @description who receives events by HTTP
+         * @example {
+         *       "id": 1,
+         *       "url": "https://mes.shop/dripfeed",
+         *       "types": [
+         *         "*"
+         *       ],
+         *       "description": "the MES",
+         *       "enabled": true,
+         *       "local": false,
+         *       "why_disabled": null,
+         *       "old_secret_until_ms": null,
+         *       "missed": 0,
+         *       "created_by": "admin",
+         *       "created_at_ms": 1795879517435,
+         *       "changed_at_ms": 1795879517533
+         *     }
+         */
         Webhook: {
             /** @description of the webhook */
             id: number;
@@ -9099,7 +12272,26 @@ export interface components {
             /** @description when a person changed it last; milliseconds since 1970, UTC */
             changed_at_ms: number;
         };
-        /** @description a webhook with its new secret, which is shown once */
+        /**
+         * @description a webhook with its new secret, which is shown once
+         * @example {
+         *       "id": 1,
+         *       "url": "https://mes.shop/dripfeed",
+         *       "types": [
+         *         "*"
+         *       ],
+         *       "description": "the MES",
+         *       "enabled": true,
+         *       "local": false,
+         *       "why_disabled": null,
+         *       "old_secret_until_ms": 1795965917573,
+         *       "missed": 0,
+         *       "created_by": "admin",
+         *       "created_at_ms": 1795879517435,
+         *       "changed_at_ms": 1795879517573,
+         *       "secret": "whsec_ZHJpcGZlZWQgZXhhbXBsZSBzZWNyZXQ="
+         *     }
+         */
         WebhookSecret: {
             /** @description of the webhook */
             id: number;
@@ -9128,7 +12320,22 @@ export interface components {
             /** @description for the signatures: whsec_ and base64 */
             secret: string;
         };
-        /** @description the delivery of one event to one webhook */
+        /**
+         * @description the delivery of one event to one webhook
+         * @example {
+         *       "id": 1,
+         *       "webhook": 1,
+         *       "event": "1a222c2bdaa-28",
+         *       "type": "webhook.ping",
+         *       "happened_at_ms": 1795879517610,
+         *       "state": "pending",
+         *       "attempts": 0,
+         *       "next_at_ms": 1795879517676,
+         *       "last_at_ms": 1795879517630,
+         *       "last_status": null,
+         *       "last_error": "Failed to connect to mes.shop port 443 after 12 ms: Couldn't connect to server"
+         *     }
+         */
         WebhookDelivery: {
             /** @description of the delivery */
             id: number;
@@ -9156,7 +12363,12 @@ export interface components {
             /** @description why no answer came */
             last_error: string | null;
         };
-        /** @description what is tried again */
+        /**
+         * @description what is tried again
+         * @example {
+         *       "replayed": 2
+         *     }
+         */
         Replayed: {
             /** @description deliveries */
             replayed: number;
@@ -9235,161 +12447,731 @@ export interface components {
             /** @description of plan or state; milliseconds since 1970, UTC */
             changed_at_ms: number;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "name": "lathe-0",
+         *           "revision": 1,
+         *           "title": "Lathe with Fanuc 0i-TF",
+         *           "dialect": "fanuc",
+         *           "kind": "lathe",
+         *           "link": "tcp://10.0.0.21:4001",
+         *           "status": {
+         *             "line": "feeding",
+         *             "stall": null,
+         *             "stop_wanted": false,
+         *             "link_error": null,
+         *             "link_error_id": null,
+         *             "link_error_said": null,
+         *             "link_note": null,
+         *             "link_note_id": null,
+         *             "line_errors": {
+         *               "parity": 0,
+         *               "framing": 0,
+         *               "overrun": 0,
+         *               "breaks": 0
+         *             },
+         *             "asks_since_ms": null,
+         *             "asks": 0,
+         *             "job": 1,
+         *             "handed": 68016,
+         *             "clocked": 66985,
+         *             "confirmed": 0,
+         *             "confirms": false,
+         *             "estimated": true,
+         *             "total": 78881,
+         *             "block_from": 2568,
+         *             "block": 2606,
+         *             "holds": 0,
+         *             "hold_s": 0,
+         *             "line_use": 0.989,
+         *             "plc": null,
+         *             "program": "O0042",
+         *             "block_text": "G01 X50.100 Z-129.900 F0.2",
+         *             "needs_confirmation": null
+         *           }
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         MachineSummaryPage: {
             /** @description in the list's order */
             items: components["schemas"]["MachineSummary"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "name": "hall-1",
+         *           "this": true,
+         *           "url": "https://dnc-1.shop",
+         *           "version": "0.1.0",
+         *           "answers": true,
+         *           "started_at_ms": 1795500000000,
+         *           "seen_at_ms": 1795507200000,
+         *           "machines": [
+         *             {
+         *               "name": "lathe-1",
+         *               "lease": 3,
+         *               "since_ms": 1795500000000,
+         *               "given_by": "dripfeed",
+         *               "reason": null
+         *             }
+         *           ]
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         NodePage: {
             /** @description in the list's order */
             items: components["schemas"]["Node"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "name": "lathes",
+         *           "machines": [
+         *             "lathe",
+         *             "second",
+         *             "third"
+         *           ],
+         *           "four_eyes": false,
+         *           "operator_sign_off": true
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         MachineGroupPage: {
             /** @description in the list's order */
             items: components["schemas"]["MachineGroup"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "name": "olga",
+         *           "provider": null,
+         *           "role": "programmer",
+         *           "grants": [],
+         *           "has_password": true,
+         *           "has_pin": true,
+         *           "failures": 0,
+         *           "locked_until_ms": null,
+         *           "disabled_at_ms": 1795879437507,
+         *           "revision": 2,
+         *           "created_by": "admin",
+         *           "created_at_ms": 1795879435708
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         UserPage: {
             /** @description in the list's order */
             items: components["schemas"]["User"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 13,
+         *           "name": "wall",
+         *           "role": "viewer",
+         *           "user": null,
+         *           "scope": [],
+         *           "created_by": "admin",
+         *           "created_at_ms": 1795879506246,
+         *           "expires_at_ms": null,
+         *           "revoked_at_ms": null
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         TokenPage: {
             /** @description in the list's order */
             items: components["schemas"]["Token"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "seq": 39,
+         *           "at_ms": 1795879506283,
+         *           "actor": "admin",
+         *           "action": "token.revoke",
+         *           "subject": "token/13",
+         *           "detail": "wall",
+         *           "previous_hash": "663263f0b25684ca3895d85d0c3a48ebb7970acee75e3c53340682ce01aba4fd",
+         *           "hash": "017733a229f635d939071ebbc0929dacea3333a42b1bac3d5fd59915099d1655"
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         AuditRowPage: {
             /** @description in the list's order */
             items: components["schemas"]["AuditRow"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "name": "dripfeed-2026-11-28T152506Z.backup",
+         *           "bytes": 569344,
+         *           "made_at_ms": 1795879506640
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         BackupPage: {
             /** @description in the list's order */
             items: components["schemas"]["Backup"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "name": "hyperbolic-roll",
+         *           "title": "Hyperbolic rolling-mill roll",
+         *           "revision": 1,
+         *           "changed_by": "the programmer",
+         *           "changed_at_ms": 1795879506857
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         FamilySummaryPage: {
             /** @description in the list's order */
             items: components["schemas"]["FamilySummary"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "number": "R-1",
+         *           "revision": 2,
+         *           "family": "hyperbolic-roll",
+         *           "family_revision": 2,
+         *           "values": {
+         *             "angle_step": "1 deg"
+         *           },
+         *           "changed_by": "the programmer",
+         *           "changed_at_ms": 1795879506950
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         PartPage: {
             /** @description in the list's order */
             items: components["schemas"]["Part"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 77,
+         *           "name": "O0042",
+         *           "dialect": "fanuc",
+         *           "tags": [
+         *             "hub"
+         *           ],
+         *           "folder": null,
+         *           "archived": null,
+         *           "deleted": null,
+         *           "revision": 1,
+         *           "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *           "bytes": 24,
+         *           "blocks": 3,
+         *           "origin": {
+         *             "kind": "uploaded"
+         *           },
+         *           "created_by": "the MES",
+         *           "created_at_ms": 1795500100000
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         ProgramPage: {
             /** @description in the list's order */
             items: components["schemas"]["Program"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 2,
+         *           "revision": 2,
+         *           "sha256": "f9d057e3f0ca2812ff3706a9859af1125ae513181d084c35a4c46400cb3c4933",
+         *           "bytes": 51908,
+         *           "blocks": 2010,
+         *           "origin": {
+         *             "kind": "uploaded"
+         *           },
+         *           "created_by": "the programmer",
+         *           "created_at_ms": 1795879507303
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         ProgramRevisionPage: {
             /** @description in the list's order */
             items: components["schemas"]["ProgramRevision"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 1,
+         *           "program": 2,
+         *           "family": null,
+         *           "part": null,
+         *           "order": null,
+         *           "name": "sheet.pdf",
+         *           "media_type": "application/octet-stream",
+         *           "bytes": 8,
+         *           "sha256": "e16fa5d9b51928755db85b917f0297babaf22c7a47e97d9212adab56e61ba04e",
+         *           "added_by": "the programmer",
+         *           "added_at_ms": 1795879507371,
+         *           "removed": {
+         *             "by": "the programmer",
+         *             "reason": "of another part",
+         *             "at_ms": 1795879507474
+         *           }
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         AttachmentPage: {
             /** @description in the list's order */
             items: components["schemas"]["Attachment"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 140,
+         *           "program": 77,
+         *           "revision": 1,
+         *           "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *           "machine": "lathe-1",
+         *           "machine_revision": 4,
+         *           "delivery": "drip",
+         *           "verdict": "pass",
+         *           "rules": "2f0d3a91c4be7765",
+         *           "stale": false,
+         *           "created_by": "the MES",
+         *           "created_at_ms": 1795500200000,
+         *           "calls": [],
+         *           "points": [],
+         *           "waivers": []
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         VerdictSummaryPage: {
             /** @description in the list's order */
             items: components["schemas"]["VerdictSummary"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 55,
+         *           "kind": "check",
+         *           "subject": "program/7",
+         *           "machine": "lathe",
+         *           "actor": "the programmer",
+         *           "state": "running",
+         *           "place": null,
+         *           "waiting_since_ms": 1795879519557,
+         *           "running_since_ms": 1795879519557,
+         *           "budget_s": 60
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         WorkPage: {
             /** @description in the list's order */
             items: components["schemas"]["Work"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 17,
+         *           "state": "approved",
+         *           "program": 77,
+         *           "revision": 1,
+         *           "machine": "lathe-1",
+         *           "delivery": "drip",
+         *           "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *           "restart": null,
+         *           "transfers_allowed": 3,
+         *           "transfers_done": 1,
+         *           "proved_by": "olga",
+         *           "proof": "first part measured, all sizes in the middle",
+         *           "created_by": "paula",
+         *           "created_at_ms": 1795500300000,
+         *           "approved_by": "anna",
+         *           "sign_off": "first part measured",
+         *           "changed_at_ms": 1795507200000
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         ReleasePage: {
             /** @description in the list's order */
             items: components["schemas"]["Release"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 31,
+         *           "number": "4711",
+         *           "operation": "20",
+         *           "part": "HUB-12",
+         *           "quantity": 50,
+         *           "machine": "lathe-1",
+         *           "due_at_ms": 1795600800000,
+         *           "priority": 10,
+         *           "metadata": {
+         *             "cost_center": "A7"
+         *           },
+         *           "state": "open",
+         *           "reason": null,
+         *           "good": 12,
+         *           "scrap": 1,
+         *           "open": 38,
+         *           "transfers": 1,
+         *           "waiting": 0,
+         *           "revision": 3,
+         *           "created_by": "the MES",
+         *           "created_at_ms": 1795500000000,
+         *           "changed_at_ms": 1795503600000
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         OrderPage: {
             /** @description in the list's order */
             items: components["schemas"]["Order"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 412,
+         *           "state": "feeding",
+         *           "machine": "lathe-1",
+         *           "release": 17,
+         *           "order": 31,
+         *           "restart": null,
+         *           "program": 77,
+         *           "revision": 1,
+         *           "sha256": "9f2c4e0b8a6d1f3579bd02468ace13579bdf02468ace13579bdf02468ace1357",
+         *           "delivery": "drip",
+         *           "link": "tcp://10.0.0.21:4001",
+         *           "bytes": 24,
+         *           "reason": "",
+         *           "reason_id": null,
+         *           "reason_said": null,
+         *           "rank": 1,
+         *           "created_by": "the MES",
+         *           "created_at_ms": 1795500400000,
+         *           "armed_by": "olga",
+         *           "armed_at_ms": 1795500500000,
+         *           "expires_at_ms": 1795501100000,
+         *           "started_at_ms": 1795500512000,
+         *           "ended_at_ms": null,
+         *           "held_s": null,
+         *           "holds": null,
+         *           "line_s": null,
+         *           "forecast_s": 38.4,
+         *           "torn": false,
+         *           "not_before_ms": null,
+         *           "on_hold": null,
+         *           "retry_of": null,
+         *           "choice": null,
+         *           "end_check": "part taken out",
+         *           "needs_end_confirmation": false,
+         *           "end_confirmed_by": null,
+         *           "end_confirmed_at_ms": null,
+         *           "end_note": null,
+         *           "needs_confirmation": false,
+         *           "confirmed_by": null,
+         *           "confirm_reason": null,
+         *           "read_back": null,
+         *           "read_back_state": null
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         JobPage: {
             /** @description in the list's order */
             items: components["schemas"]["Job"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 1,
+         *           "machine": "lathe",
+         *           "kind": "torn_block",
+         *           "text": "link_lost: between wire byte 0 and 29 of 3831 may have reached the control (line 1 to 5); a block is torn: reset the control and confirm it; Connection reset by peer",
+         *           "said": {
+         *             "id": "reached_torn_because_lines",
+         *             "values": {
+         *               "cause": {
+         *                 "text": "link_lost",
+         *                 "said": null
+         *               },
+         *               "from": {
+         *                 "text": "0",
+         *                 "said": null
+         *               },
+         *               "to": {
+         *                 "text": "29",
+         *                 "said": null
+         *               },
+         *               "total": {
+         *                 "text": "3831",
+         *                 "said": null
+         *               },
+         *               "first": {
+         *                 "text": "1",
+         *                 "said": null
+         *               },
+         *               "last": {
+         *                 "text": "5",
+         *                 "said": null
+         *               },
+         *               "why": {
+         *                 "text": "Connection reset by peer",
+         *                 "said": null
+         *               }
+         *             }
+         *           },
+         *           "count": 1,
+         *           "severity": "critical",
+         *           "raised_at_ms": 1795879628552,
+         *           "last_at_ms": 1795879628552,
+         *           "cleared_at_ms": null,
+         *           "acknowledged_by": "the operator",
+         *           "acknowledged_at_ms": 1795879629845,
+         *           "shelved_by": null,
+         *           "shelved_until_ms": null,
+         *           "shelf_reason": null,
+         *           "job": 1
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         AlarmPage: {
             /** @description in the list's order */
             items: components["schemas"]["Alarm"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "name": "program.added",
+         *           "when": "a program is new",
+         *           "schema": "ProgramEvent"
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         OutboundTypePage: {
             /** @description in the list's order */
             items: components["schemas"]["OutboundType"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 1,
+         *           "url": "https://mes.shop/dripfeed",
+         *           "types": [
+         *             "*"
+         *           ],
+         *           "description": "the MES",
+         *           "enabled": true,
+         *           "local": false,
+         *           "why_disabled": null,
+         *           "old_secret_until_ms": null,
+         *           "missed": 0,
+         *           "created_by": "admin",
+         *           "created_at_ms": 1795879517435,
+         *           "changed_at_ms": 1795879517533
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         WebhookPage: {
             /** @description in the list's order */
             items: components["schemas"]["Webhook"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 1,
+         *           "webhook": 1,
+         *           "event": "1a222c2bdaa-28",
+         *           "type": "webhook.ping",
+         *           "happened_at_ms": 1795879517610,
+         *           "state": "pending",
+         *           "attempts": 0,
+         *           "next_at_ms": 1795879517676,
+         *           "last_at_ms": 1795879517630,
+         *           "last_status": null,
+         *           "last_error": "Failed to connect to mes.shop port 443 after 12 ms: Couldn't connect to server"
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         WebhookDeliveryPage: {
             /** @description in the list's order */
             items: components["schemas"]["WebhookDelivery"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 4,
+         *           "machine": "lathe",
+         *           "at_ms": 1795879620539,
+         *           "name": "O9",
+         *           "named_by": "number",
+         *           "state": "accepted",
+         *           "reason": "characters have wrong parity (2, the first at byte 5)",
+         *           "sha256": "8e539c21a2115c6f0c04b2446603d875fd2de00719fd8d3cdbe9c1fbc790697e",
+         *           "bytes": 11,
+         *           "raw_bytes": 11,
+         *           "code": "iso",
+         *           "ended_by": "punch_off",
+         *           "stored": null,
+         *           "program": 2,
+         *           "revision": 1,
+         *           "decided_by": "the approver",
+         *           "decided_reason": "only its end is missing",
+         *           "decided_at_ms": 1795879620569
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         ReceiptPage: {
             /** @description in the list's order */
             items: components["schemas"]["Receipt"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
-        /** @description a page of a list */
+        /**
+         * @description a page of a list
+         * @example {
+         *       "items": [
+         *         {
+         *           "id": 8,
+         *           "machine": "lathe",
+         *           "at_ms": 1795879625020,
+         *           "verb": "load",
+         *           "argument": "42",
+         *           "text": "%\nO9999(LOAD 42)\n%\n",
+         *           "outcome": "armed",
+         *           "detail": "O0042 as job 3",
+         *           "job": 3
+         *         }
+         *       ],
+         *       "next": null
+         *     }
+         */
         OperatorRequestPage: {
             /** @description in the list's order */
             items: components["schemas"]["OperatorRequest"][];

@@ -50,7 +50,7 @@ class ModbusListenerTest : public ::testing::Test {
     listener_ = std::move(*listener);
   }
   View view_;
-  std::unique_ptr<ModbusListener> listener_;
+  std::unique_ptr<PeerListener> listener_;
 };
 
 TEST_F(ModbusListenerTest, AClientReadsAndIsRefusedAWrite) {
@@ -102,7 +102,7 @@ TEST_F(ModbusListenerTest, HalfARequestIsLetGoAndHoldsNoOneUp) {
 TEST_F(ModbusListenerTest, ManyClientsAtOnce) {
   listen({});
   std::vector<Client> clients;
-  for (std::size_t i = 0; i < ModbusListener::kMaxConnections; ++i) clients.push_back(client_of(listener_->port(), 3));
+  for (std::size_t i = 0; i < PeerListener::kMaxConnections; ++i) clients.push_back(client_of(listener_->port(), 3));
   std::uint16_t value = 0;
   for (const Client& client : clients) EXPECT_EQ(modbus_read_registers(client.get(), 1, 1, &value), 1);
   const Client beyond = client_of(listener_->port(), 3);
