@@ -217,6 +217,7 @@ async function plans(page) {
   await soon(async () => (await rig.job(checked)).end_note === 'on the table', 'the note is kept');
   await page.goto(`${url}/#/jobs/${checked}`);
   await page.getByText(/part taken out, chuck closed: confirmed by/).waitFor();
+  await page.getByRole('link', { name: String(release), exact: true }).waitFor();
   await page.getByRole('button', { name: 'Queue again…' }).click();
   await shot(page, 'plans-retry');
   await dialog(page).getByRole('button', { name: 'Queue it again' }).click();

@@ -91,7 +91,7 @@ const JobFacts = ({ job }: { job: Job }) => (
       [t('fact.read_back'), job.read_back ?? null],
       [t('fact.link'), <code>{job.link}</code>],
       [t('fact.delivery'), t('fact.delivery_bytes', { delivery: deliveryText(job.delivery), bytes: bytes(job.bytes) })],
-      [t('fact.release'), job.release],
+      [t('fact.release'), <a href={hrefs.reviewed(job.release)}>{job.release}</a>],
       [t('fact.restart'), job.restart && t('fact.restart_of', { release: job.restart.release, line: job.restart.line })],
       [t('column.order'), job.order === null ? null : <a href={hrefs.order(job.order)}>{job.order}</a>],
       [t('fact.queued_by'), job.created_by],
