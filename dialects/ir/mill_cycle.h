@@ -63,6 +63,8 @@ struct MillCycle {
   double entry_depth = 0.0;      // of each turn
   double entry_angle_deg = 0.0;  // steepest of an oscillation
   FaceCuts cuts = FaceCuts::first;
+  double beyond_end = 0.0;   // of a face: distance from its edge to the tool's, where a cut ends
+  double beyond_side = 0.0;  // … of the last cut, across the cuts
 };
 
 // Values of a call by place; NaN: left out.

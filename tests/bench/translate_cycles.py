@@ -48,6 +48,7 @@ class CyclesSinumerik(MixedSinumerik):
             f"SLOT1({head},{both},{rays},{wide_slot},{ring},{down},{along},{infeed},{direction},{side},{self.one_of(21, 31)},,,,{base},5,{self.scaled(1)})",
             f"LONGHOLE({head},{both},{rays},{ring},{down},{along},{infeed}{self.one_of('', ',0', ',11')})",
             f"CYCLE61({head},{depth},{place},{size},{wide},{infeed},{self.length(2, 5)},{base},{along},{self.one_of(11, 21, 31, 41, 12)})",
+            f"CYCLE71({head},{depth},{place},{self.one_of('', '-')}{size},{wide},{turn},{infeed},{self.length(2, 5)},{self.scaled(3)},{base},{along},{self.one_of(11, 21, 31, 41, 32)}{self.one_of('', ',' + self.scaled(2))})",
             f"CYCLE76({head},{both},{size},{wide},{corner},{place},{turn},{infeed},{side},{base},{along},{down},{direction},{self.one_of(1, 2)},{self.scaled(66)},{self.scaled(50)})",
             f"CYCLE77({head},{both},{wide},{place},{infeed},{side},{base},{along},{down},{direction},{self.one_of(1, 2)},{self.scaled(50)})",
         )

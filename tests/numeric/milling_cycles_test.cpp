@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -353,6 +354,46 @@ TEST(MilledMaterial, Faces) {
     };
     expect_flat(mill(call(cuts + 1), radius, blank), base - top);
     if (base > 0.0) expect_flat(mill(call(cuts + 1) + call(cuts + 2), radius, blank), -top);
+    if (HasFailure()) return;
+  }
+}
+
+// From any of its corners, turned by quarters: the block is as wide as the face.
+TEST(MilledMaterial, FacesFromACorner) {
+  Dice dice(31);
+  for (int trial = 0; trial < 60; ++trial) {
+    const double radius = dice.between(4.0, 25.0);
+    const double x = dice.between(10.0, 50.0);
+    const double y = dice.between(10.0, 50.0);
+    const int quarters = dice.one_of(4);
+    const double corner_x = dice.one_of(2) == 0 ? x : -x;
+    const double corner_y = dice.one_of(2) == 0 ? y : -y;
+    // To the opposite corner, in axes that are turned.
+    double length = -2.0 * corner_x;
+    double width = -2.0 * corner_y;
+    for (int n = 0; n < quarters; ++n) length = std::exchange(width, -length);
+    const double top = dice.between(0.5, 6.0);
+    const double base = dice.one_of(2) == 0 ? 0.0 : dice.between(0.05, 0.3);
+    const std::string infeed = n(dice.between(0.4, 3.0));
+    const std::string step = dice.one_of(3) == 0 ? "0" : n(dice.between(1.0, 1.6 * radius));
+    const std::string beyond = n(dice.between(0.0, 5.0)) + "," + n(base) + ",900,";
+    const std::string beside = dice.one_of(2) == 0 ? "" : "," + n(dice.between(0.1, 3.0));
+    const auto call = [&](int kind) {
+      return fmt::format("CYCLE71(50,0,2,{},{},{},{},{},{},{},{},{}{}{})\n", n(-top), n(corner_x), n(corner_y),
+                         n(length), n(width), 90 * quarters, infeed, step, beyond, kind, beside);
+    };
+    const int cuts = 10 * (1 + trial % 4);
+    SCOPED_TRACE(call(cuts + 1) + n(radius));
+    const auto expect_flat = [&](const Left& left, double level) {
+      left.for_places([&](const compile::test::Spot& at, double height) {
+        if (std::isfinite(height)) {
+          EXPECT_NEAR(height, level, kSame_mm) << at.x << " " << at.y;
+        }
+      });
+      EXPECT_TRUE(left.report.findings.empty());
+    };
+    expect_flat(mill(call(cuts + 1), radius, block(x, y)), base - top);
+    if (base > 0.0) expect_flat(mill(call(cuts + 1) + call(cuts + 2), radius, block(x, y)), -top);
     if (HasFailure()) return;
   }
 }

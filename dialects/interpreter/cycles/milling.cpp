@@ -7,7 +7,7 @@
 //   spigot    the start lies beyond the blank at +x; at each depth on to the outline by a half circle, once around, off
 //             by a half circle back to the start.
 //   long hole from end to end, in by the next depth at each end, and once along at the last.
-//   face      straight cuts at each depth, which begin and end beyond the face by the clearance.
+//   face      straight cuts at each depth; the first begins beyond the face by the clearance.
 //
 // Depths are equal and none is above the greatest infeed (PGZ, "POCKET3", _MID). What the manual leaves to the cycle,
 // the order of the rings and cuts, is ours, with a step of at most 80 % of the tool's diameter in a pocket: sharp
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "dialects/interpreter/cycles/mill_outline.h"
 #include "dialects/interpreter/cycles/mill_tool.h"
@@ -86,7 +87,7 @@ class Miller {
     if (cycle_.step > 2.0 * radius_ + kNone_mm || cycle_.step_of_tool > 1.0 + kNone_mm) return {kAlarmStep, {}};
     if (steps(depth_of(cycle_.allowance_base), cycle_.infeed) > kMostSteps) return {0, kTooMany};
     if (steps(depth_of(0.0), cycle_.finish_infeed) > kMostSteps) return {0, kTooMany};
-    if (std::max(cycle_.length, cycle_.width) / step() > kMostSteps) return {0, kTooMany};
+    if ((std::max(cycle_.length, cycle_.width) + cycle_.beyond_side) / step() > kMostSteps) return {0, kTooMany};
     return cycle_.roughs && cycle_.shape == MillShape::pocket ? check_entry() : MillOutcome{};
   }
 
@@ -294,29 +295,32 @@ class Miller {
     if (cycle_.finishes_base) face(cycle_.depth, finish_feed_);
   }
 
-  // The first cut reaches a step into the face, the last one ends with its edge.
+  // The first cut reaches a step into the face, the last one ends with its edge, or beyond it. Where cuts go to and
+  // fro, one begins where the last one ended.
   void face(double level, double feed) {
     const bool along_first = cycle_.cuts == ir::FaceCuts::first || cycle_.cuts == ir::FaceCuts::first_to_and_fro;
     const bool goes_back =
         cycle_.cuts == ir::FaceCuts::first_to_and_fro || cycle_.cuts == ir::FaceCuts::second_to_and_fro;
-    const double along = (along_first ? cycle_.length : cycle_.width) / 2.0 + radius_ + cycle_.clearance;
-    const double across = along_first ? cycle_.width : cycle_.length;
+    const double edge = (along_first ? cycle_.length : cycle_.width) / 2.0 + radius_;
+    const double width = along_first ? cycle_.width : cycle_.length;
+    const double across = width + cycle_.beyond_side;
     const auto point = [&](double lengthwise, double at) {
       return along_first ? PlanePoint{lengthwise, at} : PlanePoint{at, lengthwise};
     };
     const int count = counted(steps(across, step()));
-    double begin = -along;
+    double begin = -(edge + cycle_.clearance);
+    double end = edge + cycle_.beyond_end;
     for (int n = 1; n <= count; ++n) {
-      const double at = n < count ? step() * n - radius_ - across / 2.0 : across / 2.0 - radius_;
+      const double at = (n < count ? step() * n : across) - radius_ - width / 2.0;
       if (n == 1 || !goes_back) {
         tool_.rapid(point(begin, at));
         tool_.rapid_level(level);
       } else {
         tool_.cut(point(begin, at), feed);
       }
-      tool_.cut(point(-begin, at), feed);
+      tool_.cut(point(end, at), feed);
       if (goes_back)
-        begin = -begin;
+        begin = std::exchange(end, -end);
       else
         tool_.rapid_level(in_front());
     }

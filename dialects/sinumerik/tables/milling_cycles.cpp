@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "dialects/sinumerik/tables/mill_call.h"
 
@@ -37,6 +38,7 @@ constexpr std::string_view kSlot1 =
 constexpr std::string_view kLonghole =
     "RTP RFP SDIS DP DPR NUM LENG CPA CPO RAD STA1 INDA FFD FFP1 MID VARI UMODE GMODE DMODE AMODE";
 constexpr std::string_view kCycle61 = "RTP RFP SDIS DP PA PO LENG WID MID MIDA FALD FFP1 VARI LIM DMODE AMODE";
+constexpr std::string_view kCycle71 = "RTP RFP SDIS DP PA PO LENG WID STA MID MIDA FDP FALD FFP1 VARI FDP1";
 constexpr std::string_view kCycle76 =
     "RTP RFP SDIS DP DPR LENG WID CRAD PA PO STA MID FAL FALD FFP1 FFD CDIR VARI AP1 AP2 FS ZFS GMODE DMODE AMODE";
 constexpr std::string_view kCycle77 =
@@ -142,39 +144,55 @@ MillReading read_longhole(MillValues values, const MillUnits& units) {
   return call.reading;
 }
 
-// VARI: units 1 rough, 2 finish; tens 1, 2 along the first or second axis, 3, 4 there and back. Whether LENG and WID
-// are lengths or a corner's coordinates, a digit of AMODE states that is not certain: both are the same from a corner
-// at 0.
-MillReading read_cycle61(MillValues values, const MillUnits& units) {
+// From the corner at PA, PO, around which STA turns it. VARI: units 1 rough, 2 finish; tens 1, 2 along the first or
+// second axis, 3, 4 there and back.
+void face_values(MillCall& call) {
   constexpr std::array kCuts = {ir::FaceCuts::first, ir::FaceCuts::second, ir::FaceCuts::first_to_and_fro,
                                 ir::FaceCuts::second_to_and_fro};
-  MillCall call(values, units, kCycle61);
-  call.screen_modes();
   call.levels();
   call.feeds();
   call.allowances();
   call.step();
   MillCycle& c = call.reading.cycle;
   c.shape = MillShape::face;
+  const double length = call.length("LENG");
+  const double width = call.length("WID");
+  const double angle = call.number("STA") * std::numbers::pi / 180.0;
+  c.length = std::abs(length);
+  c.width = std::abs(width);
+  c.places.push_back({call.length("PA") + (length * std::cos(angle) - width * std::sin(angle)) / 2.0,
+                      call.length("PO") + (length * std::sin(angle) + width * std::cos(angle)) / 2.0,
+                      call.number("STA")});
+  c.beyond_end = c.clearance;
   const int kind = call.digit("VARI", 1.0);
   const auto cuts = static_cast<std::size_t>(call.digit("VARI", 10.0));
-  if (kind < 1 || kind > 2 || cuts < 1 || cuts > kCuts.size()) {
-    call.alarm(kAlarmCuts);
-    return call.reading;
-  }
+  if (kind < 1 || kind > 2 || cuts < 1 || cuts > kCuts.size()) return call.alarm(kAlarmCuts);
+  if (call.number("VARI") >= 100.0) call.leave("with a kind (VARI) that is not known");
   c.cuts = kCuts[cuts - 1];
   c.roughs = kind == 1;
   c.finishes_base = kind == 2;
-  const double length = call.length("LENG");
-  const double width = call.length("WID");
   if (length == 0.0 || width == 0.0) call.alarm(kAlarmFace);
+}
+
+// Whether LENG and WID are lengths or a corner's coordinates, a digit of AMODE states that is not certain: both are the
+// same from a corner at 0.
+MillReading read_cycle61(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kCycle61);
+  call.screen_modes();
+  face_values(call);
   const bool is_open = call.number("PA") != 0.0 && call.digit("AMODE", 1000.0) != 0;
   if (is_open || (call.number("PO") != 0.0 && call.digit("AMODE", 10'000.0) != 0))
     call.leave("with a second corner (AMODE) that is not certain");
   if (call.number("LIM") != 0.0) call.leave("with sides that it must not cross (LIM)");
-  c.length = std::abs(length);
-  c.width = std::abs(width);
-  c.places.push_back({call.length("PA") + length / 2.0, call.length("PO") + width / 2.0, 0.0});
+  return call.reading;
+}
+
+// FDP: how far beyond the face a cut ends; FDP1: how far beyond it the last one reaches across.
+MillReading read_cycle71(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kCycle71);
+  face_values(call);
+  call.reading.cycle.beyond_end = call.size("FDP");
+  call.reading.cycle.beyond_side = call.size("FDP1");
   return call.reading;
 }
 
@@ -218,6 +236,7 @@ std::span<const MillRow> milling_cycles() {
       {"SLOT1", kSlot1, read_slot1},
       {"LONGHOLE", kLonghole, read_longhole},
       {"CYCLE61", kCycle61, read_cycle61},
+      {"CYCLE71", kCycle71, read_cycle71},
       {"CYCLE76", kCycle76, read_cycle76},
       {"CYCLE77", kCycle77, read_cycle77},
   });

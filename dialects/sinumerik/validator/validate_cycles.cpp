@@ -21,7 +21,6 @@ struct CycleRow {
   std::string_view types;
 };
 constexpr CycleRow kCycles[] = {
-    {"CYCLE71", "NNNNNNNNNNNNNNNN"},
     {"CYCLE72", "SNNNNNNNNNNNNNNNN"},
     {"CYCLE90", "NNNNNNNNNNNNNN"},
     {"CYCLE93", "NNNNNNNNNNNNNNNNN"},

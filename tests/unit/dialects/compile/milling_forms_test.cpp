@@ -178,5 +178,50 @@ TEST(MillingForms, AFace) {
                   .names("CYCLE61 with sides that it must not cross (LIM)"));
 }
 
+// CYCLE71, PGZ: a corner, lengths with signs, turned around the corner. FDP is where a cut ends beyond the face, FDP1
+// how far the last one reaches beyond it.
+TEST(MillingForms, AFaceFromACorner) {
+  const double turned = 10.0 * M_PI / 180.0;
+  const RoundRectangle form{.length = 60.0,
+                            .width = 40.0,
+                            .x = 100.0 - 30.0 * std::cos(turned) - 20.0 * std::sin(turned),
+                            .y = 90.0 - 30.0 * std::sin(turned) + 20.0 * std::cos(turned),
+                            .angle_deg = 10.0};
+  for (const std::string kind : {"11", "21", "31", "41"}) {
+    const Result ran = mill_form("CYCLE71(50,3,5,0,100,90,-60,40,10,2,12,7,0.2,900," + kind + ",4)", 10.0);
+    const bool is_along = kind == "11" || kind == "31";
+    double farthest_along = 0.0;
+    double highest_across = -1e9;
+    double lowest_across = 1e9;
+    for (const double level : {0.2, 1.6}) {
+      EXPECT_LE(uncovered_mm(form, cut_at(ran, level), 10.0, 1.0, 0.0), 0.01) << kind;
+      for (const Spot& s : cut_at(ran, level)) {
+        const Spot local = form.turned(s);
+        farthest_along = std::max(farthest_along, is_along ? local.x : local.y);
+        const double across = is_along ? local.y : local.x;
+        highest_across = std::max(highest_across, across);
+        lowest_across = std::min(lowest_across, across);
+      }
+    }
+    EXPECT_NEAR(farthest_along, (is_along ? 30.0 : 20.0) + 10.0 + 7.0, 1e-6) << kind;
+    EXPECT_NEAR(highest_across, (is_along ? 20.0 : 30.0) + 4.0 - 10.0, 1e-6) << kind;
+    EXPECT_NEAR(lowest_across, (is_along ? -20.0 : -30.0) + 12.0 - 10.0, 1e-6) << kind;
+    EXPECT_TRUE(cut_at(ran, 0.0).empty());
+    for (const ir::Motion& m : ran.motions) {
+      const bool goes_down = ir::is_move(m.kind) && m.end[2] < m.start[2] - 1e-9 && m.end[2] < 3.0;
+      if (!goes_down) continue;
+      EXPECT_GE(form.distance({m.end[0], m.end[1], 0.0}), 15.0 - 1e-6) << kind;
+    }
+  }
+  const Result finish = mill_form("CYCLE71(50,3,5,0,100,90,-60,40,10,2,12,7,0.2,900,32)", 10.0);
+  EXPECT_LE(uncovered_mm(form, cut_at(finish, 0.0), 10.0, 1.0, 0.0), 0.01);
+  EXPECT_EQ(alarm_of(mill_form("CYCLE71(50,3,5,0,0,0,60,0,0,2,12,7,0,900,31,4)", 10.0)), "61118");
+  EXPECT_EQ(alarm_of(mill_form("CYCLE71(50,3,5,0,0,0,60,40,0,2,21,7,0,900,31,4)", 10.0)), "61111");
+  EXPECT_EQ(alarm_of(mill_form("CYCLE71(50,3,5,0,0,0,60,40,0,2,12,7,0,900,51,4)", 10.0)), "61002");
+  EXPECT_EQ(alarm_of(mill_form("CYCLE71(50,3,5,60,0,0,60,40,0,2,12,7,0,900,31,4)", 10.0)), "61101");
+  EXPECT_TRUE(mill_form("CYCLE71(50,3,5,0,0,0,60,40,0,2,12,7,0,900,131,4)", 10.0)
+                  .names("CYCLE71 with a kind (VARI) that is not known"));
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
