@@ -2,6 +2,8 @@
 #include "dialects/text/source.h"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +35,31 @@ TEST(Source, OpensNoLineAfterTheLastEob) {
   EXPECT_EQ(Source("a", "N1\n\n").line_count(), 2U);
   EXPECT_EQ(Source("a", "").line_count(), 1U);
   EXPECT_EQ(Source("a", "\n").line_count(), 1U);
+}
+
+// Each line of a longer text, by the lines themselves.
+TEST(Source, FindsEachOfManyLines) {
+  constexpr std::string_view kEnds[] = {"\n", "\r\n", "\r", "\n\r\r"};
+  for (const std::uint32_t lines : {15U, 16U, 17U, 32U, 33U, 200U}) {
+    std::string all;
+    std::vector<std::uint32_t> starts;
+    for (std::uint32_t n = 1; n <= lines; ++n) {
+      starts.push_back(static_cast<std::uint32_t>(all.size()));
+      // A CR after an LF ends a line of its own, and two of them belong to it: X keeps ends apart.
+      all += "X" + std::to_string(n) + std::string(kEnds[n % 4]);
+    }
+    const Source source("a", all);
+    EXPECT_EQ(source.line_count(), lines);
+    for (std::uint32_t n = 1; n <= lines; ++n) {
+      EXPECT_EQ(source.line(n), "X" + std::to_string(n));
+      for (std::uint32_t k = starts[n - 1]; k < (n < lines ? starts[n] : all.size()); ++k) {
+        EXPECT_EQ(source.position(k).line, n) << k;
+        EXPECT_EQ(source.position(k).column, k - starts[n - 1] + 1) << k;
+      }
+    }
+    EXPECT_EQ(source.line(lines + 1), "");
+    EXPECT_EQ(source.line(lines + 100), "");
+  }
 }
 
 TEST(Source, GivesNoTextForALineThatIsNotThere) {
