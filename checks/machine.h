@@ -164,6 +164,7 @@ inline bool is_off_axis(const ir::Motion& motion) {
 
 // What makes a cut no turning in the z-x plane through the spindle's axis; "" for one that is.
 inline std::string_view why_no_turning(const ir::Motion& motion) {
+  if ((motion.gaps & ir::kFrameLost) != 0) return "a cut in a swivelled plane or under a transformation";
   if (moves_any(motion, {ir::Axis::c})) return "a cut that turns C";
   if (moves_any(motion, {ir::Axis::a, ir::Axis::b})) return "a cut that turns A or B";
   if (is_off_axis(motion)) return "a cut off the spindle's axis, with Y";

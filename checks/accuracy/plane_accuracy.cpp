@@ -41,6 +41,8 @@ curves::PathPiece piece_of(const ir::Motion& motion) {
 std::string_view why_unmeasured(const ir::Motion& motion) {
   if (!checks::has_places(motion)) return "a cutting move leads beyond 1000 km";
   if ((motion.axes_unknown & 3U) != 0) return "a cutting move starts at a position that is not known";
+  if ((motion.gaps & ir::kFrameLost) != 0)
+    return "a cut in a swivelled plane or under a transformation was not measured";
   if (checks::is_turned(motion)) return "a cut with a turned rotary axis was not measured";
   if (checks::is_arc(motion) && motion.plane != ir::Plane::xy) return "an arc lies in another plane than x-y";
   return {};

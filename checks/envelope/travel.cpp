@@ -123,6 +123,16 @@ void Travel::report_once(std::uint16_t& reported, std::size_t axis, std::uint32_
 
 bool Travel::knows_zero(const ir::Motion& move, std::size_t axis) {
   const std::uint32_t line = move.place.line;
+  if ((move.gaps & ir::kFrameLost) != 0) {
+    report_.lost_place = true;
+    report_once(reported_frame_, axis, line, [&] {
+      return fmt::format(
+          "a plane is swivelled or a transformation is on, which the machine's kinematics decide: the travel of {} was "
+          "not checked from there",
+          ir::kAxisLetters[axis]);
+    });
+    return false;
+  }
   if ((move.gaps & ir::kZerosChanged) != 0) {
     report_.lost_place = true;
     report_once(reported_changed_, axis, line, [&] {
@@ -170,7 +180,7 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
                 [&] { return fmt::format("the travel of {} is not known", ir::kAxisLetters[i]); });
   double at = value;
   if (!move.machine_coordinates) {
-    const bool no_zero = (zero_unknown_ >> i & 1U) != 0 || (move.gaps & ir::kZerosChanged) != 0;
+    const bool no_zero = (zero_unknown_ >> i & 1U) != 0 || (move.gaps & (ir::kZerosChanged | ir::kFrameLost)) != 0;
     if (has_limits ? !knows_zero(move, i) : no_zero) return;
     at += zero_[i];
   }

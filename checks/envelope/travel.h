@@ -62,6 +62,7 @@ class Travel {
   std::uint16_t zero_unknown_ = 0;        // bit per axis
   std::uint16_t reported_zero_ = 0;       // bit per axis: for the offset in effect
   std::uint16_t reported_changed_ = 0;    // … that the program changed it
+  std::uint16_t reported_frame_ = 0;      // … that the machine's kinematics put it elsewhere
   std::uint16_t reported_end_ = 0;        // … that an increment began at an unknown place
   std::uint16_t reported_no_axis_ = 0;    // … that the profile has no such axis
   std::uint16_t reported_no_travel_ = 0;  // … that the profile has the axis, and no end of it

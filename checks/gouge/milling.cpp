@@ -146,6 +146,11 @@ void Milling::check_path(const ir::Motion& motion) {
   if (motion.machine_coordinates) return report_.not_checked.add("a move in machine coordinates was not checked", line);
   if (!map_) return;
   if (!cutter_) return report_.not_checked.add("a move without a known tool was not checked", line);
+  if ((motion.gaps & ir::kFrameLost) != 0) {
+    knows_stock_ = knows_stock_ && motion.kind == ir::MotionKind::rapid;
+    report_.has_unjudged_cuts |= motion.kind != ir::MotionKind::rapid;
+    return report_.not_checked.add("a move in a swivelled plane or under a transformation was not checked", line);
+  }
   if (checks::is_turned(motion)) {
     knows_stock_ = knows_stock_ && motion.kind == ir::MotionKind::rapid;
     report_.has_unjudged_cuts |= motion.kind != ir::MotionKind::rapid;

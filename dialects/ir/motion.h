@@ -52,6 +52,8 @@ inline constexpr std::uint8_t kZerosChanged = 1;    // work offsets (G10 L2), or
 inline constexpr std::uint8_t kLengthsChanged = 2;  // tool offsets
 inline constexpr std::uint8_t kRadiiChanged = 8;    // radii that compensation takes: stays, too
 inline constexpr std::uint8_t kEndUnknown = 4;      // of the axes in axes_unknown `end` is a guess, too: an increment
+// Coordinates lie where the machine's kinematics and the control put them: a swivelled plane, a transformation. Stays.
+inline constexpr std::uint8_t kFrameLost = 16;
 enum class CoolantState : std::uint8_t { off, mist, flood };
 // Bits of Motion::axes_commanded of an event, in a run that reports every order: what of it the block orders, also
 // where nothing of the modelled state changes by it. The machine's own program (PLC) hears each of them.

@@ -270,6 +270,7 @@ struct Native {
   StringId name = StringId::none;
   bool effects_known = false;  // declared to neither move nor change state
   bool moves = false;          // axes may be anywhere after it
+  bool shifts = false;         // coordinates may lie elsewhere after it
   bool writes = false;         // to a file or a device, for others to read
   bool smooths = false;        // tolerance and smoothing: how the machine follows the path, not which path
   bool paces = false;          // along which axes feeds count: how fast it follows the path

@@ -249,6 +249,9 @@ struct Failure {
   std::vector<std::string> arguments;
   ir::AlarmDetail detail = ir::AlarmDetail::none;
 };
+// Bits of a report's second operand, of what the control then does.
+inline constexpr std::uint32_t kReportMoves = 1;   // axes may be anywhere
+inline constexpr std::uint32_t kReportShifts = 2;  // coordinates may lie elsewhere
 struct Report {
   std::string name;
   ir::Function function = ir::Function::not_modelled;

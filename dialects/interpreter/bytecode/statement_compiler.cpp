@@ -271,7 +271,7 @@ void StatementCompiler::compile_native(const ir::Statement& statement) {
                                 : native.paces ? ir::Function::feed_per_min
                                                : ir::Function::not_modelled;
   builder_.emit(Opcode::report, statement.span, builder_.add_report(name, function, native.effects_known),
-                native.moves ? 1 : 0);
+                (native.moves ? kReportMoves : 0U) | (native.shifts ? kReportShifts : 0U));
   if (name == "RET") builder_.emit(Opcode::back, statement.span);  // whatever else it does
 }
 

@@ -346,7 +346,8 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     end_section(i, next);
   else if (i.op == Opcode::report) {
     report_.count(program.reports[i.a]);
-    if (i.b == 1) state_.unknown = kAllAxes;
+    if ((i.b & kReportMoves) != 0) state_.unknown = kAllAxes;
+    if ((i.b & kReportShifts) != 0) state_.gaps |= ir::kFrameLost;
   } else
     report_rare(i);
   return true;

@@ -63,12 +63,31 @@ std::optional<double> SharedAccess::call_argument(const ir::SystemVariableRow& r
   return value_or_zero(value);
 }
 
+// $TC_DP3 and $TC_DP6 of a tool that the machine's profile has, in a program in mm; nothing once the program has
+// changed such data.
+std::optional<double> SharedAccess::tool_figure(const ir::SystemVariableRow& row, const Indices& indices) const {
+  const auto find_in = [&](const auto& known, auto figure) {
+    const auto one = std::ranges::find_if(known, [&](const auto& candidate) {
+      return candidate.tool == static_cast<std::int32_t>(indices[0]) &&
+             candidate.offset == static_cast<std::int32_t>(indices[1]);
+    });
+    return one == known.end() ? std::nullopt : std::optional((*one).*figure);
+  };
+  if (state_.modes.inch) return std::nullopt;
+  const bool is_radius = row.kind == ir::SystemValue::tool_radius;
+  if ((state_.gaps & (is_radius ? ir::kRadiiChanged : ir::kLengthsChanged)) != 0) return std::nullopt;
+  return is_radius ? find_in(control_.tool_radii, &ir::ToolRadius::radius_mm)
+                   : find_in(control_.tool_lengths, &ir::ToolLength::length_mm);
+}
+
 std::optional<double> SharedAccess::answer(const Instruction& i, const Indices& indices) const {
   if (i.detail == 0) return std::nullopt;
   const ir::SystemVariableRow& row = control_.system_variables[i.detail - 1U];
   if (row.kind == ir::SystemValue::settable_frame) return frames_.settable_part(indices);
   if (row.kind == ir::SystemValue::call_argument || row.kind == ir::SystemValue::call_argument_given)
     return call_argument(row, indices);
+  if (row.kind == ir::SystemValue::tool_radius || row.kind == ir::SystemValue::tool_length)
+    return row.name == shared_.name_of(i.b) ? tool_figure(row, indices) : std::nullopt;
   return answer_system(control_, row, indices, state_);
 }
 

@@ -35,7 +35,8 @@ class SharedAccess {
   bool store_text(const Instruction& i);
   bool refer(const Instruction& i);
   [[nodiscard]] std::optional<double> call_argument(const ir::SystemVariableRow& row, const Indices& indices) const;
-  // Of a system variable that the modal state answers.
+  [[nodiscard]] std::optional<double> tool_figure(const ir::SystemVariableRow& row, const Indices& indices) const;
+  // Of a system variable that the modal state or the machine's tools answer.
   [[nodiscard]] std::optional<double> answer(const Instruction& i, const Indices& indices) const;
   bool may_write(const Instruction& i);
   // Of a tool, at these indices; nullptr: it is not known which or what.

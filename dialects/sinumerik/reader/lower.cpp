@@ -272,8 +272,16 @@ void Lowering::keep_as_native(std::string_view native_name, bool effects_known, 
   const Keyword* const keyword = find_keyword(native_name);
   const bool smooths = keyword != nullptr && keyword->effect == Effect::smooths;
   const bool paces = keyword != nullptr && keyword->effect == Effect::paces;
+  const bool shifts = keyword != nullptr && keyword->effect == Effect::shifts;
   push(StatementKind::native, program_.natives,
-       ir::Native{name(native_name), effects_known, moves, writes, smooths, paces}, span);
+       ir::Native{.name = name(native_name),
+                  .effects_known = effects_known,
+                  .moves = moves,
+                  .shifts = shifts,
+                  .writes = writes,
+                  .smooths = smooths,
+                  .paces = paces},
+       span);
   native_ = true;
 }
 

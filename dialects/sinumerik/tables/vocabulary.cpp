@@ -92,15 +92,18 @@ constexpr std::string_view kPacingProcedure[] = {"FGROUP"};
 
 // Standard cycles that are not read. They move, but for those of the list after it.
 constexpr std::string_view kCycle[] = {
-    "CYCLE60",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE72",   "CYCLE78",   "CYCLE79",   "CYCLE90",   "CYCLE92",
-    "CYCLE93",   "CYCLE94",   "CYCLE96",   "CYCLE98",   "CYCLE99",   "CYCLE116",  "CYCLE150",  "CYCLE160",  "CYCLE206",
-    "CYCLE207",  "CYCLE208",  "CYCLE209",  "CYCLE210",  "CYCLE435",  "CYCLE495",  "CYCLE750",  "CYCLE751",  "CYCLE752",
-    "CYCLE753",  "CYCLE754",  "CYCLE755",  "CYCLE756",  "CYCLE757",  "CYCLE758",  "CYCLE759",  "CYCLE782",  "CYCLE800",
-    "CYCLE801",  "CYCLE802",  "CYCLE805",  "CYCLE806",  "CYCLE830",  "CYCLE860",  "CYCLE899",  "CYCLE930",  "CYCLE940",
-    "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",  "CYCLE972",  "CYCLE973",  "CYCLE974",  "CYCLE976",
-    "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",  "CYCLE995",  "CYCLE996",  "CYCLE997",  "CYCLE998",
-    "CYCLE9960", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079",
-    "SLOT2"};
+    "CYCLE60",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE72",   "CYCLE78",   "CYCLE79",   "CYCLE90",
+    "CYCLE92",   "CYCLE93",   "CYCLE94",   "CYCLE96",   "CYCLE98",   "CYCLE99",   "CYCLE116",  "CYCLE150",
+    "CYCLE160",  "CYCLE206",  "CYCLE207",  "CYCLE208",  "CYCLE209",  "CYCLE210",  "CYCLE435",  "CYCLE495",
+    "CYCLE750",  "CYCLE751",  "CYCLE752",  "CYCLE753",  "CYCLE754",  "CYCLE755",  "CYCLE756",  "CYCLE757",
+    "CYCLE758",  "CYCLE759",  "CYCLE782",  "CYCLE801",  "CYCLE802",  "CYCLE805",  "CYCLE806",  "CYCLE860",
+    "CYCLE899",  "CYCLE930",  "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE4071", "CYCLE4072",
+    "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079", "SLOT2"};
+
+// … and change where coordinates lie: swivelled planes, measured work offsets and tools.
+constexpr std::string_view kShiftingCycle[] = {"CYCLE800", "CYCLE830", "CYCLE961", "CYCLE971", "CYCLE972", "CYCLE973",
+                                               "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE982",
+                                               "CYCLE994", "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998", "CYCLE9960"};
 
 // Settings of the path: a machine tool builder's part of it may switch more.
 constexpr std::string_view kSettingCycle[] = {"CYCLE832"};
@@ -124,6 +127,7 @@ constexpr WordList kLists[] = {
     {Role::procedure, Effect::none, kQuietProcedure},
     {Role::procedure, Effect::paces, kPacingProcedure},
     {Role::cycle, Effect::moves, kCycle},
+    {Role::cycle, Effect::shifts, kShiftingCycle},
     {Role::cycle, Effect::smooths, kSettingCycle},
     {Role::cycle, Effect::none, kNamingCycle},
     {Role::attribute, Effect::none, kAttribute},

@@ -22,17 +22,22 @@ class Unread {
   }
 
  private:
-  void say(std::string_view name, text::Span span) {
-    if (seen_.insert(std::string(name)).second)
-      check_.report(text::DiagnosticId::not_interpreted, span, {std::string(name)});
+  text::Diagnostic* say(std::string_view name, text::Span span) {
+    if (!seen_.insert(std::string(name)).second) return nullptr;
+    return &check_.report(text::DiagnosticId::not_interpreted, span, {std::string(name)});
   }
 
   // Lines that could not be read have names in words, and their own diagnostic.
   void native(const ir::Statement& s) {
     const std::string_view name = check_.native_name(s);
-    if (!check_.program.natives[s.payload].effects_known && name.find(' ') == std::string_view::npos &&
-        name != "UNREADABLE")
-      say(name, s.span);
+    const ir::Native& native = check_.program.natives[s.payload];
+    if (native.effects_known || name.find(' ') != std::string_view::npos || name == "UNREADABLE") return;
+    text::Diagnostic* const found = say(name, s.span);
+    if (found != nullptr && native.shifts)
+      found->notes.push_back(
+          {s.span,
+           "where coordinates lie after it, the machine's kinematics or a measurement decides, which "
+           "no profile states: from there on travel, gouges and accuracy are not checked"});
   }
 
   // What a system variable does when it is written is the control's; outputs, timers and counters do nothing here.

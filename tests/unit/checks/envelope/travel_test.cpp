@@ -153,6 +153,20 @@ TEST(Travel, WhatTheProgramChangesIsNotClaimed) {
   EXPECT_EQ(run({far}).findings.count(DiagnosticId::travel_exceeded), 2U);
 }
 
+TEST(Travel, WhatKinematicsDecideIsNotClaimed) {
+  ir::Motion far = move(rapid, 0, 0, 9000, 9000);
+  far.gaps = ir::kFrameLost;
+  const Report swivelled = run({far});
+  EXPECT_TRUE(swivelled.findings.empty());
+  EXPECT_TRUE(swivelled.machine[0].empty());
+  EXPECT_TRUE(swivelled.lost_place);
+  EXPECT_TRUE(reports(swivelled,
+                      "a plane is swivelled or a transformation is on, which the machine's kinematics decide: the "
+                      "travel of X was not checked from there"));
+  far.machine_coordinates = true;
+  EXPECT_EQ(run({far}).findings.count(DiagnosticId::travel_exceeded), 2U);
+}
+
 TEST(Travel, AnIncrementFromAnUnknownPlaceIsNotClaimed) {
   ir::Motion step = move(rapid, 0, 0, 9000, 9000);
   step.gaps = ir::kEndUnknown;

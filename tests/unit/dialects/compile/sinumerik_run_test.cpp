@@ -3,6 +3,8 @@
 // (PG) and Job Planning (PGA) that it names.
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
+#include "dialects/sinumerik/tables/vocabulary.h"
+
 namespace dripfeed::compile::test {
 namespace {
 
@@ -332,6 +334,64 @@ TEST(SinumerikFlow, MoreVariablesThanARunKeeps) {
 TEST(SinumerikFlow, MacrosAreReadInThePlaceOfTheirNames) {
   const Result ran = run("DEFINE UP AS G0 Z=R1\nDEFINE G301 AS G91 G1 X-1 F50\nR1=20\nUP\nG301\nM30\n");
   EXPECT_EQ(moves(ran), "4 rapid X0.0000 Y0.0000 Z20.0000\n5 linear X-1.0000 Y0.0000 Z20.0000 F50.0000/min\n");
+}
+
+// A swivelled plane, a transformation, a measured offset: where later coordinates lie is not known, and stays so.
+TEST(SinumerikRun, CoordinatesAreLostAfterWhatShiftsThem) {
+  const ir::Control control = test::control("sinumerik-840d", ir::MachineKind::mill);
+  const auto lost_after = [&](const std::string& statement) {
+    const Result ran = run_on(control, "G17 G90 G94 G710\nG0 X0 Y0 Z9\n" + statement + "\nG0 X1\nG0 G54 X2\nM30\n");
+    std::vector<bool> lost;
+    for (const ir::Motion& m : moves_of(ran.motions)) lost.push_back((m.gaps & ir::kFrameLost) != 0);
+    return lost;
+  };
+  const std::vector<bool> from_there = {false, true, true};
+  EXPECT_EQ(lost_after("CYCLE800(1,\"\",0,57,0,0,0,0,30,0,0,0,0,1)"), from_there);
+  EXPECT_EQ(lost_after("TRAORI"), from_there);
+  EXPECT_EQ(lost_after("CYCLE977(1)"), from_there);
+  EXPECT_EQ(lost_after("CYCLE72(\"A\",20,0,2,-5)"), (std::vector<bool>{false, false, false}));
+  EXPECT_EQ(lost_after("M8"), (std::vector<bool>{false, false, false}));
+}
+
+// $TC_DP3 and $TC_DP6 of the profile's tools, until the program changes such data.
+TEST(SinumerikInputs, DataOfTheProfilesToolsAreKnown) {
+  ir::Control control = test::control("sinumerik-840d", ir::MachineKind::mill);
+  control.tool_radii = {{.tool = 1, .offset = 1, .radius_mm = 5.0}, {.tool = 1, .offset = 2, .radius_mm = 4.9}};
+  control.tool_lengths = {{.tool = 1, .offset = 1, .length_mm = 120.0}};
+  const auto read = [&](const std::string& text) { return run_on(control, "G17 G90 G710\n" + text + "M30\n"); };
+  const Result known = read("R1=$TC_DP6[1,1]\nR2=$TC_DP6[1,2]\nR3=$TC_DP3[1,1]\n");
+  EXPECT_EQ(known.value("R1"), 5.0);
+  EXPECT_EQ(known.value("R2"), 4.9);
+  EXPECT_EQ(known.value("R3"), 120.0);
+  EXPECT_FALSE(known.names("$TC_DP6[1,1]"));
+  EXPECT_TRUE(read("R1=$TC_DP6[2,1]\n").names("$TC_DP6[2,1]"));
+  EXPECT_TRUE(read("R1=$TC_DP3[1,2]\n").names("$TC_DP3[1,2]"));
+  EXPECT_TRUE(read("G700\nR1=$TC_DP6[1,1]\n").names("$TC_DP6[1,1]"));
+  const Result changed = read("$TC_DP6[1,1]=4\nR1=$TC_DP6[1,1]\nR2=$TC_DP6[1,2]\nR3=$TC_DP3[1,1]\n");
+  EXPECT_EQ(changed.value("R1"), 4.0);
+  EXPECT_TRUE(changed.names("$TC_DP6[1,2]"));
+  EXPECT_EQ(changed.value("R3"), 120.0);
+}
+
+// No verdict is pass after them: each is named, and the axes may be anywhere.
+TEST(SinumerikInputs, ACycleThatIsNotReadIsNamed) {
+  const ir::Control control = test::control("sinumerik-840d", ir::MachineKind::mill);
+  std::size_t count = 0;
+  for (const sinumerik::WordList& list : sinumerik::vocabulary()) {
+    const bool moves = list.effect == sinumerik::Effect::moves || list.effect == sinumerik::Effect::shifts;
+    if (list.role != sinumerik::Role::cycle || !moves) continue;
+    for (const std::string_view name : list.names) {
+      for (const std::string_view mark : {"", "MCALL "}) {
+        const Result ran = run_on(control, "G17 G90 G94 G710\nG0 X0 Y0 Z9\n" + std::string(mark) + std::string(name) +
+                                               "(1,2)\nG0 X1\nMCALL\nM30\n");
+        EXPECT_TRUE(ran.names(name)) << mark << name;
+        EXPECT_FALSE(std::ranges::any_of(ran.result.not_interpreted,
+                                         [&](const auto& one) { return one.name == name && one.effects_known; }));
+      }
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 60U);
 }
 
 }  // namespace
