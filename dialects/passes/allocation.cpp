@@ -96,7 +96,6 @@ class Allocator {
       element.symbol = id;
       element.span = symbol.span;
       if (symbol.dimension1 != 0) element.index = program_.add_constant(k);
-      flat_.insert(static_cast<std::uint32_t>(program_.variables.size()));
       out.emit_assign(program_.add(element), initial_value(symbol));
     }
   }
@@ -300,7 +299,7 @@ class Allocator {
       const std::uint32_t key = v.bank == Bank::named ? static_cast<std::uint32_t>(v.symbol) : v.number;
       const AllocatedVariable& place = wanted_.at({v.bank, whole ? 0 : key}).place;
       std::uint32_t number = place.number + (whole ? v.number : 0);
-      if (v.bank == Bank::named && !flat_.contains(index)) v.index = flat_index(v);
+      if (v.bank == Bank::named) v.index = flat_index(v);
       v.index2 = v.index3 = ExpressionId::none;
       if (v.index != ExpressionId::none) {
         const ir::Expression e = program_.at(v.index);
@@ -357,7 +356,6 @@ class Allocator {
   AllocationReport report_;
   std::map<Key, Wanted> wanted_;
   std::set<std::uint32_t> used_;   // indices into Program::variables
-  std::set<std::uint32_t> flat_;   // of those, elements whose index counts through the array already
   std::set<std::uint32_t> taken_;  // numbers of the target bank that the program has already
   std::map<std::uint32_t, std::vector<LiveRange>> given_;
   bool pinned_ = false;

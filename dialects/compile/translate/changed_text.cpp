@@ -99,7 +99,6 @@ class Writer {
     ir::Program made = after_;
     made.statements.clear();
     made.labels.clear();
-    made.sections.clear();
     for (const auto& [i, group] : made_) {
       const auto at = static_cast<std::uint32_t>(made.statements.size());
       for (const ir::Label& label : std::ranges::equal_range(after_.labels, i, {}, &ir::Label::statement)) {

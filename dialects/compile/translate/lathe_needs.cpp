@@ -71,8 +71,8 @@ bool needs_feed_after(const ir::Program& program, std::uint32_t statement) {
     const auto words = program.words_of(block);
     if (std::ranges::find(words, Address::f, &ir::Word::address) != words.end()) return Use::sets;
     const bool cuts = std::ranges::any_of(program.codes_of(block), [](const ir::Code& c) {
-      return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread &&
-             c.function != Function::thread_changing;
+      // A thread whose lead changes states an F of its own.
+      return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread;
     });
     return cuts ? Use::needs : Use::none;
   });

@@ -259,8 +259,6 @@ class Lowering {
           passes::not_known(name + " where absolute, incremental, diameter or radius is not known"));
     x_scale_ = *diameter == Function::diameter_off ? 0.5 : 1.0;
     mode_ = *distance == Function::incremental ? ir::WordMode::absolute : ir::WordMode::as_modal;
-    first_codes_.clear();
-    first_words_.clear();
     moves(*done, inch ? 25.4 : 1.0);
     x_scale_ = 1.0;
     mode_ = ir::WordMode::as_modal;

@@ -15,6 +15,7 @@
 #include "dialects/facts/flow_graph.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
+#include "dialects/macro_b/writer/drill_levels.h"
 #include "dialects/passes/refusal.h"
 #include "dialects/passes/rewrite.h"
 
@@ -115,6 +116,8 @@ class Splicing {
     std::ranges::move(words_.take_diagnostics(), std::back_inserter(diagnostics_));
     if (text::has_error(diagnostics_)) return std::move(diagnostics_);
     std::ranges::move(translate_iso_increments(program_, from_, iso_control_, to_), std::back_inserter(diagnostics_));
+    // Drilling cycles of Siemens mode are calls: each of these is one of ISO mode.
+    std::ranges::move(macro_b::drill_levels(program_, iso_control_, to_), std::back_inserter(diagnostics_));
     return std::move(diagnostics_);
   }
 

@@ -64,6 +64,32 @@ TEST(IsoTranslation, BlocksStayWhatTheyAre) {
   }
 }
 
+// A block that block skip may leave out is refused where it switches, and not where a part only begins or ends at it.
+TEST(IsoTranslation, ABlockThatMayBeLeftOutIsNoSwitch) {
+  ir::Control from = sinumerik(MachineKind::mill);
+  from.semantics.starts_in_iso_mode = true;
+  const std::string head = "G17 G21 G90 G94 F200. S1000 M3\n";
+  expect_same_there("/M8\n" + head + "G0 X0. Y0. Z5.\nG1 X10.\nX20.\nM30\n", "fanuc", from);
+  const std::string_view refused = "a switch of the language that block skip may leave out";
+  EXPECT_NE(refusal(program("G1 X1.\n/G290\nX3\n")).find(refused), std::string::npos);
+  const ConvertResult called =
+      converted(program("G1 X1.\n/M98 P93\nX2.\nG290\nX3\n"), "fanuc", sinumerik(MachineKind::mill));
+  EXPECT_FALSE(text::has_error(called.diagnostics));
+  EXPECT_NE(called.text.find("/M98 P0093\n"), std::string::npos) << called.text;
+}
+
+// On lathes R counts from the initial level in ISO mode, and is a level for Haas.
+TEST(IsoTranslation, ROfADrillingCycleMeansTheSameLevel) {
+  const std::string head = "G18 G90 G71 G95 DIAMON F0.1 S1000 M3\nG0 X0 Z20\nG291\n";
+  const std::string drilled = head + "G83 Z-10. R-15. F0.1\nG80\nG290\nG0 Z50\nM30\n";
+  const std::string made = expect_same_there(drilled, "haas", sinumerik(MachineKind::lathe));
+  EXPECT_NE(made.find("G83 Z-10. R5. F0.1\n"), std::string::npos) << made;
+  EXPECT_NE(expect_same_there(drilled, "fanuc", sinumerik(MachineKind::lathe)).find("R-15."), std::string::npos);
+  const std::string open = "G18 G90 G71 G95 DIAMON F0.1 S1000 M3\nG0 X0 Z=R1\nG291\nG83 Z-10. R-15. F0.1\nG80\nM30\n";
+  EXPECT_NE(refusal(open, "haas", sinumerik(MachineKind::lathe)).find("where that level is not known"),
+            std::string::npos);
+}
+
 TEST(IsoTranslation, ModesGoThroughTheSwitch) {
   for (const std::string& to : kNumbered) {
     on_mill(program("G91 G1 X5.\nG290\nX5\nG291\nG90 X20.\nG290\nX25\nY5\n"), to);

@@ -1,9 +1,12 @@
 // Rows at the edge of what a pass of the translator takes and refuses, each with a near miss: one word decides.
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "dialects/compile/dialect/shared_definitions.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {
@@ -222,6 +225,80 @@ TEST(TranslateEdges, AShopsOwnCycleIsReportedOnce) {
   const std::size_t first = made.messages.find(own);
   ASSERT_NE(first, std::string::npos) << made.messages;
   EXPECT_EQ(made.messages.find(own, first + 1), std::string::npos) << made.messages;
+}
+
+// D takes the offsets of another edge: where the arc begins, the control then has.
+TEST(TranslateEdges, AnArcAfterAnotherEdgeBeginsWhereTheControlSays) {
+  const auto arc = [](const std::string& between) {
+    return make(kSinumerik + "G1 X10 Y0\n" + between + "G2 X0 Y10 I=AC(0) J=AC(0)\nM30\n", kSinumerikMill, "fanuc");
+  };
+  EXPECT_TRUE(arc("").has("G02 X0. Y10. I-10. J0.")) << arc("").text;
+  EXPECT_TRUE(arc("D0\n").has("G02 X0. Y10. I[0-#5001] J[0-#5002]")) << arc("D0\n").text;
+}
+
+// F of a block that may be left out does not take the place of the lead, which is the feed there.
+TEST(TranslateEdges, TheFeedAfterAThreadIsItsLeadWhereABlockMayBeLeftOut) {
+  const auto after = [](const std::string& sign) {
+    return make(kFanucLathe + "G32 Z-10. F1.5\n" + sign + "G01 X61. F0.1\nG01 Z-12.\nM30\n", kFanucTurning,
+                "sinumerik-840d");
+  };
+  EXPECT_TRUE(after("/").has("G33 Z-10. K1.5\nF1.5\n/ G1 X61. F0.1\n")) << after("/").text;
+  EXPECT_TRUE(after("").has("G33 Z-10. K1.5\nG1 X61. F0.1\n")) << after("").text;
+}
+
+TEST(TranslateEdges, ACornerIsRoundedToTheTargetsIncrement) {
+  const auto corner = [](bool is_named) {
+    ConvertRequest request;
+    request.source = text::Source("program", kSinumerik + "G1 X10 RND=2.00049\nY10 CHR=1.00051\nX0\nM30\n");
+    request.from = control("sinumerik-840d", MachineKind::mill);
+    request.to = control("fanuc", MachineKind::mill);
+    request.to.from_profile = is_named;
+    return convert(request).text;
+  };
+  EXPECT_NE(corner(true).find(",R2.\n"), std::string::npos) << corner(true);
+  EXPECT_NE(corner(true).find(",C1.001\n"), std::string::npos) << corner(true);
+}
+
+// What the definition files declare, the control keeps: moves that are found by a run do not come from it.
+TEST(TranslateEdges, DataOfADefinitionFileIsFromOutside) {
+  const auto arc_after = [](const std::string& definition, const std::string& first) {
+    ConvertRequest request;
+    request.source =
+        text::Source("program", first + kSinumerik + "G1 X=HOLE\nG1 X0 Y0\nCIP X10 Y0 Z35 I1=5 J1=5 K1=31\nM30\n");
+    request.from = with_definitions(control("sinumerik-840d", MachineKind::mill),
+                                    [&](std::string_view name) -> std::optional<text::Source> {
+                                      if (name != "SGUD" || definition.empty()) return std::nullopt;
+                                      return text::Source("SGUD.DEF", definition);
+                                    });
+    request.to = control("fanuc", MachineKind::mill);
+    return messages_of(convert(request).diagnostics, request.source);
+  };
+  const std::string reason = "CIP together with the variable HOLE, which the control keeps,";
+  const std::string kept = arc_after("DEF NCK REAL HOLE\nM30\n", "");
+  EXPECT_NE(kept.find(reason), std::string::npos) << kept;
+  EXPECT_EQ(arc_after("", "DEF REAL HOLE\n").find(reason), std::string::npos);
+}
+
+// The elements of an array are not followed one by one: their numbers are not those of another name, too.
+TEST(TranslateEdges, AnArrayOfTwoSharesNoNumber) {
+  const auto made = [](std::uint32_t last) {
+    ConvertRequest request;
+    request.source = text::Source(
+        "program", "DEF REAL B\nDEF REAL A[2]\n" + kSinumerik + "B=1\nG1 X=B\nA[0]=2\nA[1]=3\nG1 X=A[0] Y=A[1]\nM30\n");
+    request.from = control("sinumerik-840d", MachineKind::mill);
+    request.to = control("fanuc", MachineKind::mill);
+    request.to.variables = {{.first = 100, .last = last}};
+    request.to.variables_stated = true;
+    return text::has_error(convert(request).diagnostics);
+  };
+  EXPECT_FALSE(made(102));
+  EXPECT_TRUE(made(101));
+}
+
+TEST(TranslateEdges, AModeThatPathsDisagreeOnIsNotWritten) {
+  const Made made = make("O1\nG21 G17 G90 G94 G40\nF100.\nIF[#100EQ0]GOTO1\nG91\nN1 G01 X1.\nX2.\nM30\n", {"mazak"},
+                         "sinumerik-840d");
+  EXPECT_TRUE(made.has("N1 G1 X1.\nX2.\n")) << made.text << made.messages;
 }
 
 TEST(TranslateEdges, TheLastCommentStays) {
