@@ -90,6 +90,10 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
       stock_.reset();
       continue;
     }
+    if (motion.kind == ir::MotionKind::rapid && (motion.gaps & ir::kFrameLost) != 0) {
+      report_.not_checked.add("a rapid in a swivelled plane or under a transformation was not checked", line);
+      continue;
+    }
     if (motion.kind == ir::MotionKind::rapid && checks::is_off_axis(motion)) {
       report_.not_checked.add("a rapid off the spindle's axis was not checked", line);
       continue;

@@ -101,6 +101,17 @@ TEST(Accuracy, ANoseWithoutCompensationMissesACone) {
   EXPECT_NEAR(rising.surface->max_signed_mm, 0.8 * (std::sqrt(2.0) - 1), 1e-9);
 }
 
+TEST(Accuracy, MeasuresNoCutWhoseCoordinatesLieElsewhere) {
+  const Settings settings{.nominal = straight(50, 1, {0, 40}),
+                          .tools = {{.number = 6, .nose_radius_mm = 0.8, .tip = 3}}};
+  ir::Motion move = cut(40, 180, 0, 100);
+  EXPECT_GT(run(settings, {takes_tool(6), move}).blocks, 0U);
+  move.gaps = ir::kFrameLost;
+  const Report report = run(settings, {takes_tool(6), move});
+  EXPECT_EQ(report.blocks, 0U);
+  EXPECT_FALSE(report.not_checked.empty());
+}
+
 TEST(Accuracy, SaysThatAToolIsNotKnown) {
   const Settings settings{.nominal = straight(50, 1, {0, 40}),
                           .tools = {{.number = 6, .nose_radius_mm = 0.8, .tip = 3}}};

@@ -220,6 +220,10 @@ TEST(PlaneAccuracy, WhatIsNotKnownIsReportedAndNothingHangs) {
   EXPECT_EQ(stands.blocks, 0U);
   const double nan = std::nan("");
   EXPECT_EQ(run(settings_for(circle()), {line({nan, 0}, {30, 0})}).blocks, 0U);
+  ir::Motion swivelled = line({0, 0}, {1, 1});
+  swivelled.gaps = ir::kFrameLost;
+  EXPECT_FALSE(run(settings_for(circle()), {swivelled}).not_checked.empty());
+  EXPECT_EQ(run(settings_for(circle()), {swivelled}).blocks, 0U);
   ir::Motion upright = line({0, 0}, {1, 1});
   upright.kind = ir::MotionKind::arc_cw;
   upright.plane = ir::Plane::zx;

@@ -179,5 +179,18 @@ TEST(Gouge, ACutThatTurnsCIsNotCheckedAndLeavesAnUnknownBar) {
   EXPECT_FALSE(report.not_checked.empty());
 }
 
+TEST(Gouge, AMoveWhoseCoordinatesLieElsewhereIsNotJudged) {
+  ir::Motion deep = cut(120, -20, 0, -20);
+  ir::Motion fast = rapid(120, -10, 0, -10);
+  EXPECT_FALSE(run(bar(), {deep, fast}).findings.empty());
+  deep.gaps = fast.gaps = ir::kFrameLost;
+  for (const ir::Motion& move : {deep, fast}) {
+    const Report report = run(bar(), {move});
+    EXPECT_TRUE(report.findings.empty());
+    EXPECT_FALSE(report.not_checked.empty());
+  }
+  EXPECT_TRUE(run(bar(), {deep}).has_unjudged_cuts);
+}
+
 }  // namespace
 }  // namespace dripfeed::gouge

@@ -213,6 +213,14 @@ TEST(Milling, WhatIsNotKnownIsReported) {
   ir::Motion turned = cut({0, 0, -5}, {1, 0, -5});
   turned.end[3] = 10;
   EXPECT_TRUE(reports(run(block(), {turned}), "rotary"));
+  ir::Motion swivelled = cut({0, 0, -5}, {1, 0, -5});
+  swivelled.gaps = ir::kFrameLost;
+  ir::Motion through = rapid({0, 0, 10}, {0, 0, -6});
+  through.gaps = ir::kFrameLost;
+  const Report elsewhere = run(block(), {swivelled, through});
+  EXPECT_TRUE(reports(elsewhere, "a move in a swivelled plane"));
+  EXPECT_TRUE(elsewhere.findings.empty());
+  EXPECT_TRUE(elsewhere.has_unjudged_cuts);
   ir::Motion unknown = rapid({0, 0, 0}, {0, 0, -6});
   unknown.axes_unknown = 7;
   const Report report = run(block(), {unknown});
