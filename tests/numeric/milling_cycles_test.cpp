@@ -377,10 +377,10 @@ TEST(MilledMaterial, FacesFromACorner) {
     const std::string infeed = n(dice.between(0.4, 3.0));
     const std::string step = dice.one_of(3) == 0 ? "0" : n(dice.between(1.0, 1.6 * radius));
     const std::string beyond = n(dice.between(0.0, 5.0)) + "," + n(base) + ",900,";
-    const std::string beside = dice.one_of(2) == 0 ? "" : "," + n(dice.between(0.1, 3.0));
+    const std::string last_beyond = dice.one_of(2) == 0 ? "" : "," + n(dice.between(0.1, 3.0));
     const auto call = [&](int kind) {
       return fmt::format("CYCLE71(50,0,2,{},{},{},{},{},{},{},{},{}{}{})\n", n(-top), n(corner_x), n(corner_y),
-                         n(length), n(width), 90 * quarters, infeed, step, beyond, kind, beside);
+                         n(length), n(width), 90 * quarters, infeed, step, beyond, kind, last_beyond);
     };
     const int cuts = 10 * (1 + trial % 4);
     SCOPED_TRACE(call(cuts + 1) + n(radius));
