@@ -188,7 +188,7 @@ class Splicing {
   void refuse_skipped_switch(std::uint32_t index) {
     const ir::ForeignPart& part = program_.foreign_parts[part_];
     const auto& statements = program_.statements;
-    const bool begins = index == part.first && statements[index].span.begin < part.text.begin;
+    const bool begins = index == part.first;
     const bool ends = index + 1 == part.last && part.ends_by_switch && part.last < statements.size();
     for (const auto& [is_switch, at] : {std::pair(begins, index), std::pair(ends, index + 1)})
       if (is_switch && statements[at].skip_level != 0)

@@ -279,28 +279,6 @@ TEST(TranslateEdges, DataOfADefinitionFileIsFromOutside) {
   EXPECT_EQ(arc_after("", "DEF REAL HOLE\n").find(reason), std::string::npos);
 }
 
-// The elements of an array are not followed one by one: their numbers are not those of another name, too.
-TEST(TranslateEdges, AnArrayOfTwoSharesNoNumber) {
-  const auto made = [](std::uint32_t last) {
-    ConvertRequest request;
-    request.source = text::Source(
-        "program", "DEF REAL B\nDEF REAL A[2]\n" + kSinumerik + "B=1\nG1 X=B\nA[0]=2\nA[1]=3\nG1 X=A[0] Y=A[1]\nM30\n");
-    request.from = control("sinumerik-840d", MachineKind::mill);
-    request.to = control("fanuc", MachineKind::mill);
-    request.to.variables = {{.first = 100, .last = last}};
-    request.to.variables_stated = true;
-    return text::has_error(convert(request).diagnostics);
-  };
-  EXPECT_FALSE(made(102));
-  EXPECT_TRUE(made(101));
-}
-
-TEST(TranslateEdges, AModeThatPathsDisagreeOnIsNotWritten) {
-  const Made made = make("O1\nG21 G17 G90 G94 G40\nF100.\nIF[#100EQ0]GOTO1\nG91\nN1 G01 X1.\nX2.\nM30\n", {"mazak"},
-                         "sinumerik-840d");
-  EXPECT_TRUE(made.has("N1 G1 X1.\nX2.\n")) << made.text << made.messages;
-}
-
 TEST(TranslateEdges, TheLastCommentStays) {
   EXPECT_TRUE(make(kFanuc + "G01 X1.\nM30\n(LAST)\n", kFanucMill, "sinumerik-840d").has("; LAST"));
   EXPECT_TRUE(make(kSinumerik + "G1 X1\nM30\n; LAST\n", kSinumerikMill, "fanuc").has("(LAST)"));
