@@ -32,7 +32,10 @@ BindResult Binder::bind() {
   for (const Requirement& requirement : family_.requirements) check(requirement);
   for (const CurveShape& curve : family_.curves) check_curve(curve);
   for (const Step& step : family_.steps)
-    if (step.kind == StepKind::set) known_[static_cast<std::size_t>(step.target)] = 0;
+    if (step.kind == StepKind::set) {
+      known_[static_cast<std::size_t>(step.target)] = 0;
+      sets_.insert(step.target);
+    }
   if (!text::has_error(result_.diagnostics))
     for (const ChordedCurve& curve : family_.chorded) count_chords(curve);
   if (!text::has_error(result_.diagnostics))

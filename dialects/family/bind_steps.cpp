@@ -6,6 +6,7 @@
 #include "dialects/family/binder.h"
 #include "dialects/family/contour_check.h"
 #include "dialects/family/engraving.h"
+#include "dialects/family/offset_check.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
@@ -29,7 +30,9 @@ void Binder::check_verbs() {
   };
   std::vector<Branch> open;
   bool is_reached = true;
+  const std::vector<std::uint8_t> known_before = known_;
   for (const Step& step : family_.steps) {
+    follow(step);
     if (step.kind == StepKind::if_begin) {
       const bool known = is_reached && !names_unknown(family_.arena, step.values[0], known_);
       const bool holds = known && compute(step.values[0]).value_or(1.0) != 0.0;
@@ -46,7 +49,37 @@ void Binder::check_verbs() {
       const RoughContour& contour = family_.contours[static_cast<std::size_t>(step.number)];
       if (const auto fault = fault_of_contour(result_.bound, known_, contour))
         report(DiagnosticId::family_syntax, fault->span, {fault->text});
+    } else if (step.kind == StepKind::offset && is_reached) {
+      check_offset(family_.offsets[static_cast<std::size_t>(step.number)]);
     }
+  }
+  known_ = known_before;
+  for (const OffsetContour& one : family_.offsets)
+    for (const OffsetContour::Item& item : one.items)
+      for (const ir::SymbolId symbol : {item.corner, item.direction})
+        if (symbol != ir::SymbolId::none) known_[static_cast<std::size_t>(symbol)] = 1;
+}
+
+// What a let of the body is where the next steps stand: what follows from parameters alone.
+void Binder::follow(const Step& step) {
+  if (step.kind == StepKind::for_begin || step.kind == StepKind::for_in_begin)
+    known_[static_cast<std::size_t>(step.target)] = 0;  // a closed block may have had the name for a let
+  if (step.kind != StepKind::let || sets_.contains(step.target)) return;
+  if (!names_unknown(family_.arena, step.values[0], known_))
+    know(step.target, evaluate(family_.arena, step.values[0], result_.bound.values).value);
+  else
+    known_[static_cast<std::size_t>(step.target)] = 0;
+}
+
+void Binder::check_offset(const OffsetContour& contour) {
+  const OffsetCorners corners = corners_of(result_.bound, known_, contour);
+  if (corners.fault) return report(DiagnosticId::family_syntax, corners.fault->span, {corners.fault->text});
+  for (const auto& [symbol, value] : corners.values) {
+    if (known_[static_cast<std::size_t>(symbol)] != 0 && value_of(symbol) != value)
+      return report(DiagnosticId::family_syntax, contour.span,
+                    {"the calls of this contour differ in a corner that is an outer one in one of them and not in "
+                     "another: write it as two contours"});
+    know(symbol, value);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -74,6 +75,8 @@ class Binder {
   // Of verbs that stand for many moves, but not in a branch that these values do not take.
   void check_verbs();
   void check_verb(const Step& step);
+  void follow(const Step& step);
+  void check_offset(const OffsetContour& contour);
   // Those that are known before the program runs.
   void check_indices(const Step& step);
   void check_indices(ir::ExpressionId id);
@@ -96,6 +99,7 @@ class Binder {
   std::span<const Override> overrides_;
   BindResult result_;
   std::vector<std::uint8_t> known_;                          // by symbol
+  std::set<ir::SymbolId> sets_;                              // what a `set` of the body changes
   std::map<ir::SymbolId, std::vector<double>> given_lists_;  // of parameters
 };
 

@@ -70,6 +70,7 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"face", &BodyReader::face},
       {"pocket", &BodyReader::pocket},
       {"rough", &BodyReader::rough},
+      {"offset", &BodyReader::offset},
       {"profile", &BodyReader::profile},
       {"for", &BodyReader::for_loop},
       {"while", &BodyReader::while_loop},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +20,8 @@ namespace dripfeed::family {
 
 // The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
 // in turning_reader.cpp, curves in along_reader.cpp and point_curve_reader.cpp, faces and pockets in
-// milling_reader.cpp, roughing in rough_reader.cpp, native text in native_verb_reader.cpp, mirrored and
+// milling_reader.cpp, roughing in rough_reader.cpp, offsets in
+// offset_reader.cpp, native text in native_verb_reader.cpp, mirrored and
 // repeated moves in copies_reader.cpp, faces and cylinders in face_reader.cpp, blocks, assignments and
 // calls in flow_reader.cpp.
 class BodyReader {
@@ -60,6 +62,7 @@ class BodyReader {
   void face();
   void pocket();
   void rough();
+  void offset();
   void retract();
   void drill();
   void ream();
@@ -186,15 +189,19 @@ class BodyReader {
     ir::ExpressionId radius = ir::ExpressionId::none;
     ir::ExpressionId center_x = ir::ExpressionId::none;
     ir::ExpressionId center_z = ir::ExpressionId::none;
+    ir::ExpressionId when = ir::ExpressionId::none;  // none: always
     std::uint32_t line = 0;
   };
   struct Rough {
     RoughContour contour;
     Step head;
     std::size_t first_step = 0;
+    std::set<ir::SymbolId> changing = {};
   };
   void end_rough();
   bool read_contour(Rough& rough, const std::vector<Step>& steps, std::vector<RoughPoint>& points);
+  static std::set<ir::SymbolId> assigned_twice(const std::vector<Step>& steps);
+  [[nodiscard]] bool names_one(const std::set<ir::SymbolId>& symbols, ir::ExpressionId value) const;
   bool add_point(Rough& rough, const Step& step, std::vector<RoughPoint>& points);
   ir::ExpressionId point_value(const Rough& rough, std::string_view stem, ir::ExpressionId value, bool is_x);
   void find_center(RoughPoint& point, const RoughPoint& before);
@@ -206,7 +213,18 @@ class BodyReader {
   void leave_rough(const Rough& rough, ir::ExpressionId x, ir::ExpressionId z);
   ir::ExpressionId sum(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
   void open_if(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
+  void open_branch(ir::ExpressionId condition);
   void set_name(ir::SymbolId target, ir::ExpressionId value);
+
+  // A contour that is moved aside, see offset_reader.cpp.
+  class OffsetWriter;
+  struct Offset {
+    bool is_left = false;
+    ir::ExpressionId distance = ir::ExpressionId::none;
+    Step head;
+    std::size_t first_step = 0;
+  };
+  void end_offset();
 
   // Polar and cylindrical interpolation, see face_reader.cpp.
   void open_face(StepKind kind, ir::ExpressionId diameter);
@@ -282,6 +300,8 @@ class BodyReader {
   bool compensated_ = false;
   bool other_plane_ = false;
   std::optional<Rough> rough_;    // whose contour is read
+  std::optional<Offset> offset_;  // likewise
+  bool writes_offset_ = false;    // its steps are added
   std::optional<StepKind> face_;  // what began it; nothing outside of one
   bool on_face_ = false;          // its first cut is read
 };

@@ -138,7 +138,7 @@ class Builder {
 
   std::size_t build_one(std::size_t at) {
     const Step& step = family_.steps[at];
-    if (joins_paths(step.kind)) {
+    if (joins_paths(step.kind) && !is_decided(step)) {
       write_compensation();
       write_feed();
       motion_ = Function::none;
@@ -188,6 +188,7 @@ class Builder {
       case StepKind::cylinder_begin: cylinder_begin(step); break;
       case StepKind::cylinder_end: transformation(ir::kTransformationEnds, {}); break;
       case StepKind::require:
+      case StepKind::offset:
       case StepKind::contour: break;  // checked before
     }
     return at;
@@ -336,6 +337,12 @@ class Builder {
 
   // After these another block may have come before: what is in effect there is not known.
   static bool joins_paths(StepKind kind) { return kind >= StepKind::for_begin && kind <= StepKind::if_end; }
+
+  // Of an `if`, its `else` and its end: whether there is one path alone, the branch that is built.
+  [[nodiscard]] bool is_decided(const Step& step) const {
+    if (step.kind == StepKind::if_begin) return names_.is_decided(step.values[0]);
+    return (step.kind == StepKind::if_else || step.kind == StepKind::if_end) && decided_.back();
+  }
 
   void work_offset(const Step& step) {
     const EmittedCode code{Function::work_offset, static_cast<std::int16_t>(step.number)};

@@ -62,6 +62,10 @@ void BuildNames::find_fixed() {
   for (const Definition& one : family_.definitions)
     if (one.is_constant) fix(one.symbol);
   for (const List& one : family_.lists) fix(one.count);
+  for (const OffsetContour& contour : family_.offsets)
+    for (const OffsetContour::Item& one : contour.items)
+      for (const ir::SymbolId symbol : {one.corner, one.direction})
+        if (symbol != ir::SymbolId::none) fix(symbol);
 }
 
 void BuildNames::need(ExpressionId id) {

@@ -46,6 +46,7 @@ class Check {
     std::optional<Place> last;
     std::optional<Place> first;
     for (const RoughContour::Item& one : contour_.items) {
+      if (one.when != ExpressionId::none && value(one.when) == 0.0) continue;
       if (one.target != ir::SymbolId::none) {
         if (!is_known(one.value)) return open(one.span);
         values_[static_cast<std::size_t>(one.target)] = value(one.value);

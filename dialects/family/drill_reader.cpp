@@ -87,8 +87,11 @@ void BodyReader::hole() {
 
 bool BodyReader::may_stand_here(StepKind kind) {
   static constexpr std::array kInContour = {StepKind::cut, StepKind::arc_cw, StepKind::arc_ccw, StepKind::let};
-  if (rough_ && std::ranges::find(kInContour, kind) == kInContour.end()) {
-    cursor_.syntax(verb_, "in the contour of 'rough' stand only cut, arc, let, and calls of such");
+  static constexpr std::array kOfOffset = {StepKind::offset, StepKind::if_begin, StepKind::if_end};
+  if ((rough_ || offset_) && std::ranges::find(kInContour, kind) == kInContour.end() &&
+      (!writes_offset_ || std::ranges::find(kOfOffset, kind) == kOfOffset.end())) {
+    cursor_.syntax(verb_, fmt::format("in the contour of '{}' stand only cut, arc, let, and calls of such",
+                                      offset_ ? "offset" : "rough"));
     return false;
   }
   if (face_ && !may_stand_on_face(kind)) return false;

@@ -12,11 +12,11 @@ namespace dripfeed::family {
 namespace {
 
 constexpr auto kOnFace = std::to_array<StepKind>(
-    {StepKind::cut,         StepKind::arc_cw,       StepKind::arc_ccw,    StepKind::feed,       StepKind::coolant,
-     StepKind::dwell,       StepKind::message,      StepKind::let,        StepKind::set,        StepKind::for_begin,
-     StepKind::for_end,     StepKind::while_begin,  StepKind::while_end,  StepKind::if_begin,   StepKind::if_else,
-     StepKind::if_end,      StepKind::for_in_begin, StepKind::for_in_end, StepKind::compensate, StepKind::polar_end,
-     StepKind::cylinder_end});
+    {StepKind::cut,          StepKind::arc_cw,       StepKind::arc_ccw,    StepKind::feed,       StepKind::coolant,
+     StepKind::dwell,        StepKind::message,      StepKind::let,        StepKind::set,        StepKind::for_begin,
+     StepKind::for_end,      StepKind::while_begin,  StepKind::while_end,  StepKind::if_begin,   StepKind::if_else,
+     StepKind::if_end,       StepKind::for_in_begin, StepKind::for_in_end, StepKind::compensate, StepKind::polar_end,
+     StepKind::cylinder_end, StepKind::offset});
 // Which leave out what they hold, or begin it elsewhere.
 constexpr auto kBranching =
     std::to_array<StepKind>({StepKind::for_begin, StepKind::for_in_begin, StepKind::while_begin, StepKind::if_begin,

@@ -104,6 +104,10 @@ void BodyReader::end() {
     end_rough();
     return scope_.close();
   }
+  if (open.kind == StepKind::offset) {
+    end_offset();
+    return scope_.close();
+  }
   if (open.kind == StepKind::polar_begin || open.kind == StepKind::cylinder_begin) {
     close_face();
     return scope_.close();

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/family/contour.h"
 #include "dialects/family/native_text.h"
 #include "dialects/family/unit.h"
 #include "dialects/ir/control.h"
@@ -187,33 +188,6 @@ struct PointCurve {
   [[nodiscard]] bool is_bezier() const { return order == 0; }
 };
 
-// The contour of a `rough`: what is checked of it before the program runs. x as the family has it.
-struct RoughContour {
-  // A let of the contour (target), or a point that a line or an arc leads to.
-  struct Item {
-    ir::SymbolId target = ir::SymbolId::none;
-    ir::ExpressionId value = ir::ExpressionId::none;  // of the let
-    ir::ExpressionId x = ir::ExpressionId::none;
-    ir::ExpressionId z = ir::ExpressionId::none;
-    bool is_arc = false;
-    bool clockwise = false;
-    ir::ExpressionId i = ir::ExpressionId::none;  // none: 0
-    ir::ExpressionId k = ir::ExpressionId::none;
-    ir::ExpressionId radius = ir::ExpressionId::none;
-    text::Span span;
-  };
-  bool is_facing = false;  // passes along x
-  bool is_inside = false;
-  ir::ExpressionId x = ir::ExpressionId::none;  // where it begins
-  ir::ExpressionId z = ir::ExpressionId::none;
-  ir::ExpressionId depth = ir::ExpressionId::none;
-  ir::ExpressionId retract = ir::ExpressionId::none;
-  ir::ExpressionId allowance_x = ir::ExpressionId::none;  // none: 0
-  ir::ExpressionId allowance_z = ir::ExpressionId::none;
-  std::vector<Item> items;
-  text::Span span;
-};
-
 // A place of the drawing. Its view has two of the axes, the first one across: lathes have z and x, mills x and y, x and
 // z or y and z.
 struct DrawnPlace {
@@ -281,6 +255,7 @@ enum class StepKind : std::uint8_t {
   native,       // number: row of Family::natives
   require,      // values[0]: a condition that the values of a verb fulfil; text
   contour,      // number: row of Family::contours, which its values fulfil
+  offset,       // number: row of Family::offsets, likewise
   polar_begin,  // y is a length across x on the face, until the end
   polar_end,
   cylinder_begin,  // values[0]: its diameter; y is a length on its circumference
@@ -290,6 +265,8 @@ enum class StepKind : std::uint8_t {
 // Of a feed: it counts until kFeedBefore, which gives back the one before it.
 inline constexpr std::int32_t kPassingFeed = 1;
 inline constexpr std::int32_t kFeedBefore = 2;
+// Of an if_begin: its condition is decided when the family gets its values.
+inline constexpr std::int32_t kCornerBranch = 1;
 
 // A block of the controls' own languages, word for word.
 struct NativeVerb {
@@ -380,6 +357,7 @@ struct Family {
   std::vector<ChordedCurve> chorded;
   std::vector<PointCurve> point_curves;
   std::vector<RoughContour> contours;
+  std::vector<OffsetContour> offsets;
   std::vector<OutlineShape> outlines;
   std::vector<DimensionShape> dimensions;
   // x, y and z of the nominals, where they are used.

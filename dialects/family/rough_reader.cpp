@@ -7,7 +7,7 @@
 //          |   |  <------------------------         edges lie above and right of its tip meets nothing that stays.
 //          +------------------------------> z
 #include <algorithm>
-#include <array>
+#include <set>
 #include <utility>
 
 #include "dialects/family/body_reader.h"
@@ -44,6 +44,14 @@ ExpressionId BodyReader::sum(Operator op, ExpressionId a, ExpressionId b) {
 void BodyReader::open_if(Operator op, ExpressionId a, ExpressionId b) {
   Step out = step(StepKind::if_begin);
   out.values[0] = calculated(op, a, b);
+  add(std::move(out));
+}
+
+// Of an offset, decided when the family gets its values.
+void BodyReader::open_branch(ExpressionId condition) {
+  Step out = step(StepKind::if_begin);
+  out.number = kCornerBranch;
+  out.values[0] = condition;
   add(std::move(out));
 }
 
@@ -106,19 +114,50 @@ void BodyReader::end_rough() {
   for (std::size_t i = rough.first_step; i < steps_.size(); ++i) steps_[i].span = rough.head.span;
 }
 
-// Its lets become steps, its moves points.
+// Its lets become steps, its moves points. What an offset in it decides stays around its lets, which give the same
+// names a value whatever is decided, and around its moves.
 bool BodyReader::read_contour(Rough& rough, const std::vector<Step>& steps, std::vector<RoughPoint>& points) {
-  for (const Step& one : steps) {
-    if (one.kind != StepKind::let) {
+  rough.changing = assigned_twice(steps);
+  ExpressionId when = ExpressionId::none;
+  const auto keep = [this](Step one) {
+    one.line = line_;
+    steps_.push_back(std::move(one));
+  };
+  for (std::size_t at = 0; at < steps.size(); ++at) {
+    const Step& one = steps[at];
+    if (one.kind == StepKind::let) {
+      rough.contour.items.push_back({.target = one.target, .value = one.values[0], .when = when, .span = one.span});
+      keep(one);
+    } else if (one.kind == StepKind::if_begin) {
+      when = one.values[0];
+      if (steps[at + 1].kind == StepKind::let) keep(one);
+    } else if (one.kind == StepKind::if_end) {
+      when = ExpressionId::none;
+      if (steps[at - 1].kind == StepKind::let) keep(one);
+    } else if (one.kind == StepKind::offset) {
+      keep(one);
+    } else {
       if (!add_point(rough, one, points)) return false;
-      continue;
+      rough.contour.items.back().when = points.back().when = when;
     }
-    rough.contour.items.push_back({.target = one.target, .value = one.values[0], .span = one.span});
-    Step let = one;
-    let.line = line_;
-    steps_.push_back(std::move(let));
   }
   return true;
+}
+
+// Names whose value another line of the contour changes.
+std::set<ir::SymbolId> BodyReader::assigned_twice(const std::vector<Step>& steps) {
+  std::set<ir::SymbolId> once;
+  std::set<ir::SymbolId> out;
+  bool in_branch = false;
+  for (const Step& one : steps) {
+    if (one.kind == StepKind::if_begin || one.kind == StepKind::if_end) in_branch = one.kind == StepKind::if_begin;
+    if (one.kind == StepKind::let && !in_branch && !once.insert(one.target).second) out.insert(one.target);
+  }
+  return out;
+}
+
+bool BodyReader::names_one(const std::set<ir::SymbolId>& symbols, ExpressionId value) const {
+  return std::ranges::any_of(symbols, [&](ir::SymbolId one) { return names(family_.arena, value, one); });
 }
 
 bool BodyReader::add_point(Rough& rough, const Step& step, std::vector<RoughPoint>& points) {
@@ -158,6 +197,8 @@ bool BodyReader::add_point(Rough& rough, const Step& step, std::vector<RoughPoin
   if (points.empty() && point.is_arc)
     return cursor_.syntax(step.span, "the contour of 'rough' begins with a cut to its start"), false;
   contour.items.push_back(item);
+  for (ExpressionId* one : {&point.i, &point.k, &point.radius})
+    if (*one != ExpressionId::none && names_one(rough.changing, *one)) *one = kept("contour_arc", *one, kLength);
   point.x = point.moves_x ? point_value(rough, "contour_x", item.x, true) : points.back().x;
   point.z = point.moves_z ? point_value(rough, "contour_z", item.z, false) : points.back().z;
   if (point.is_arc) find_center(point, points.back());
@@ -177,10 +218,7 @@ ExpressionId BodyReader::point_value(const Rough& rough, std::string_view stem, 
   }
   Step like = step(StepKind::let);
   like.span = verb_;
-  const bool changes = std::ranges::any_of(rough.contour.items, [&](const RoughContour::Item& one) {
-    return one.target != ir::SymbolId::none && names(family_.arena, value, one.target);
-  });
-  if (!changes && VerbCopy(family_, scope_, like).is_simple(value)) return value;
+  if (!names_one(rough.changing, value) && VerbCopy(family_, scope_, like).is_simple(value)) return value;
   return kept(stem, value, kLength);
 }
 
@@ -279,8 +317,12 @@ ExpressionId BodyReader::pass_end(const Rough& rough, const std::vector<RoughPoi
                              NameKind::variable);
   end.values[0] = first;
   add(end);
-  for (; n < points.size(); ++n)
-    if (leads(points[n])) pass_end_at(rough, points[n - 1], points[n], level, end);
+  for (; n < points.size(); ++n) {
+    if (!leads(points[n])) continue;
+    if (points[n].when != ExpressionId::none) open_branch(points[n].when);
+    pass_end_at(rough, points[n - 1], points[n], level, end);
+    if (points[n].when != ExpressionId::none) add(step(StepKind::if_end));
+  }
   return name_of(end);
 }
 
@@ -349,7 +391,9 @@ void BodyReader::last_rough_pass(const Rough& rough, const std::vector<RoughPoin
     if (one.i != ExpressionId::none) word(out, Address::i, {.id = one.i});
     if (one.k != ExpressionId::none) word(out, Address::k, {.id = one.k});
     if (one.radius != ExpressionId::none) word(out, Address::arc_radius, {.id = one.radius});
+    if (one.when != ExpressionId::none) open_branch(one.when);
     add(std::move(out));
+    if (one.when != ExpressionId::none) add(step(StepKind::if_end));
   }
   line_ = line;
   leave_rough(rough, points.back().x, points.back().z);

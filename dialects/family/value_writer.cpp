@@ -42,7 +42,7 @@ ExpressionId ValueWriter::copy(ExpressionId id) {
   if (e.op == Operator::variable) return copy_variable(family_.arena.at(e.variable));
   if (e.op == kAlong) return interpolate(e);
   const ExpressionId a = copy(e.a);
-  if (e.op == Operator::negate && number(a)) return emit_.constant(-*number(a));
+  if (e.op == Operator::negate) return negated(a);
   if (ir::operand_count(e.op) == 1) return program_.add_operator(e.op, a, ExpressionId::none, e.span);
   const ExpressionId b = copy(e.b);
   return chooses(e.op) ? choose(e.op, a, b) : calculate(e.op, a, b);
@@ -145,7 +145,30 @@ ExpressionId ValueWriter::calculate(Operator op, ExpressionId a, ExpressionId b)
   if (left && right) {
     if (const std::optional<double> value = folded(op, *left, *right)) return emit_.constant(*value);
   }
+  const std::optional<ExpressionId> of_a = negative(a);
+  const std::optional<ExpressionId> of_b = negative(b);
+  if (op == Operator::multiply || op == Operator::divide) {
+    if (op == Operator::multiply && (left == -1.0 || right == -1.0)) return negated(left == -1.0 ? b : a);
+    if (of_a && !left) return negated(calculate(op, *of_a, b));
+    if (of_b) return negated(calculate(op, a, *of_b));
+  }
+  if (op == Operator::add && of_b) return calculate(Operator::subtract, a, *of_b);
+  if (op == Operator::add && of_a && !left) return calculate(Operator::subtract, b, *of_a);
+  if (op == Operator::subtract && of_b) return calculate(Operator::add, a, *of_b);
   return emit_.binary(op, a, b);
+}
+
+ExpressionId ValueWriter::negated(ExpressionId id) {
+  if (const std::optional<ExpressionId> of = negative(id)) return *of;
+  if (const std::optional<double> value = number(id)) return emit_.constant(-*value);
+  return program_.add_operator(Operator::negate, id, ExpressionId::none, program_.at(id).span);
+}
+
+std::optional<ExpressionId> ValueWriter::negative(ExpressionId id) {
+  const ir::Expression& e = program_.at(id);
+  if (e.op == Operator::negate) return e.a;
+  if (e.op == Operator::constant && e.value < 0.0) return emit_.constant(-e.value);
+  return std::nullopt;
 }
 
 ValueWriter::Bound ValueWriter::bound(ExpressionId id, std::string_view stem) {

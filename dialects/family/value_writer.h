@@ -45,6 +45,9 @@ class ValueWriter {
   ir::ExpressionId copy_variable(const ir::Variable& v);
   ir::ExpressionId interpolate(const ir::Expression& along);
   void limit(ir::SymbolId value, ir::Operator beyond, ir::SymbolId list, double index);
+  ir::ExpressionId negated(ir::ExpressionId id);
+  // What a value is the negative of, where it is written so.
+  std::optional<ir::ExpressionId> negative(ir::ExpressionId id);
   ir::ExpressionId choose(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
 
   const Family& family_;

@@ -46,7 +46,7 @@ TEST(FamilyLanguage, EveryExampleOfTheDocumentationIsOneTrace) {
     if (text.contains("\n  polar\n")) continue;  // family_polar_test.cpp
     EXPECT_GT(one_trace({"example.family", text}).size(), 5U);
   }
-  EXPECT_EQ(examples, 17U);
+  EXPECT_EQ(examples, 18U);
 }
 
 TEST(FamilyLanguage, ExamplesAreTheirClosedForm) {

@@ -217,7 +217,8 @@ TEST(FamilyPockets, WhatCannotBeMilledIsRefused) {
        }),
        "too short for a ramp"},
       {changed([](Pocket& p) { p.entry = "plunge"; }), "helix or ramp"},
-      {milling_fault(milled_part("  let size = 60 mm\n  pocket x 0 mm y 0 mm diameter size z 0 mm to -2 mm depth 2 mm "
+      {milling_fault(milled_part("  let size = 60 mm\n  set size = size + 1 mm\n  pocket x 0 mm y 0 mm diameter size z "
+                                 "0 mm to -2 mm depth 2 mm "
                                  "stepover 6 mm finish 0.2 "
                                  "mm helix 5 deg return 5 mm\n")),
        "are checked before the program runs"},

@@ -294,9 +294,9 @@ TEST(FamilyRoughing, WhatCannotBeRoughedIsRefused) {
       {contour(good, "x 100 mm z 2 mm depth 1 mm retract 1 mm allowance x -1 mm z 0 mm"), "not below 0"},
       {contour(good, "x 100 mm z 2 mm depth 0.001 mm retract 1 mm"), "more than 10,000 passes"},
       {contour(good, "x 100 mm depth 1 mm retract 1 mm"), "expected 'z'"},
-      {turning_fault(
-           turned_part("  let here = 50 mm\n  rough x 100 mm z 2 mm depth 3 mm retract 1 mm\n    cut x here z 0 mm\n"
-                       "    cut x 104 mm\n  end\n")),
+      {turning_fault(turned_part("  let here = 50 mm\n  set here = 40 mm\n  rough x 100 mm z 2 mm depth 3 mm retract 1 "
+                                 "mm\n    cut x here z 0 mm\n"
+                                 "    cut x 104 mm\n  end\n")),
        "checked before the program runs"},
       {turning_fault(turned_part("  compensate left\n  cut x 9 mm\n  rough x 100 mm z 2 mm depth 3 mm retract 1 mm\n" +
                                  good + "  end\n")),
