@@ -18,12 +18,11 @@
 
 namespace dripfeed::family {
 
-// The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, grooves and whole threads
-// in turning_reader.cpp, curves in along_reader.cpp and point_curve_reader.cpp, faces and pockets in
-// milling_reader.cpp, roughing in rough_reader.cpp, offsets in
-// offset_reader.cpp, native text in native_verb_reader.cpp, mirrored and
-// repeated moves in copies_reader.cpp, faces and cylinders in face_reader.cpp, blocks, assignments and
-// calls in flow_reader.cpp.
+// Moves are read in body_reader.cpp, what the machine switches in machine_reader.cpp, its drilling cycles in
+// drill_reader.cpp, grooves and whole threads in turning_reader.cpp, curves in along_reader.cpp and
+// point_curve_reader.cpp, faces and pockets in milling_reader.cpp, roughing in rough_reader.cpp, offsets in
+// offset_reader.cpp, native text in native_verb_reader.cpp, mirrored and repeated moves in copies_reader.cpp, faces and
+// cylinders in face_reader.cpp, blocks, assignments and calls in flow_reader.cpp.
 class BodyReader {
  public:
   // The steps go to `steps`.
