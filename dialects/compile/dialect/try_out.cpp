@@ -23,7 +23,10 @@ ir::VariableId number_of(ir::Program& program, const family::List& list, std::in
   return program.add(variable);
 }
 
-// The program, with no known number in the lists that it sets.
+}  // namespace
+
+bool are_set_by_steps(std::span<const family::List> lists) { return std::ranges::any_of(lists, is_set_by_steps); }
+
 ir::Program with_unknown_lists(std::span<const family::List> lists, const ir::Program& built) {
   ir::Program out = built;
   passes::Rewrite rewrite(out);
@@ -38,7 +41,12 @@ ir::Program with_unknown_lists(std::span<const family::List> lists, const ir::Pr
   return out;
 }
 
-}  // namespace
+std::set<std::uint32_t> lines_with_unset(const interpreter::RunResult& run) {
+  std::set<std::uint32_t> out;
+  for (const interpreter::NotInterpreted& one : run.not_interpreted)
+    if (one.name.ends_with("not known")) out.insert(one.first_line);
+  return out;
+}
 
 interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control) {
   NoMotions none;
@@ -53,12 +61,11 @@ interpreter::RunResult try_out(const ir::Program& program, const ir::Control& co
 
 std::optional<TriedLists> try_set_lists(std::span<const family::List> lists, const ir::Program& built,
                                         const ir::Control& control) {
-  if (std::ranges::none_of(lists, is_set_by_steps)) return std::nullopt;
+  if (!are_set_by_steps(lists)) return std::nullopt;
   ir::Control watching = control;
   watching.semantics.unset_is_unknown = true;
   TriedLists out{.lines = {}, .run = try_out(with_unknown_lists(lists, built), watching)};
-  for (const interpreter::NotInterpreted& one : out.run.not_interpreted)
-    if (one.name.ends_with("not known")) out.lines.insert(one.first_line);
+  out.lines = lines_with_unset(out.run);
   return out;
 }
 

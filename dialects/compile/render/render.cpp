@@ -152,11 +152,18 @@ class Renderer {
   }
 
   void refuse_unset_numbers() {
+    if (is_asked_for_blocks() && runs_ != nullptr) return;  // the run that writes them shows it
     tried_ = try_set_lists(family_->lists, built_, control_);
-    if (!tried_) return;
-    for (const std::uint32_t line : tried_->lines)
+    if (tried_) report_unset(tried_->lines);
+  }
+  void report_unset(const std::set<std::uint32_t>& lines) {
+    for (const std::uint32_t line : lines)
       report({text::make_diagnostic(text::DiagnosticId::family_syntax, span_of_line(line),
                                     {"this takes a number of a list that the program has not set"})});
+  }
+  [[nodiscard]] bool is_asked_for_blocks() const {
+    return request_.mode == RenderMode::explicit_blocks ||
+           (request_.mode == RenderMode::automatic && request_.delivery == ir::Delivery::drip);
   }
 
   // At the family's line.
@@ -243,7 +250,11 @@ class Renderer {
       runs_ = nullptr;
       faces.hide(built_, control_);
     }
-    ExplicitProgram made = explicit_program(built_, control_, interpreter::no_programs(),
+    const bool watches = runs_ != nullptr && !tried_ && are_set_by_steps(family_->lists);
+    ir::Control watching = control_;
+    watching.semantics.unset_is_unknown = watches;
+    ExplicitProgram made = explicit_program(watches ? with_unknown_lists(family_->lists, built_) : built_, watching,
+                                            interpreter::no_programs(),
                                             {.limits = runs_ == nullptr ? kWrittenLimits : kStreamedLimits,
                                              .initial_values = {},
                                              .want_changes = runs_ == nullptr,
@@ -251,6 +262,9 @@ class Renderer {
                                              .keep_skips = true,
                                              .runs = runs_});
     faces.show(made);
+    if (!watches) return made;
+    made.control.semantics.unset_is_unknown = control_.semantics.unset_is_unknown;
+    report_unset(lines_with_unset(made.run));
     return made;
   }
 
@@ -274,6 +288,7 @@ class Renderer {
     }
     runs_ = nullptr;
     result_.diagnostics.resize(reported);
+    refuse_unset_numbers();
     explicit_blocks(because);
   }
 

@@ -42,20 +42,6 @@ void make_blank(ir::Motion& motion) {
 
 }  // namespace
 
-void Work::add(const Work& more) {
-  blocks += more.blocks;
-  number_reads += more.number_reads;
-  number_writes += more.number_writes;
-  named_reads += more.named_reads;
-  named_writes += more.named_writes;
-  operators += more.operators;
-  functions += more.functions;
-  jumps += more.jumps;
-  rounds += more.rounds;
-  calls += more.calls;
-  indexed += more.indexed;
-}
-
 MotionBuffer::MotionBuffer(ir::MotionSink& sink, RunBudget& budget)
     : sink_(sink), budget_(budget), motions_(ir::kMotionBatch) {}
 

@@ -24,7 +24,19 @@ struct Work {
   std::uint64_t calls = 0;
   std::uint64_t indexed = 0;
 
-  void add(const Work& more);
+  void add(const Work& more) {  // once a block
+    blocks += more.blocks;
+    number_reads += more.number_reads;
+    number_writes += more.number_writes;
+    named_reads += more.named_reads;
+    named_writes += more.named_writes;
+    operators += more.operators;
+    functions += more.functions;
+    jumps += more.jumps;
+    rounds += more.rounds;
+    calls += more.calls;
+    indexed += more.indexed;
+  }
   bool operator==(const Work&) const = default;
 };
 
