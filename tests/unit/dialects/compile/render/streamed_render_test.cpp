@@ -123,5 +123,21 @@ TEST(StreamedRender, TapsAndFaultsAreThoseOfTheWhole) {
   expect_same_bytes_everywhere(wrong, "a requirement");
 }
 
+// It is found in the run that writes.
+TEST(StreamedRender, AListThatIsReadBeforeItIsSetIsRefused) {
+  const text::Source family = with("param n count 3 in 1..3\nlist ws of length 4\n",
+                                   "  rapid z 2 mm\n  set ws[0] = 1 mm\n  set ws[1] = 2 mm\n  for nth from 0 to n - 1 "
+                                   "step 1\n    if nth < 2 or n > 2\n"
+                                   "      cut x ws[nth]\n    end\n  end\n");
+  expect_same_bytes_everywhere(family, "an unset number");
+  RenderRequest request = request_of(family, control("fanuc", ir::MachineKind::mill), ir::Delivery::memory);
+  Kept sink;
+  const StreamedRendering refused = render_streamed(request, sink);
+  EXPECT_TRUE(messages_of(refused.result.diagnostics, family).contains("that the program has not set"));
+  EXPECT_TRUE(refused.result.text.empty());
+  request.values = {{"n", "2"}};
+  EXPECT_TRUE(render_streamed(request, sink).result.diagnostics.empty());
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
