@@ -152,6 +152,7 @@ async function onHold(page, row, id) {
   await dialog(page).getByRole('button', { name: 'Put it on hold' }).click();
   await row(id).getByText(/On hold by .*: no material/).waitFor();
   await shot(page, 'plans-on-hold');
+  await page.getByText('Ready, 2 jobs wait to be armed').waitFor();
   await soon(async () => (await rig.job(id)).on_hold?.reason === 'no material', 'it is on hold');
   await soon(async () => (await page.getByRole('button', { name: `Arm job ${id}`, exact: true }).count()) === 0, 'what is on hold is not offered');
   await row(id).getByRole('button', { name: `Take off hold… job ${id}` }).first().click();

@@ -38,7 +38,7 @@ export function wordsOf(machine: Machine): Words {
   const job = computed(() => (core.value.job === null ? null : (jobs.value.get(core.value.job) ?? null)));
   const onLine = computed(() => hasJob(core.value) && core.value.job !== null);
   const queued = computed(() => queueOf(machine.name));
-  const standing = computed(() => standingOf(core.value, job.value, queued.value.length, endedOf(machine.name)));
+  const standing = computed(() => standingOf(core.value, job.value, queued.value.filter(mayBeArmed).length, endedOf(machine.name)));
   const count = computed(() => alarmsOf(machine.name));
   const words: Words = {
     job,
@@ -63,27 +63,22 @@ function alarmsOf(machine: string): number {
   return count;
 }
 
-function sentence(machine: Machine, { key }: Standing, job: Job | null): string {
-  const queue = queueOf(machine.name);
-  switch (key) {
-    case 'feeding':
-      return feedingText(machine, job);
-    case 'armed':
-      return armedText(job);
-    case 'waiting':
-      return t('sentence.waiting', { why: stallText(machine.core.value.stall ?? '') });
-    case 'asks':
-      return t(queue.length > 0 ? 'sentence.asks_queued' : 'sentence.asks', { job: nextOf(machine.name)?.id ?? 0 });
-    case 'end_unconfirmed':
-      return t('sentence.end_unconfirmed', { job: endedOf(machine.name)?.id ?? 0, check: endedOf(machine.name)?.end_check ?? '' });
-    case 'machine_alarm':
-      return t('sentence.machine_alarm', { alarm: machine.core.value.plc_alarm });
-    case 'queued':
-      return t('sentence.queued', { count: queue.length });
-    default:
-      return t(`sentence.${key}`);
-  }
-}
+const mayBeArmed = ({ on_hold }: Job): boolean => on_hold === null;
+
+// What one standing alone does not state.
+const kSentences: Partial<Record<Standing['key'], (machine: Machine, queue: readonly Job[], job: Job | null) => string>> = {
+  feeding: (machine, _, job) => feedingText(machine, job),
+  armed: (_machine, _queue, job) => armedText(job),
+  waiting: (machine) => t('sentence.waiting', { why: stallText(machine.core.value.stall ?? '') }),
+  asks: (machine, queue) => t(queue.length > 0 ? 'sentence.asks_queued' : 'sentence.asks', { job: nextOf(machine.name)?.id ?? 0 }),
+  end_unconfirmed: ({ name }) => t('sentence.end_unconfirmed', { job: endedOf(name)?.id ?? 0, check: endedOf(name)?.end_check ?? '' }),
+  machine_alarm: (machine) => t('sentence.machine_alarm', { alarm: machine.core.value.plc_alarm }),
+  queued: (_, queue) => t('sentence.queued', { count: queue.filter(mayBeArmed).length }),
+  idle: (_, queue) => t(queue.length > 0 ? 'sentence.on_hold' : 'sentence.idle', { count: queue.length }),
+};
+
+const sentence = (machine: Machine, { key }: Standing, job: Job | null): string =>
+  kSentences[key]?.(machine, queueOf(machine.name), job) ?? t(`sentence.${key}`);
 
 function feedingText(machine: Machine, job: Job | null): string {
   const status = machine.status.value;
