@@ -243,7 +243,7 @@ def a_disk_that_hangs(folder):
         # The server gives the upload up and ends. What the file system has read and does not answer holds its process in the kernel all the same.
         client.server.process.send_signal(signal.SIGTERM)
         log = client.server.data / "server.log"
-        shop.wait_for("the end of the server", lambda: not client.server.alive() or "was given up" in log.read_text(), seconds=10)
+        shop.wait_for("the end of the server", lambda: not client.server.alive() or "was given up" in log.read_text(), seconds=30)
         share.thaw()
         ended = client.server.process.wait(20)
         expect(ended == 0, f"the server ended with {ended}")
