@@ -89,6 +89,7 @@ void log_event(Session& session, const Release& release, std::string_view word, 
 // A sign-off is a step from proving to proving. It counts for the proving in which it was made: one that begins
 // again has none.
 void add_proof(Session& session, Release& release) {
+  if (release.transfers_done == 0) return;  // nothing was there to sign off
   Query step(session,
              "SELECT from_state, to_state, actor, note FROM release_step WHERE text_release = ? ORDER BY n DESC",
              release.id);
@@ -273,8 +274,7 @@ Result<store::Page<Release>> ReleaseTable::list(const store::PageRequest& page, 
     Query query(session, sql, filter.program, filter.machine, from->after, from->rows);
     auto found =
         collect(query, page, read_release, [](const Release& release) { return fmt::format("{}", release.id); });
-    for (Release& release : found.items)
-      if (release.transfers_done > 0) add_proof(session, release);
+    for (Release& release : found.items) add_proof(session, release);
     return found;
   });
 }

@@ -37,7 +37,7 @@ std::string ShdrText::lines(std::span<const Observation> observations) {
     const std::string id = data_item_id(one.machine, one.item);
     const std::string time = rfc3339(one.at_ms);
     if (data_items()[static_cast<std::size_t>(one.item)].category == ItemCategory::condition) {
-      add_condition(out, one, id);
+      add_condition(out, one, id, time);
     } else if (one.item == DataItem::line_state) {
       out += fmt::format("{}|{}||{}\n", time, id, field(one.observed.value));
     } else {
@@ -48,8 +48,7 @@ std::string ShdrText::lines(std::span<const Observation> observations) {
 }
 
 // An agent holds faults with different numbers for different ones: that of before is over.
-void ShdrText::add_condition(std::string& out, const Observation& one, const std::string& id) {
-  const std::string time = rfc3339(one.at_ms);
+void ShdrText::add_condition(std::string& out, const Observation& one, const std::string& id, const std::string& time) {
   const std::string code = field(one.observed.code);
   const bool is_active = one.observed.value == "Fault" || one.observed.value == "Warning";
   const auto before = active_.find(id);

@@ -20,7 +20,7 @@ class ShdrText {
   std::string lines(std::span<const Observation> observations);
 
  private:
-  void add_condition(std::string& out, const Observation& one, const std::string& id);
+  void add_condition(std::string& out, const Observation& one, const std::string& id, const std::string& time);
 
   std::map<std::string, std::string> active_;  // by data item: the control's own number of its fault or warning
 };
