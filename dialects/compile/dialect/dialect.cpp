@@ -131,9 +131,10 @@ std::string_view dialect_of_line(std::string_view line) {
 std::string_view dialect_of_family(const text::Source& source) {
   const std::uint32_t lines = std::min<std::uint32_t>(static_cast<std::uint32_t>(source.line_count()), kLinesLookedAt);
   for (std::uint32_t line = 1; line <= lines; ++line) {
+    const std::string_view text = source.line(line);
     for (const FamilyMarks& of : kFamily)
       for (const ir::DialectMark& mark : of.marks())
-        if (source.line(line).contains(mark.text)) return of.dialect;
+        if (text.contains(mark.text)) return of.dialect;
   }
   return kFanuc;
 }
@@ -151,7 +152,8 @@ const Dialect* find_reader(std::string_view name) { return name == kLinuxCnc.nam
 
 const Dialect& infer_dialect(const text::Source& source) {
   if (const std::string_view named = dialect_of_name(source.name()); !named.empty()) return *find_dialect(named);
-  for (std::uint32_t line = 1; line <= source.line_count(); ++line) {
+  const std::uint32_t lines = source.line_count();
+  for (std::uint32_t line = 1; line <= lines; ++line) {
     const std::string_view found = dialect_of_line(source.line(line));
     if (found == kFanuc) break;
     if (!found.empty()) return *find_dialect(found);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dialects/interpreter/block/code_effects.h"
+#include "dialects/interpreter/block/feed_word.h"
 #include "dialects/interpreter/block/frame_change.h"
 #include "dialects/interpreter/cycles/drilling.h"
 #include "dialects/interpreter/cycles/hole_pattern.h"
@@ -33,7 +34,6 @@ using ir::MotionKind;
 
 // --- words that set a state
 
-constexpr std::uint64_t kFeedWord = bit_of(Address::f);
 constexpr std::uint64_t kContourOffsetWord = bit_of(Address::contour_offset);
 constexpr std::uint64_t kBlockFeedWord = bit_of(Address::block_feed);
 constexpr std::uint64_t kToolWords = bit_of(Address::t) | bit_of(Address::d);
@@ -41,7 +41,6 @@ constexpr std::uint64_t kSpindleWords = bit_of(Address::s) | bit_of(Address::spi
 constexpr std::uint64_t kNumberWords = bit_of(Address::d) | bit_of(Address::h);
 constexpr double kFootPerMinute = 0.3048;  // in m/min
 
-// F without a point counts 0.01 mm/rev, 1 mm/min, and in inch a hundredth of these in inch (usual parameter settings).
 void set_feed(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
   // With G34 and G35 of SINUMERIK it is the change of the lead, and no feed is left. (PG, "Thread cutting with
   // increasing or decreasing lead".)
@@ -55,14 +54,7 @@ void set_feed(const PlainBlock& block, const BlockRules& rules, ModalState& stat
     state.feed = 0.0;
     return;
   }
-  double value = block.at(Address::f);
-  const bool counted = (block.in_increments & kFeedWord) != 0;
-  if (state.modes.feed_mode != ir::FeedMode::inverse_time) {
-    if (counted && state.modes.feed_mode == ir::FeedMode::per_rev) value /= 100.0;
-    if (counted && state.modes.inch_feed) value /= 100.0;
-    if (state.modes.inch_feed) value *= 25.4;
-  }
-  state.feed = value;
+  state.feed = feed_of_word(block, state.modes);
 }
 
 // FB: the block's own feed, of the kind that is in effect; F stays for the blocks to come. (PG, "Non-modal feedrate".)

@@ -9,6 +9,7 @@
 #include "dialects/interpreter/arithmetic/unknown.h"
 #include "dialects/interpreter/block/apply.h"
 #include "dialects/interpreter/block/data_setting.h"
+#include "dialects/interpreter/block/straight_cut.h"
 #include "dialects/interpreter/machine/trace.h"
 #include "dialects/interpreter/state/axis_names.h"
 #include "dialects/ir/alarm_details.h"
@@ -134,6 +135,7 @@ void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
 }
 
 std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
+  if (!forgets_ && is_straight_cut(block_, rules_, state_)) return cut(i);
   const std::uint64_t before = out_.count();
   if (frames_.knows_settable()) [[unlikely]]
     for (const PlainCode& code : block_.codes)
@@ -160,6 +162,19 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
   if (result.second != 0.0) [[unlikely]]
     report_radii(i, result);
   return result.flow;
+}
+
+Flow BlockRunner::cut(const Instruction& i) {
+  const std::uint64_t before = out_.count();
+  const std::uint64_t notes = cut_straight(block_, rules_, state_, out_);
+  ++state_.untimed;
+  made_ = out_.count() - before;
+  moved_ = made_ > 0;
+  needs_shape_ = false;
+  watch_.look(i, block_, moved_);
+  if (notes != 0) [[unlikely]]
+    take_notes(i, notes);
+  return Flow::next;
 }
 
 void BlockRunner::report_radii(const Instruction& i, const BlockResult& result) {

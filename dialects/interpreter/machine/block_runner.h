@@ -51,6 +51,7 @@ class BlockRunner {
 
  private:
   std::optional<Flow> apply_block(const Instruction& i);
+  Flow cut(const Instruction& i);  // a block that is_straight_cut
   void drop_foreign_axes(std::span<const ir::PlainWord> words);
   void set_data();
   void fill(const BlockTemplate& made, const CompiledProgram& program);

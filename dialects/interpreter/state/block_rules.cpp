@@ -55,6 +55,7 @@ BlockRules::BlockRules(const ir::Control& control)
       increments_per_degree(reciprocal(control.semantics.least_increment_deg)) {
   const auto add = [this](const AxisLetter& row, bool incremental) {
     axis_addresses |= bit_of(row.address);
+    if (!incremental) coordinates |= bit_of(row.address);
     axis_words[interpreter::index_of(row.address)] = {row.axis, incremental, row.rotary};
   };
   std::uint64_t letters = 0;

@@ -26,6 +26,7 @@ class BlockRules {
 
   ir::Semantics semantics;
   std::uint64_t axis_addresses = 0;  // addresses that name an axis of the control
+  std::uint64_t coordinates = 0;     // of these: where it is to go in G90, and nothing else
   std::array<AxisWord, kAddressCount> axis_words{};
   std::uint64_t foreign_axes = 0;  // axis letters that the control has no axis for
   std::uint64_t counting = 0;      // addresses whose constants without a point count least increments

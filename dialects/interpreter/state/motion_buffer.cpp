@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace dripfeed::interpreter {
 
@@ -16,16 +17,16 @@ std::uint32_t capped(std::uint64_t count) {
 // than all else that a straight move needs.
 void make_blank(ir::Motion& motion) {
   static_assert(sizeof(ir::Motion) == 280, "a new field? It belongs into this list.");
-  static constexpr ir::Motion kBlank;
+  constexpr ir::Motion kBlank;
   motion.plane = kBlank.plane;
   motion.feed_mode = kBlank.feed_mode;
   motion.length_offset = kBlank.length_offset;
   motion.axes_commanded = kBlank.axes_commanded;
   motion.machine_coordinates = kBlank.machine_coordinates;
   motion.exact_stop = kBlank.exact_stop;
-  motion.start = kBlank.start;
-  motion.end = kBlank.end;
-  motion.center = kBlank.center;
+  motion.start.fill(0.0);
+  motion.end.fill(0.0);
+  motion.center.fill(0.0);
   motion.feed = kBlank.feed;
   motion.spindle_rpm = kBlank.spindle_rpm;
   motion.surface_speed_m_min = kBlank.surface_speed_m_min;
@@ -38,6 +39,21 @@ void make_blank(ir::Motion& motion) {
   motion.text = kBlank.text;
   motion.axes_unknown = kBlank.axes_unknown;
   motion.length_offset_number = kBlank.length_offset_number;
+}
+
+// Of a plain block there is none but the block itself.
+void take_work(Work& work, ir::ComputeCounts& counts) {
+  const std::uint64_t others = work.number_reads | work.number_writes | work.named_reads | work.named_writes |
+                               work.operators | work.functions | work.jumps | work.rounds | work.calls | work.indexed;
+  if (others == 0) {
+    counts = {};
+    counts.blocks = capped(std::exchange(work.blocks, 0));
+    return;
+  }
+  counts = {capped(work.blocks),       capped(work.number_reads), capped(work.number_writes), capped(work.named_reads),
+            capped(work.named_writes), capped(work.operators),    capped(work.functions),     capped(work.jumps),
+            capped(work.rounds),       capped(work.calls),        capped(work.indexed)};
+  work = {};
 }
 
 }  // namespace
@@ -65,11 +81,7 @@ ir::Motion& MotionBuffer::add(ir::MotionKind kind) {
   motion.place.program = place.program;
   motion.place.line = place.line;
   motion.place.ordinal = place.ordinal;
-  motion.compute = {capped(work.blocks),      capped(work.number_reads), capped(work.number_writes),
-                    capped(work.named_reads), capped(work.named_writes), capped(work.operators),
-                    capped(work.functions),   capped(work.jumps),        capped(work.rounds),
-                    capped(work.calls),       capped(work.indexed)};
-  work = {};
+  take_work(work, motion.compute);
   return motion;
 }
 
