@@ -149,6 +149,8 @@ enum class DiagnosticId : std::uint16_t {
   translation_call,
   translation_axis,
   translation_shape,
+  translation_not_run,
+  translation_macro_only,
   translation_differs,
   unknown_modal_state,
   block_skip_decided,

@@ -294,6 +294,11 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "The machine has no such axis, or names it differently. State its axes in the profile."},
   {translation_shape, "translation-shape", error, "{} has no counterpart on {}",
    "No tool can make this move. Correct the contour at this place."},
+  {translation_not_run, "translation-not-run", error, "{} has no counterpart on {}",
+   "Plain blocks are what a run of the program does, and the run does not know what this does. Replace it in the source, or "
+   "name a machine whose profile has what is not known."},
+  {translation_macro_only, "translation-macro-only", error, "{} has no counterpart on {}",
+   "Moves alone cannot state it. Replace it in the source, or try a translation as a macro, which may have a counterpart."},
   {translation_differs, "translation-differs", error, "{} has no counterpart on {}",
    "Both programs were run, and they did not do the same. The translation is not given out."},
   {unknown_modal_state, "unknown-modal-state", error, "{} is not known here: {}",

@@ -34,6 +34,7 @@ app::Result<ChosenControl> control_for(const ConvertOptions& options, const std:
     text.machine.clear();
   }
   text.dialect = dialect;
+  text.dialect_option = source == nullptr ? "--to" : "--from";
   return source == nullptr ? choose_control(text) : choose_control(text, *source);
 }
 

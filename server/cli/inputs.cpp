@@ -88,14 +88,15 @@ app::Result<Settings> read_control_option(std::string_view text) {
   return settings;
 }
 
-app::Result<const compile::Dialect*> named_dialect(const std::string& name) {
+// `option` is the one that named it.
+app::Result<const compile::Dialect*> named_dialect(const std::string& name, std::string_view option) {
   if (const compile::Dialect* dialect = compile::find_dialect(name)) return dialect;
   if (compile::find_reader(name) != nullptr)
     return app::fail(app::ErrorCode::invalid,
-                     fmt::format("--dialect \"{}\" can only be run (dripfeed run); there is no writer for it", name));
+                     fmt::format("{} \"{}\" can only be run (dripfeed run); there is no writer for it", option, name));
   std::string known;
   for (const compile::Dialect& one : compile::dialects()) known += fmt::format(" {}", one.name);
-  return app::fail(app::ErrorCode::invalid, fmt::format("--dialect \"{}\" is not known; known are{}", name, known));
+  return app::fail(app::ErrorCode::invalid, fmt::format("{} \"{}\" is not known; known are{}", option, name, known));
 }
 
 app::Result<ChosenControl> control_of_machine(const std::string& machine) {
@@ -208,7 +209,7 @@ app::Result<ChosenControl> plain_control(const TextOptions& options) {
   if (!options.machine.empty()) return control_of_machine(options.machine);
   if (options.dialect.empty())
     return app::fail(app::ErrorCode::invalid, "name the control with --machine or --dialect");
-  const auto dialect = named_dialect(options.dialect);
+  const auto dialect = named_dialect(options.dialect, options.dialect_option);
   if (!dialect) return std::unexpected(dialect.error());
   const auto settings = read_control_option(options.control);
   if (!settings) return std::unexpected(settings.error());
@@ -222,7 +223,7 @@ app::Result<ChosenControl> plain_control(const TextOptions& options, const text:
   if (!options.machine.empty()) return control_of_machine(options.machine);
   const compile::Dialect* dialect = &compile::infer_dialect(source);
   if (!options.dialect.empty()) {
-    const auto named = named_dialect(options.dialect);
+    const auto named = named_dialect(options.dialect, options.dialect_option);
     if (!named) return std::unexpected(named.error());
     dialect = *named;
   }

@@ -21,8 +21,9 @@ namespace dripfeed::cli {
 
 // The options that every command on a text has.
 struct TextOptions {
-  std::string machine;             // --machine
-  std::string dialect;             // --dialect
+  std::string machine;  // --machine
+  std::string dialect;  // --dialect
+  std::string_view dialect_option = "--dialect";
   std::string control;             // --control kind=lathe,g_system=A
   std::string modes;               // --modes "G97 G18 G95"
   std::vector<std::string> paths;  // --path

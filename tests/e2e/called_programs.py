@@ -44,6 +44,10 @@ def main():
             done = run("convert", "--from", "fanuc", "--to", "sinumerik-840d", *more, lathe)
             assert done.returncode == 0, done.stderr
 
+        for option, other in (("--from", ["--to", "fanuc"]), ("--to", ["--from", "fanuc"])):
+            wrong = run("convert", option, "fanuc-0i", *other, lathe)
+            assert wrong.returncode == 2 and f'{option} "fanuc-0i" is not known' in wrong.stderr, wrong.stderr
+
 
 if __name__ == "__main__":
     sys.exit(main())

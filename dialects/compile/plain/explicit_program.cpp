@@ -22,7 +22,9 @@ namespace dripfeed::compile {
 
 namespace {
 
+// What the run knows and moves do not state, unless the refusal is of a kind of its own.
 text::Diagnostic cannot_write(passes::Refusal what, text::Span span) {
+  if (what.id == text::DiagnosticId::cannot_translate) what.id = text::DiagnosticId::translation_macro_only;
   return passes::diagnose(std::move(what), span, "plain blocks");
 }
 
@@ -283,7 +285,10 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunT
   for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(texts.placed(fault, run));
   for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
     if (is_carried(lost.function)) continue;
-    out.push_back(cannot_write(lost.name, {}));
+    using text::DiagnosticId;
+    const DiagnosticId id =
+        lost.effects_known ? DiagnosticId::translation_macro_only : DiagnosticId::translation_not_run;
+    out.push_back(cannot_write({id, lost.name}, {}));
     texts.place(out.back(), run, lost.program, lost.first_line);
     if (lost.effects_known && !is_order(lost.function)) out.back().severity = text::Severity::warning;
     if (lost.is_model)

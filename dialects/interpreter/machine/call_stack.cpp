@@ -322,14 +322,14 @@ bool CallStack::pass_parameters(const Instruction& i, std::span<const PassedValu
   const std::vector<Parameter>& parameters = frame.program->parameters;
   for (std::size_t n = 0; n < values.size() && n < parameters.size(); ++n) {
     if (!values[n].given) continue;
-    if (!pass_parameter(i, values[n], parameters[n], frame.bases)) return false;
+    if (!pass_parameter(i, values[n], parameters[n], n + 1, frame.bases)) return false;
     frame.given.set(n);
   }
   return true;
 }
 
 bool CallStack::pass_parameter(const Instruction& i, const PassedValue& value, const Parameter& parameter,
-                               const Bases& bases) {
+                               std::size_t number, const Bases& bases) {
   const bool wants_string = parameter.type == ir::ValueType::string;
   if (wants_string && value.shared_text.has_value()) {
     storage_.string_at(bases.string + parameter.slot) = *value.shared_text;
@@ -341,9 +341,10 @@ bool CallStack::pass_parameter(const Instruction& i, const PassedValue& value, c
     return true;
   }
   if (value.is_string != wants_string)
-    return report_.fail(i, DiagnosticId::wrong_type,
-                        {"an argument", value.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"},
-                        ir::kPassedValue);
+    return report_.fail(
+        i, DiagnosticId::wrong_type,
+        {"argument " + std::to_string(number), value.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"},
+        ir::kPassedValue);
   if (wants_string) {
     storage_.string_at(bases.string + parameter.slot) = value.text;
     return true;
@@ -351,8 +352,8 @@ bool CallStack::pass_parameter(const Instruction& i, const PassedValue& value, c
   double& to = storage_.frame_at(bases.frame + parameter.slot);
   if (parameter.by_reference) {
     if (!value.reference.has_value())
-      return report_.fail(i, DiagnosticId::wrong_type, {"an argument", "a value", "a variable (VAR)"},
-                          ir::kPassedReference);
+      return report_.fail(i, DiagnosticId::wrong_type,
+                          {"argument " + std::to_string(number), "a value", "a variable (VAR)"}, ir::kPassedReference);
     to = *value.reference;
     return true;
   }

@@ -121,7 +121,8 @@ class CallStack {
   void read_values(const CallSite& site, std::vector<PassedValue>& values) const;
   bool has_parameters(const Instruction& i, const CallSite& site, const CompiledProgram& target);
   bool pass_parameters(const Instruction& i, std::span<const PassedValue> values, Frame& frame);
-  bool pass_parameter(const Instruction& i, const PassedValue& value, const Parameter& parameter, const Bases& bases);
+  bool pass_parameter(const Instruction& i, const PassedValue& value, const Parameter& parameter, std::size_t number,
+                      const Bases& bases);
 
   const CompileContext& context_;
   ProgramTable& programs_;

@@ -43,8 +43,9 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
     const CallArgument& argument = program.arguments[site.first_argument + n];
     if (argument.value == Operand::none || n >= kFirstNumber + kNumbers) continue;
     if (argument.is_string != (n == 0))
-      return report_.fail(i, DiagnosticId::wrong_type,
-                          {"an argument", argument.is_string ? "STRING" : "REAL", n == 0 ? "STRING" : "REAL"});
+      return report_.fail(
+          i, DiagnosticId::wrong_type,
+          {"argument " + std::to_string(n + 1), argument.is_string ? "STRING" : "REAL", n == 0 ? "STRING" : "REAL"});
     if (n == 0) {
       name = storage_.text(raw_of(argument.value));
       continue;

@@ -71,7 +71,8 @@ bool Machine::mill_cycle(const Instruction& i) {
   for (std::uint32_t n = 0; n < site.argument_count; ++n) {
     const CallArgument& argument = program.arguments[site.first_argument + n];
     if (argument.value == Operand::none) continue;
-    if (argument.is_string) return report_.fail(i, DiagnosticId::wrong_type, {"an argument", "STRING", "REAL"});
+    if (argument.is_string)
+      return report_.fail(i, DiagnosticId::wrong_type, {"argument " + std::to_string(n + 1), "STRING", "REAL"});
     values[n] = storage_.reg(raw_of(argument.value));
     if (is_vacant(values[n])) return leave_milling(site.name + " with an argument that is not known");
   }

@@ -104,7 +104,10 @@ TEST(SinumerikCalls, ArgumentsThatDoNotFitAreAlarms) {
   EXPECT_EQ(alarm_of(after_head("PART(R1,1)\n", called)), "14010");
   EXPECT_EQ(alarm_of(after_head("PART(R1,1,X,2)\n", called)), "12340");
   EXPECT_EQ(alarm_of(after_head("PART(R1+1,1,X)\n", called)), "12320");
-  EXPECT_EQ(alarm_of(after_head("PART(R1,\"A\",X)\n", called)), "12330");
+  const Result wrong = after_head("PART(R1,\"A\",X)\n", called);
+  EXPECT_EQ(alarm_of(wrong), "12330");
+  ASSERT_FALSE(wrong.result.diagnostics.empty());
+  EXPECT_EQ(wrong.result.diagnostics.back().diagnostic.arguments.front(), "argument 2");
 }
 
 }  // namespace
