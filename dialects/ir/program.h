@@ -33,6 +33,7 @@ class StringTable {
 
 struct Program {
   bool is_standard = false;  // a cycle that the control brings along: what it does is done by the block that calls it
+  bool is_data = false;      // declares data or sets it: the text's end is its end
   std::string name;          // "O0002", "TURNING_CYCLE", file name without folder; empty when unknown
   text::Source source;       // empty for a program that was built, not read
   std::vector<Token> tokens;

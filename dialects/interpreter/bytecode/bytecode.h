@@ -150,6 +150,9 @@ struct Instruction {
 };
 static_assert(sizeof(Instruction) == 16);
 
+// `b` of Opcode::text_end: the program needs no code that ends it.
+inline constexpr std::uint32_t kNothingMissing = 1;
+
 // --- blocks
 // -----------------------------------------------------------------------------------------------------------
 

@@ -41,7 +41,7 @@ void StatementCompiler::compile(std::uint32_t returns_after) {
   const std::uint32_t last =
       whole ? static_cast<std::uint32_t>(program.statements.size()) : program.sections[builder_.out().section].last;
   compile_statements(first, last, returns_after);
-  builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));
+  builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last), 0, program.is_data ? kNothingMissing : 0);
   flow_.resolve(code_, first);
 }
 

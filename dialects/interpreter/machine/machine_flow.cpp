@@ -387,7 +387,7 @@ bool Machine::end_program(const Instruction&, std::uint32_t& next) {
 }
 
 bool Machine::end_text(const Instruction& i) {
-  report_.say(i, DiagnosticId::missing_program_end);
+  if (i.b != kNothingMissing) report_.say(i, DiagnosticId::missing_program_end);
   return report_.end(Ended::text_end);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "dialects/sinumerik/reader/data_file.h"
 #include "dialects/sinumerik/reader/lex.h"
 #include "dialects/sinumerik/reader/one_per_name.h"
 #include "dialects/sinumerik/reader/parse.h"
@@ -37,6 +38,7 @@ ir::ReadResult read(const text::Source& source, const ir::Control& control) {
   program.source = source;
   program.name = name_of_file(source.name());
   lex(source.text(), program.tokens);
+  program.is_data = is_data_file(program);
   reserve_arenas(program);
   Parser(program, control, result.diagnostics).run();
   (void)ir::match_structures(program);  // what has no partner is validate's to report

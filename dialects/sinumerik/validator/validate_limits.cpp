@@ -117,8 +117,9 @@ void check_digits(const Check& check, const ir::Block& block) {
     if (number == nullptr || number->span.empty()) continue;
     std::string_view written = check.text_of(number->span);
     written.remove_prefix(std::min(written.find_first_not_of("+-0 "), written.size()));
-    const std::size_t digits = written.find('.');
-    if (digits == std::string_view::npos || digits <= kWholeDigits) continue;
+    // What is kept as it is written has another text than a number.
+    const std::size_t digits = written.find_first_not_of("0123456789");
+    if (digits == std::string_view::npos || digits <= kWholeDigits || written[digits] != '.') continue;
     check.report(DiagnosticId::too_many_digits, number->span,
                  {std::string(check.text_of(number->span)), std::to_string(digits), std::to_string(kWholeDigits)});
   }

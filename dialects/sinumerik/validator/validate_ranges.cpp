@@ -32,11 +32,12 @@ struct RangeRow {
   double first;
   double last;
   std::string_view alarm;
+  bool may_be_name = false;  // a number beyond `last` may be a tool's name, with tool management
 };
 constexpr auto kRanges = std::to_array<RangeRow>({
     {Address::turns, "TURN", 0.0, 999.0, "14048"},
     {Address::d, "D", 0.0, 32'000.0, "14090"},
-    {Address::t, "T", 0.0, 32'000.0, "17190"},
+    {Address::t, "T", 0.0, 32'000.0, "17190", true},
 });
 
 void check_range(const Check& check, const ir::Word& word) {
@@ -45,11 +46,12 @@ void check_range(const Check& check, const ir::Word& word) {
   const ir::Expression& value = check.program.at(word.value);
   if (value.op != ir::Operator::constant) return;
   if (value.value >= row->first && value.value <= row->last && value.value == std::floor(value.value)) return;
-  check
-      .report(DiagnosticId::value_out_of_range, word.span,
-              {std::string(row->name), std::string(check.text_of(value.span)), text::format_shortest(row->first),
-               text::format_shortest(row->last)})
-      .alarm = row->alarm;
+  text::Diagnostic& found = check.report(DiagnosticId::value_out_of_range, word.span,
+                                         {std::string(row->name), std::string(check.text_of(value.span)),
+                                          text::format_shortest(row->first), text::format_shortest(row->last)});
+  found.alarm = row->alarm;
+  if (row->may_be_name && value.value > row->last && value.value == std::floor(value.value))
+    found.severity = text::Severity::warning;
 }
 
 void check_mode(const Check& check, const ir::Word& word) {

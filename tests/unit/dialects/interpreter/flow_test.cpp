@@ -252,6 +252,17 @@ TEST(Flow, TextWithoutAnEnd) {
   EXPECT_EQ(run_program(empty.build(), mill_control()).result.ended, Ended::text_end);
 }
 
+TEST(Flow, DataNeedsNoCodeThatEndsIt) {
+  Builder b;
+  b.assign(Builder::r(1), b.number(10));
+  ir::Program data = b.build();
+  data.is_data = true;
+  const Ran ran = run_program(data, sinumerik_control());
+  EXPECT_EQ(ran.result.ended, Ended::text_end);
+  EXPECT_EQ(ran.last_diagnostic(), nullptr);
+  EXPECT_EQ(ran.value("R1"), 10.0);
+}
+
 TEST(Flow, StructuresWithoutPartnersAreAlarmsWhenTheyAreReached) {
   Builder b;
   b.go_to(10U);

@@ -122,5 +122,15 @@ TEST(DefinitionFile, OneFindingANameSaysWhatSettlesIt) {
   }
 }
 
+TEST(DefinitionFile, IsKnownByItsNameInAnyCase) {
+  const auto is_data = [](std::string_view name) {
+    return read(text::Source(std::string(name), "DEF CHAN REAL A1\n"), control(ir::MachineKind::mill)).program.is_data;
+  };
+  EXPECT_TRUE(is_data("/x/UGUD.DEF"));
+  EXPECT_TRUE(is_data("more.def"));
+  EXPECT_TRUE(is_data("INITIAL.INI"));
+  EXPECT_FALSE(is_data("MORE.MPF"));
+}
+
 }  // namespace
 }  // namespace dripfeed::sinumerik
