@@ -2,6 +2,7 @@
 //   lathe: T with four digits and no M06; U or W together with X or Z words; G50 S; G32; G70-G76 with P and Q or with U
 //   and R;
 //          H with a point, the increment of C, in a block that says no tool length
+//   lathe: G70 to G72 with P and Q, which mills do not have, outweigh an M06 before them.
 //   mill:  a Y word; G43 or G44; M06, unless its tool has its own offset (T0707 M06 may be either's); G81, G82 or
 //          G73 with R
 //   then:  G17 or G49, which stand in the first line of lathes' programs, too: mill; X and Z in one block and no Y
@@ -133,12 +134,19 @@ bool is_lathe(const Block& b) {
   return !b.is_call() && !b.has('Y') && (b.has('U') || b.has('W')) && !alone && !b.g(28) && !b.g(30);
 }
 
+bool changes_by_code(const Block& b) { return b.m(6) && !b.tool_is_pair; }
 bool is_mill(const Block& b) {
   if (b.is_call()) return false;
   const bool drilling = (b.g(81) || b.g(82) || b.g(73)) && b.has('R');
-  const bool changes = b.m(6) && !b.tool_is_pair;
-  return b.has('Y') || b.g(43) || b.g(44) || changes || drilling;
+  return b.has('Y') || b.g(43) || b.g(44) || changes_by_code(b) || drilling;
 }
+// A few lathes change their tools by M06, too.
+bool is_mill_by_change(Block b) {
+  const bool changes = changes_by_code(b);
+  b.m10.clear();
+  return changes && !is_mill(b);
+}
+bool cuts_shape(const Block& b) { return (b.g(70) || b.g(71) || b.g(72)) && b.has('P') && b.has('Q') && !b.has('Y'); }
 bool hints_at_mill(const Block& b) { return !b.is_call() && (b.g(49) || b.g(17)); }
 
 using SystemLines = std::array<ir::SystemEvidence, 3>;  // the first line for each system
@@ -183,6 +191,7 @@ std::vector<ir::SystemEvidence> named_systems(const SystemLines& lines) {
 struct Evidence {
   std::optional<ir::MachineKind> kind;
   std::uint32_t kind_line = 0;
+  bool by_change = false;  // … a mill by M06 alone
   std::uint32_t mill_hint_line = 0;
   bool is_mill_turn = false;
   std::uint32_t profile_line = 0;  // first block with X and Z
@@ -197,7 +206,13 @@ Evidence evidence_of(const text::Source& source, const Grammar& grammar) {
   BlockScan scan(source, grammar);
   while (const auto block = scan.next()) {
     if (!e.kind && is_lathe(*block)) e.kind = ir::MachineKind::lathe, e.kind_line = block->line;
-    if (!e.kind && is_mill(*block)) e.kind = ir::MachineKind::mill, e.kind_line = block->line;
+    if (!e.kind && is_mill(*block)) {
+      e.kind = ir::MachineKind::mill, e.kind_line = block->line;
+      e.by_change = is_mill_by_change(*block);
+    } else if (e.by_change && !e.has_y && !e.is_mill_turn && cuts_shape(*block)) {
+      e.kind = ir::MachineKind::lathe, e.kind_line = block->line;
+      e.by_change = false;
+    }
     if (e.mill_hint_line == 0 && hints_at_mill(*block)) e.mill_hint_line = block->line;
     const bool mill_turn = std::ranges::any_of(block->g10, [&codes = grammar.mill_turn_codes](std::int32_t g) {
       return std::ranges::find(codes, g) != codes.end();

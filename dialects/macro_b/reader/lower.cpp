@@ -119,7 +119,9 @@ void BlockLowering::add_code(const RawWord& word, std::int32_t number10) {
     text::Diagnostic* fault = faults_.report(unknown_code, word.span, {std::string(written)});
     // Which macros a machine has as G codes, only its parameters know (6050 to 6059); they are given three digits.
     const bool may_be_macro = number10 >= kFirstBuilderCode && !control_.from_profile;
-    if (fault != nullptr && may_be_macro) fault->severity = text::Severity::warning;
+    // Where the text's lines contradict each other, another G-code system than the one that was taken may have it.
+    const bool may_be_other = !control_.contradiction.empty() && word.letter == 'G';
+    if (fault != nullptr && (may_be_macro || may_be_other)) fault->severity = text::Severity::warning;
     code.function = Function::not_modelled;
     code.name = program_.strings.add(written);
   }

@@ -70,6 +70,26 @@ TEST(Infer, DecidesLatheOrMillByTheFirstLineThatShows) {
   EXPECT_EQ(inferred("").kind, MachineKind::mill);
 }
 
+// A few lathes change their tools by M06; no mill has a G71 with P and Q.
+TEST(Infer, AShapeThatIsTurnedOutweighsAToolChangeByCode) {
+  const ir::Control lathe = inferred("G28 M06\nT0101\nG00 X60. Z2.\nG71 U2. R1.\nG71 P90 Q95 U.5 W.5 F.3\n");
+  EXPECT_EQ(lathe.kind, MachineKind::lathe);
+  EXPECT_EQ(lathe.because_line, 5U);
+  EXPECT_EQ(inferred("T2 M06\nG00 X6. Y1.\nG71 P90 Q95 U.5 W.5 F.3\n").kind, MachineKind::mill);
+  EXPECT_EQ(inferred("T2 M06\nG83 Z-5. R1. P90 Q1. F.3\n").kind, MachineKind::mill);
+}
+
+// Which of the two systems it is decides whether the control has G91.
+TEST(Infer, WhereTheSystemIsNotCertainACodeOfAnotherIsNotAnError) {
+  const text::Source source("x.nc", "%\nO1\nT0101\nG50 S2000\nG91 G28 Z0.\nM30\n%\n");
+  const ir::Control control = Stages::infer_control(source);
+  ASSERT_EQ(control.contradiction.size(), 2U);
+  const auto found = Stages::read(source, control).diagnostics;
+  const auto code = std::ranges::find(found, text::DiagnosticId::unknown_code, &text::Diagnostic::id);
+  ASSERT_NE(code, found.end());
+  EXPECT_EQ(code->severity, text::Severity::warning);
+}
+
 TEST(Infer, DecidesTheSystemOfALathe) {
   EXPECT_EQ(inferred("T0101\nG50 S2000\n").g_system, GSystem::a);
   EXPECT_EQ(inferred("T0101\nG99\nG90 X50. Z-5. F0.2\n").g_system, GSystem::a);
