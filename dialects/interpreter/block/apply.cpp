@@ -10,6 +10,7 @@
 #include "dialects/interpreter/block/code_effects.h"
 #include "dialects/interpreter/block/feed_word.h"
 #include "dialects/interpreter/block/frame_change.h"
+#include "dialects/interpreter/block/idle_words.h"
 #include "dialects/interpreter/cycles/drilling.h"
 #include "dialects/interpreter/cycles/hole_pattern.h"
 #include "dialects/interpreter/cycles/repetitive.h"
@@ -352,6 +353,8 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   } else {
     act(block, rules, effects, state, out, result);
   }
+  if (((block.present | block.unknown) & kIdleLetters) != 0) [[unlikely]]
+    result.notes |= idle_notes(block, rules, effects, state);
   if (((block.present | block.unknown) & kContourOffsetWord) != 0) [[unlikely]]
     state.offsets_contour = !block.has(Address::contour_offset) || block.at(Address::contour_offset) != 0.0;
   if (state.offsets_contour && result.moved && uses_contour_offset(state)) [[unlikely]]

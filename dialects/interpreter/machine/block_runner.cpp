@@ -29,8 +29,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 31>& counted_notes() {
-  static const std::array<NoteRow, 31> rows = {{
+const std::array<NoteRow, 33>& counted_notes() {
+  static const std::array<NoteRow, 33> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the move to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a position that is not known"}},
@@ -68,6 +68,8 @@ const std::array<NoteRow, 31>& counted_notes() {
       {kNoteFrameValue, {"a scaling factor or angle that is left to a parameter", ir::Function::scale}},
       {kNoteDirectAngle, {"the angle of a line (,A) whose ends do not follow from it", ir::Function::linear}},
       {kNoteHoleWithoutDepth, {"a drilling cycle without a depth", ir::Function::drill}},
+      {kNoteIdleWord, {"a word that no code of its block takes (P of a spindle, a word of the builder's)"}},
+      {kNoteCompDirection, {"I, J and K of G40, the direction in which the compensation ends"}},
       {kNoteTransformed,
        {"moves on a face or cylinder from a position that is not known", ir::Function::transformation}},
   }};

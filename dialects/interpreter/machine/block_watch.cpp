@@ -22,10 +22,6 @@ constexpr double kSame_mm = 1e-9;
 constexpr double kHighestPerRev_mm = 10.0;
 constexpr double kLowestPerMin_mm = 1.0;
 
-bool has_code(const PlainBlock& block, Function function) {
-  return std::ranges::any_of(block.codes, [function](const PlainCode& c) { return c.function == function; });
-}
-
 bool is_tap(ir::DrillCycle cycle) { return cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left; }
 
 // As people read it: 4 decimals at most.

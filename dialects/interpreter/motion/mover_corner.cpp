@@ -61,9 +61,11 @@ std::pair<CornerKind, double> Mover::wanted_corner() const {
   // (0i-F B-64604EN-1, "Chamfer and corner R".)
   constexpr Row kLetters[] = {
       {Address::r, CornerKind::rounding}, {Address::i, CornerKind::chamfer_leg}, {Address::k, CornerKind::chamfer_leg}};
+  // I and K of G40 are the direction in which the compensation ends. (0i-F, "Tool nose radius compensation cancel".)
+  const bool is_direction = has_code(block_, ir::Function::comp_off);
   if (rules_.corner_letters && state_.modes.motion == ir::Function::linear)
     for (const Row& row : kLetters)
-      if (block_.has(row.address))
+      if (block_.has(row.address) && (row.address == Address::r || !is_direction))
         return {row.kind, std::abs(rules_.length_mm(block_, row.address, state_.modes.inch))};
   for (const Row& row : kRows)
     if (block_.has(row.address)) return {row.kind, rules_.length_mm(block_, row.address, state_.modes.inch)};

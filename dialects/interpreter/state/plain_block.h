@@ -2,6 +2,7 @@
 // the program had no variables; the machine and a stream of plain blocks hand the same thing to `apply`.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -45,5 +46,9 @@ struct PlainBlock {
     values[index_of(address)] = value;
   }
 };
+
+inline bool has_code(const PlainBlock& block, ir::Function function) {
+  return std::ranges::find(block.codes, function, &PlainCode::function) != block.codes.end();
+}
 
 }  // namespace dripfeed::interpreter

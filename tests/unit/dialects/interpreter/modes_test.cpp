@@ -255,6 +255,31 @@ TEST(Modes, ReferenceReturnLeavesThePositionUnknown) {
   EXPECT_EQ(ran.result.not_interpreted[1].function, Function::incremental);
 }
 
+// M03 P11 chooses a spindle where a machine has several; R of a block without arc or cycle, no one knows what for.
+TEST(Modes, AWordThatNoCodeTakesIsCounted) {
+  const auto counted = [](std::initializer_list<Builder::CodeText> codes,
+                          std::initializer_list<Builder::WordText> words, ir::Control control = mill_control()) {
+    Builder b;
+    b.block({{Function::rapid}}, {{Address::x, 1.0}, {Address::y, 2.0}, {Address::z, 3.0}});
+    b.block(codes, words);
+    b.end();
+    return run_program(b.build(), control).result.not_interpreted.size();
+  };
+  EXPECT_EQ(counted({{Function::spindle_cw}}, {{Address::p, 11.0}}), 1U);
+  EXPECT_EQ(counted({}, {{Address::s, 500.0}, {Address::p, 2.0}}), 1U);
+  EXPECT_EQ(counted({{Function::tool_change}}, {{Address::t, 2.0}, {Address::r, 5.0}}), 1U);
+  EXPECT_EQ(counted({{Function::linear}}, {{Address::x, 5.0}, {Address::f, 100.0}, {Address::e, 3.0}}), 1U);
+  EXPECT_EQ(counted({{Function::spindle_cw}}, {{Address::s, 500.0}}), 0U);
+  EXPECT_EQ(counted({{Function::dwell}}, {{Address::p, 500.0}}), 0U);
+  EXPECT_EQ(counted({{Function::spindle_orient}}, {{Address::r, 90.0}}), 0U);
+  EXPECT_EQ(counted({{Function::arc_cw}}, {{Address::x, 5.0}, {Address::r, 8.0}, {Address::f, 100.0}}), 0U);
+  EXPECT_EQ(counted({{Function::spindle_cw}}, {{Address::p, 11.0}}, sinumerik_control()), 0U);
+  const ir::Control lathe = lathe_control();
+  EXPECT_EQ(counted({{Function::linear}, {Function::comp_off}},
+                    {{Address::x, 5.0}, {Address::i, 2.0}, {Address::f, 1.0}}, lathe),
+            1U);
+}
+
 TEST(Modes, MachineCoordinatesAreForOneBlock) {
   Builder b;
   b.block({{Function::rapid}}, {{Address::x, 1.0}, {Address::y, 2.0}, {Address::z, 3.0}});

@@ -1,0 +1,76 @@
+// Certain only where every code of the block is one that is known to take no such word. (Fanuc, multi-spindle control:
+// P of S and of the spindle's M functions.)
+#include "dialects/interpreter/block/idle_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "dialects/interpreter/state/block_result.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+
+constexpr std::uint64_t kWordsOfArc =
+    bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) | bit_of(Address::l);
+
+constexpr std::array kTakeNone = {
+    Function::rapid,
+    Function::linear,
+    Function::arc_cw,
+    Function::arc_ccw,
+    Function::plane_xy,
+    Function::plane_zx,
+    Function::plane_yz,
+    Function::unit_inch,
+    Function::unit_mm,
+    Function::absolute,
+    Function::incremental,
+    Function::feed_per_min,
+    Function::feed_per_rev,
+    Function::comp_off,
+    Function::length_offset_off,
+    Function::machine_coordinates,
+    Function::tool_change,
+    Function::spindle_cw,
+    Function::spindle_ccw,
+    Function::spindle_stop,
+    Function::coolant_mist,
+    Function::coolant_flood,
+    Function::coolant_off,
+    Function::surface_speed_off,
+    Function::program_stop,
+    Function::optional_stop,
+    Function::cycle_off,
+    Function::exact_stop_once,
+    Function::return_to_initial,
+    Function::return_to_r,
+};
+
+bool takes_none(const PlainCode& code) { return std::ranges::find(kTakeNone, code.function) != kTakeNone.end(); }
+
+// Words of the modal motion; of others than these four nothing is said here.
+std::uint64_t taken_by_motion(const BlockRules& rules, Function motion) {
+  constexpr std::uint64_t kCorner = bit_of(Address::i) | bit_of(Address::k) | bit_of(Address::r);
+  if (motion == Function::rapid) return 0;
+  if (motion == Function::linear) return rules.corner_letters ? kCorner : 0;
+  return motion == Function::arc_cw || motion == Function::arc_ccw ? kWordsOfArc : kIdleLetters;
+}
+
+}  // namespace
+
+std::uint64_t idle_notes(const PlainBlock& block, const BlockRules& rules, const Effects& effects,
+                         const ModalState& state) {
+  constexpr std::uint64_t kDirection = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
+  const std::uint64_t letters = (block.present | block.unknown) & kIdleLetters & ~rules.axis_addresses;
+  if (letters == 0 || !rules.semantics.arc_radius_is_r) return 0;
+  if (effects.one_shot != Function::none || state.drilling.active || state.turning.active) return 0;
+  if ((letters & kDirection) != 0 && has_code(block, Function::comp_off)) return kNoteCompDirection;
+  const std::uint64_t idle = letters & ~taken_by_motion(rules, state.modes.motion);
+  return idle != 0 && std::ranges::all_of(block.codes, takes_none) ? kNoteIdleWord : 0;
+}
+
+}  // namespace dripfeed::interpreter
