@@ -260,7 +260,7 @@ TEST(Modes, AWordThatNoCodeTakesIsCounted) {
   const auto counted = [](std::initializer_list<Builder::CodeText> codes,
                           std::initializer_list<Builder::WordText> words, ir::Control control = mill_control()) {
     Builder b;
-    b.block({{Function::rapid}}, {{Address::x, 1.0}, {Address::y, 2.0}, {Address::z, 3.0}});
+    b.block({{Function::rapid}}, {{Address::x, 1.0}, {Address::z, 3.0}});
     b.block(codes, words);
     b.end();
     return run_program(b.build(), control).result.not_interpreted.size();
