@@ -257,7 +257,10 @@ void Parser::g_code(text::Span head) {
   if (code == nullptr) {
     // It may be a macro of the machine (DEFINE G301 AS … in its definition files).
     report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
-    return lower_.keep_as_native("unknown code", false, span, true);
+    operator_ = head;
+    ir::Word value;
+    if (cursor_.take('=')) (void)word_value(value);  // DEFINE G92 AS LIMS: G92=2000
+    return lower_.keep_as_native("unknown code", false, to_here(head), true);
   }
   if (n == 75 && reference_approach(head)) return;
   if (code->row.name == "G291" && in_macro_) return native(code->row.name, false, span);
