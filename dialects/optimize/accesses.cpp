@@ -164,18 +164,40 @@ std::vector<bool> parameters_of(const ir::Program& program, const Places& places
   return out;
 }
 
+namespace {
+
+std::string obstacle_in(const ir::Program& program, const ir::Statement& s) {
+  if (s.kind == StatementKind::call && ir::is_called(program.calls[s.payload], ir::CalledSort::removal))
+    return "a cycle that runs blocks of the program as its contour";
+  return obstacle_at(program, s);
+}
+
+bool has_shape(const ir::Program& program, const ir::Statement& s) {
+  return s.kind == StatementKind::block &&
+         std::ranges::any_of(program.codes_of(program.blocks[s.payload]),
+                             [](const ir::Code& code) { return code.function == ir::Function::repetitive_cycle; });
+}
+
+constexpr const char* kRunsShape = "a cycle that runs blocks of the program as its shape";
+
+}  // namespace
+
 std::string obstacle(const ir::Program& program) {
   if (!program.foreign_parts.empty()) return "blocks in the control's other language";
-  for (const ir::Code& code : program.codes) {
-    if (code.function == ir::Function::repetitive_cycle) return "a cycle that runs blocks of the program as its shape";
-  }
-  for (const ir::Statement& s : program.statements) {
-    if (std::string found = obstacle_at(program, s); !found.empty())
+  if (std::ranges::any_of(program.statements, [&](const ir::Statement& s) { return has_shape(program, s); }))
+    return kRunsShape;
+  for (const ir::Statement& s : program.statements)
+    if (const std::string found = obstacle_in(program, s); !found.empty())
       return found + " (line " + std::to_string(s.line) + ")";
-    if (s.kind != StatementKind::call) continue;
-    const ir::Call& call = program.calls[s.payload];
-    if (ir::is_called(call, ir::CalledSort::removal))
-      return "a cycle that runs blocks of the program as its contour (line " + std::to_string(s.line) + ")";
+  return {};
+}
+
+std::string obstacle(const ir::Program& program, std::uint32_t first, std::uint32_t last) {
+  if (!program.foreign_parts.empty()) return "blocks in the control's other language";
+  for (std::uint32_t i = first; i < last; ++i) {
+    const ir::Statement& s = program.statements[i];
+    if (has_shape(program, s)) return kRunsShape;
+    if (std::string found = obstacle_in(program, s); !found.empty()) return found;
   }
   return {};
 }

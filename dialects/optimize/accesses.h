@@ -28,5 +28,7 @@ std::vector<bool> parameters_of(const ir::Program& program, const Places& places
 
 // Why nothing may be concluded from the order of the text; empty where it may.
 std::string obstacle(const ir::Program& program);
+// … of the statements [first, last), without their lines.
+std::string obstacle(const ir::Program& program, std::uint32_t first, std::uint32_t last);
 
 }  // namespace dripfeed::optimize

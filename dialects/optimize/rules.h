@@ -1,6 +1,7 @@
 // What the optimizer may do, one row a rule: those of G. Nikiel, "Optimization of execution speed of the CNC parametric
-// part programs", chapter 2, except that no subprogram is inlined, and what a compiler adds. Each can be switched off
-// by itself. The last three change the path, within a tolerance; compile/render/merged_blocks has two of them.
+// part programs", chapter 2, and what a compiler adds. Each can be switched off by itself. The last three change the
+// path, within a tolerance; compile/render/merged_blocks has two of them, and compile/translate/inlined_calls the first
+// rule of the table, which needs the texts of other programs.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 namespace dripfeed::optimize {
 
 enum class Rule : std::uint8_t {
+  inlined,
   numbered,
   loops,
   branches,
@@ -34,6 +36,7 @@ struct RuleRow {
 };
 
 inline constexpr std::array<RuleRow, kRules> kRuleRows = {{
+    {"inline", "the blocks of a subprogram take the place of its call", true},
     {"numbered", "variables with a name become numbered ones, in the numbers that are stated to be free", true},
     {"loops", "jumps back become loops, where that makes the program faster", true},
     {"branches", "jumps over parts become IF with ELSE, where the control has them and it makes the program faster",

@@ -53,7 +53,7 @@ constexpr std::array kDialects = {
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, read_sinumerik,
             sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print,
             sinumerik::append_position, sinumerik::language_words, CommentStyle::semicolon, sinumerik::standard_cycle,
-            sinumerik::add_definitions},
+            sinumerik::add_definitions, true},
 };
 
 std::vector<ir::LanguageWord> no_words() { return {}; }

@@ -46,6 +46,9 @@ struct Dialect {
   // Adds what a definition file declares for every program of the control; nullptr: it has no such files.
   std::vector<std::string> (*add_definitions)(const text::Source& file, const ir::Control& control,
                                               ir::SharedDefinitions& into) = nullptr;
+  // A return by a code alone in its block ends continuous-path mode there, one by a word does not (SINUMERIK
+  // programming manual, "Parameterizable subprogram return": RET where G64 is not to be interrupted).
+  bool return_code_rests = false;
 };
 
 std::span<const Dialect> dialects();

@@ -10,6 +10,7 @@
 #include "dialects/compile/dialect/library.h"
 #include "dialects/compile/render/compute_cost.h"
 #include "dialects/compile/translate/changed_text.h"
+#include "dialects/compile/translate/inlined_calls.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/cost_model.h"
@@ -43,11 +44,12 @@ struct OptimizeResult {
   std::string not_verified;                 // why running does not show that both are the same; empty where it does
   std::optional<ComputeCost> before;        // of the runs that were compared
   std::optional<ComputeCost> after;
-  std::optional<Saving> saved;      // from `before` to `after`
-  std::vector<RuleSaving> savings;  // of rules that changed the text, in their order; none where it is not run
-  std::optional<double> off_mm;     // with rules that change the path: how far both lie apart at most, proved
-  std::string not_merged;           // why no blocks were; empty where they were, or need not be
-  std::string not_tabulated;        // why no formula is a table; empty where one is, or need not be
+  std::optional<Saving> saved;        // from `before` to `after`
+  std::vector<RuleSaving> savings;    // of rules that changed the text, in their order; none where it is not run
+  std::optional<double> off_mm;       // with rules that change the path: how far both lie apart at most, proved
+  std::string not_merged;             // why no blocks were; empty where they were, or need not be
+  std::string not_tabulated;          // why no formula is a table; empty where one is, or need not be
+  std::vector<KeptCall> not_inlined;  // calls that stay, in the order of the text
   std::vector<text::Diagnostic> diagnostics;  // of reading the source; with an error nothing is done
 };
 

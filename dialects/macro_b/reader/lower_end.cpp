@@ -43,7 +43,9 @@ void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t fi
   if (counts) emit_native("L of M99", false, place);
   if (returns_to_block) return emit_return_jump(block, place);
   if (is_return) {
-    emit(StatementKind::subprogram_return, ir::kNoIndex, place);
+    BlockPlace own = place;
+    own.span = end.span;
+    emit(StatementKind::subprogram_return, ir::kNoIndex, own);
     return;
   }
   program_.codes.push_back(end);
