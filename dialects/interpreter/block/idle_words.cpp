@@ -35,12 +35,15 @@ constexpr std::array kTakeNone = {
     Function::length_offset_off,
     Function::machine_coordinates,
     Function::tool_change,
+    Function::work_offset,
+    Function::dwell,
     Function::spindle_cw,
     Function::spindle_ccw,
     Function::spindle_stop,
     Function::coolant_mist,
     Function::coolant_flood,
     Function::coolant_off,
+    Function::surface_speed_on,
     Function::surface_speed_off,
     Function::program_stop,
     Function::optional_stop,
@@ -52,12 +55,22 @@ constexpr std::array kTakeNone = {
 
 bool takes_none(const PlainCode& code) { return std::ranges::find(kTakeNone, code.function) != kTakeNone.end(); }
 
-// Words of the modal motion; of others than these four nothing is said here.
-std::uint64_t taken_by_motion(const BlockRules& rules, Function motion) {
+// Words of the modal motion; others than these four are not judged here. A corner stands at the end of a move.
+std::uint64_t taken_by_motion(const PlainBlock& block, const BlockRules& rules, Function motion) {
   constexpr std::uint64_t kCorner = bit_of(Address::i) | bit_of(Address::k) | bit_of(Address::r);
+  const bool moves = ((block.present | block.unknown) & rules.axis_addresses) != 0;
   if (motion == Function::rapid) return 0;
-  if (motion == Function::linear) return rules.corner_letters ? kCorner : 0;
+  if (motion == Function::linear) return rules.corner_letters && moves ? kCorner : 0;
   return motion == Function::arc_cw || motion == Function::arc_ccw ? kWordsOfArc : kIdleLetters;
+}
+
+// P of G96 is the axis whose diameter counts; a larger one is a spindle's. That of a dwell is its time, and that of G54
+// is looked at elsewhere.
+std::uint64_t taken_by_codes(const PlainBlock& block) {
+  constexpr double kLastAxis = 9.0;
+  const bool names_axis = has_code(block, Function::surface_speed_on) && block.at(Address::p) <= kLastAxis;
+  const bool takes_p = names_axis || has_code(block, Function::dwell) || has_code(block, Function::work_offset);
+  return block.has(Address::p) && takes_p ? bit_of(Address::p) : 0;
 }
 
 }  // namespace
@@ -67,9 +80,10 @@ std::uint64_t idle_notes(const PlainBlock& block, const BlockRules& rules, const
   constexpr std::uint64_t kDirection = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
   const std::uint64_t letters = (block.present | block.unknown) & kIdleLetters & ~rules.axis_addresses;
   if (letters == 0 || !rules.semantics.arc_radius_is_r) return 0;
-  if (effects.one_shot != Function::none || state.drilling.active || state.turning.active) return 0;
+  const bool acts_once = effects.one_shot != Function::none && effects.one_shot != Function::dwell;
+  if (acts_once || state.drilling.active || state.turning.active) return 0;
   if ((letters & kDirection) != 0 && has_code(block, Function::comp_off)) return kNoteCompDirection;
-  const std::uint64_t idle = letters & ~taken_by_motion(rules, state.modes.motion);
+  const std::uint64_t idle = letters & ~taken_by_motion(block, rules, state.modes.motion) & ~taken_by_codes(block);
   return idle != 0 && std::ranges::all_of(block.codes, takes_none) ? kNoteIdleWord : 0;
 }
 

@@ -270,11 +270,15 @@ TEST(Modes, AWordThatNoCodeTakesIsCounted) {
   EXPECT_EQ(counted({{Function::tool_change}}, {{Address::t, 2.0}, {Address::r, 5.0}}), 1U);
   EXPECT_EQ(counted({{Function::linear}}, {{Address::x, 5.0}, {Address::f, 100.0}, {Address::e, 3.0}}), 1U);
   EXPECT_EQ(counted({{Function::spindle_cw}}, {{Address::s, 500.0}}), 0U);
+  EXPECT_EQ(counted({{Function::surface_speed_on}}, {{Address::s, 90.0}, {Address::p, 11.0}}), 1U);
+  EXPECT_EQ(counted({{Function::surface_speed_on}}, {{Address::s, 90.0}, {Address::p, 1.0}}), 0U);
   EXPECT_EQ(counted({{Function::dwell}}, {{Address::p, 500.0}}), 0U);
   EXPECT_EQ(counted({{Function::spindle_orient}}, {{Address::r, 90.0}}), 0U);
   EXPECT_EQ(counted({{Function::arc_cw}}, {{Address::x, 5.0}, {Address::r, 8.0}, {Address::f, 100.0}}), 0U);
   EXPECT_EQ(counted({{Function::spindle_cw}}, {{Address::p, 11.0}}, sinumerik_control()), 0U);
+  EXPECT_EQ(counted({{Function::work_offset, 1}}, {{Address::q, 3.0}}), 1U);
   const ir::Control lathe = lathe_control();
+  EXPECT_EQ(counted({{Function::linear}}, {{Address::r, 3.0}}, lathe), 1U);
   EXPECT_EQ(counted({{Function::linear}, {Function::comp_off}},
                     {{Address::x, 5.0}, {Address::i, 2.0}, {Address::f, 1.0}}, lathe),
             1U);
