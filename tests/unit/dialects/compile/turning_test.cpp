@@ -344,6 +344,17 @@ TEST(LoweredTurning, WhatIsNotKnownIsRefused) {
           .diagnostics));
 }
 
+// A thread of more passes than are run for one call is refused by the name of its cycle, and writes nothing of it.
+TEST(LoweredTurning, AThreadThatIsTooLongToRunIsRefused) {
+  const auto made = lathe_translated(
+      "G18 G90 G95 G71 DIAMON\nS500 M3\nG0 X50 Z10\nCYCLE97(2,,0,-30,40,40,0,0,1.2,0.05,29,0,300000,1,3,1)\nM30\n",
+      "sinumerik-840d", "fanuc");
+  ASSERT_TRUE(text::has_error(made.diagnostics));
+  EXPECT_NE(text::message_of(made.diagnostics.front()).find("CYCLE97 with such arguments"), std::string::npos)
+      << text::message_of(made.diagnostics.front());
+  EXPECT_EQ(made.text, "");
+}
+
 // The angle of a G76 in one block is not an axis of the machine.
 // S counts as G96 or G97 of its block says, wherever the spindle's M goes.
 TEST(LoweredTurning, SpeedsGoWithWhatTheyCount) {
