@@ -13,6 +13,9 @@ namespace dripfeed::cli {
 void print_changes(const compile::OptimizeResult& result, std::string_view name) {
   for (const optimize::Change& change : result.changes)
     fmt::print(stderr, "{}:{}: {}: {}\n", name, change.line, optimize::row_of(change.rule).name, change.what);
+  for (const compile::KeptCall& one : result.not_inlined)
+    fmt::print(stderr, "{}:{}: {}: {} stays a call: {}\n", name, one.line,
+               optimize::row_of(optimize::Rule::inlined).name, one.program.empty() ? "it" : one.program, one.why);
 }
 
 namespace {

@@ -99,6 +99,13 @@ Document passes_of(const compile::OptimizeResult& result) {
   return out;
 }
 
+Document not_inlined(const compile::OptimizeResult& result) {
+  Document out = Document::array();
+  for (const compile::KeptCall& one : result.not_inlined)
+    out.push_back({{"line", one.line}, {"program", text_or_null(one.program)}, {"why", one.why}});
+  return out;
+}
+
 }  // namespace
 
 std::string optimized(const compile::OptimizeResult& result, const ir::CostModel& cost, const text::Source& source) {
@@ -114,6 +121,7 @@ std::string optimized(const compile::OptimizeResult& result, const ir::CostModel
                {"proved_max_mm", result.off_mm ? Document(*result.off_mm) : Document(nullptr)},
                {"not_merged", text_or_null(result.not_merged)},
                {"not_tabulated", text_or_null(result.not_tabulated)},
+               {"not_inlined", not_inlined(result)},
                {"saved", saving_of(result.saved)},
                {"before", cost_of_run(result.before)},
                {"after", cost_of_run(result.after)},

@@ -26,9 +26,9 @@ std::string received_values(std::string_view changes, const store::ProgramRevisi
 
 // What optimizing a text gave: for the API, and for `dripfeed optimize --json`.
 // {"text","origins","passes":[{"rule","edits","saved"}],"changes":[{"line","rule","what"}],"left_because",
-// "not_verified","proved_max_mm","not_merged","not_tabulated","saved","before","after","cost","diagnostics"}: the two
-// costs are null where the program was not run before and after, `left_because` is why it is unchanged. The text is
-// null where it could not be read.
+// "not_verified","proved_max_mm","not_merged","not_tabulated","not_inlined":[{"line","program","why"}],"saved","before",
+// "after","cost","diagnostics"}: the two costs are null where the program was not run before and after, `left_because`
+// is why it is unchanged. The text is null where it could not be read.
 std::string optimized(const compile::OptimizeResult& result, const ir::CostModel& cost, const text::Source& source);
 
 }  // namespace dripfeed::json

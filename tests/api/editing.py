@@ -122,6 +122,12 @@ def a_faster_text(client):
     chords = "G21 G90 G94 G17 G40\nT1 M6\nG54\nS900 M3\nG0 X0 Y0 Z5.\nG1 Z-1. F100\nX1. Y1.\nX2. Y2.001\nX3. Y3.\nM30\n"
     merged = client.must("POST", "/optimize", {"text": chords, "dialect": "fanuc", "with": ["lines"], "tolerance_mm": 0.01}, role="programmer")
     expect("X2." not in merged["text"] and 0.0007 < merged["proved_max_mm"] < 0.00071 and [one["rule"] for one in merged["passes"]] == ["lines"], merged)
+    after = "O2\nG1 X#100 F100.\nM99\nO3\nG1 Y#100\nM99\n"
+    calls = {"text": f"O1\nG21 G90 G94 G17\nG0 X0\n#100=0\nWHILE[#100 LT 5]DO1\nM98 P2\nM98 P3 L2\n#100=#100+1\nEND1\nM30\n{after}", "dialect": "fanuc"}
+    blocks = client.must("POST", "/optimize", calls, role="programmer")
+    expect("\nM98 P2\n" not in blocks["text"] and blocks["text"].endswith(f"M30\n{after}") and [one["rule"] for one in blocks["changes"]] == ["inline"], blocks)
+    expect(blocks["not_inlined"] == [{"line": 7, "program": "O0003", "why": "the call repeats it"}] and blocks["left_because"] is None, blocks)
+    expect(client.must("POST", "/optimize", calls | {"without": ["inline"]}, role="programmer")["not_inlined"] == [], "a rule that is off says something")
     client.refuse(422, "POST", "/optimize", {"text": chords, "dialect": "fanuc", "with": ["lines"]}, words=["need a tolerance"])
     client.refuse(422, "POST", "/optimize", {"text": chords, "dialect": "fanuc", "with": ["lines"], "tolerance_mm": 9}, words=["tolerance_mm"])
     stored = client.add_program(10)["id"]

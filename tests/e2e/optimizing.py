@@ -47,6 +47,21 @@ def one(folder, family, machine):
     print(f"{family} on {machine}: {before} ms before, {after} ms after, verdict {verdicts[1]}")
 
 
+def subprograms(folder):
+    """A called program in a file next to the caller's: its blocks in the text, and a call that stays, by name."""
+    program = folder / "row.mpf"
+    program.write_text("G0 X0\nR1=0\nWHILE R1<5\nPOINT ; one\nMISSING\nR1=R1+1\nENDWHILE\nM30\n")
+    (folder / "POINT.SPF").write_text("PROC POINT\nG1 X=R1 F100 ; cut\nRET\n")
+    answer = run("optimize", program, "--machine", "sinumerik-840d-mill", "--own", "R2")
+    if "; start of POINT ; one\nG1 X=R1 F100 ; cut\n; end of POINT\n" not in answer.stdout or "\nMISSING\n" not in answer.stdout:
+        raise AssertionError(f"{answer}")
+    if ":4: inline: the block of POINT takes the place of the call" not in answer.stderr or ":5: inline: MISSING stays a call: its text is not at hand" not in answer.stderr:
+        raise AssertionError(f"{answer}")
+    answer = run("optimize", program, "--machine", "sinumerik-840d-mill", "--without", "inline")
+    if answer.stdout != program.read_text() or "inline" in answer.stderr:
+        raise AssertionError(f"{answer}")
+
+
 def the_command(folder):
     """Text, report and --json of `dripfeed optimize`, and what it refuses."""
     program = folder / "ring.mpf"
@@ -66,6 +81,7 @@ def the_command(folder):
     text = run("optimize", program, "--machine", "sinumerik-840d-mill", "--free", "R200-R209", "--own", "R1-R9")
     if text.stdout != found["text"] or "cost model" not in text.stderr or "invariants saves " not in text.stderr or "all rules save " not in text.stderr:
         raise AssertionError(f"{text}")
+    subprograms(folder)
     for arguments, words in ((["--free", "R200-#9"], "is not a range of variables"), (["--with", "magic"], 'there is no rule "magic"'),
                              (["--with", "lines"], "need a tolerance"), (["--tolerance", "0.01"], "a tolerance is for the rules table, lines and arcs")):
         refused = run("optimize", program, *arguments)

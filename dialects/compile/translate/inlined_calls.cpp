@@ -9,8 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "dialects/compile/translate/call_conditions.h"
 #include "dialects/compile/translate/described_statement.h"
 #include "dialects/passes/structure_parts.h"
@@ -38,17 +36,12 @@ struct NewText {
   std::vector<Expected> expected;
 };
 
-// Without the words between: what the call is written as.
-std::string written_call(const ir::Program& text, text::Span span, std::string* comments) {
+// The comments within a part of the text.
+std::string comments_in(const ir::Program& text, text::Span span) {
   std::string out;
   auto token = std::ranges::lower_bound(text.tokens, span.begin, {}, [](const ir::Token& t) { return t.span.begin; });
-  for (; token != text.tokens.end() && token->span.begin < span.end; ++token) {
-    const std::string_view written = token->span.in(text.source.text());
-    if (token->kind == TokenKind::comment)
-      comments->append(1, ' ').append(written);
-    else
-      out += written;
-  }
+  for (; token != text.tokens.end() && token->span.begin < span.end; ++token)
+    if (token->kind == TokenKind::comment) out.append(1, ' ').append(token->span.in(text.source.text()));
   return out;
 }
 
@@ -138,9 +131,9 @@ class Inliner {
     const CalledBody& body = taken->body;
     around.callers.push_back(target);
     if (is_main) inlined_.push_back({around.line, name, body.blocks});
-    add_line(out, heading(*caller.text, i, body.blocks, is_main), around.line, eob());
+    add_line(out, heading(*caller.text, i, name, is_main), around.line, eob());
     write(target, *taken, around, out);
-    if (body.blocks > 0) add_line(out, comment(fmt::format("end of {}", name)), around.line, eob());
+    add_line(out, comment("end of " + name), around.line, eob());
     return true;
   }
 
@@ -190,20 +183,15 @@ class Inliner {
     return out;
   }
 
-  // In place of the call: what it was, with its number and comment.
-  [[nodiscard]] std::string heading(const ir::Program& text, std::uint32_t i, std::uint32_t blocks,
+  // In place of the call, with its number and comments.
+  [[nodiscard]] std::string heading(const ir::Program& text, std::uint32_t i, const std::string& name,
                                     bool keeps_number) const {
     const ir::Statement& s = text.statements[i];
     const std::string_view words = text.source.line(s.line);
     const auto begin = static_cast<std::uint32_t>(words.data() - text.source.text().data());
-    std::string comments;
-    const std::string call = written_call(text, s.span, &comments);
-    std::string number(words.substr(0, s.span.begin - begin));
-    if (!keeps_number) number.clear();
-    const std::string what =
-        fmt::format("{}: its {} {}", call, blocks == 1 ? "block" : fmt::format("{} blocks", blocks),
-                    blocks == 1 ? "follows" : "follow");
-    return number + comment(what) + comments + std::string(words.substr(s.span.end - begin));
+    std::string out(keeps_number ? words.substr(0, s.span.begin - begin) : std::string_view());
+    out += comment("start of " + name) + comments_in(text, s.span);
+    return out.append(words.substr(s.span.end - begin));
   }
 
   [[nodiscard]] std::string comment(const std::string& what) const {

@@ -2,7 +2,7 @@
 // whose subprogram would do anything else in its caller's text stays, with the reason. The subprograms stay where they
 // are, because other programs may call them.
 //
-//   N20 M98 P2 (HOLE)          N20 (M98 P2: ITS 2 BLOCKS FOLLOW) (HOLE)
+//   N20 M98 P2 (HOLE)          N20 (START OF O0002) (HOLE)
 //                              #101=#100*2.
 //                              G1 X#101 F100. (CUT)
 //                              (END OF O0002)

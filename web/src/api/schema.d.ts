@@ -8761,6 +8761,7 @@ export interface components {
          *       "proved_max_mm": 0.0007,
          *       "not_merged": null,
          *       "not_tabulated": null,
+         *       "not_inlined": [],
          *       "saved": {
          *         "ms": 4,
          *         "least_ms": 0.8,
@@ -8799,7 +8800,7 @@ export interface components {
                  * @description that was applied
                  * @enum {string}
                  */
-                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "table" | "lines" | "arcs";
+                rule: "inline" | "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "table" | "lines" | "arcs";
                 /** @description how many of the changes are its own */
                 edits: number;
                 /** @description next to the text with the rules before it alone; null: not run */
@@ -8820,7 +8821,7 @@ export interface components {
                  * @description that was applied
                  * @enum {string}
                  */
-                rule: "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "table" | "lines" | "arcs";
+                rule: "inline" | "numbered" | "loops" | "branches" | "values" | "invariants" | "merge" | "join" | "comments" | "numbers" | "table" | "lines" | "arcs";
                 /** @description a clause */
                 what: string;
             }[];
@@ -8834,6 +8835,15 @@ export interface components {
             not_merged: string | null;
             /** @description why no formula is a table; null: one is, or it was not asked for */
             not_tabulated: string | null;
+            /** @description in the order of the text; empty where the rule is off */
+            not_inlined: {
+                /** @description of the given text */
+                line: number;
+                /** @description that is called; null: a value decides */
+                program: string | null;
+                /** @description a clause */
+                why: string;
+            }[];
             /** @description by all rules; null: it was not run */
             saved: {
                 /** @description by the cost model; below zero: it costs more */

@@ -65,39 +65,34 @@ TEST(InlinedCalls, ALoneCallBecomesTheBlocksOfAProgramOfTheSameText) {
   const std::string point = "O0002 (POINT)\n(ITS PLACE)\nN10 #101=#100*2.\n(CUT)\nN20 G1 X#101 F100. (MM)\nN30 M99\n";
   expect_inlined(kMain + "N10 M98 P2 (ONE POINT)\n" + kAfter + point,
                  kMain +
-                     "N10 (M98 P2: ITS 2 BLOCKS FOLLOW) (ONE POINT)\n#101=#100*2.\n(CUT)\nG1 X#101 F100. (MM)\n"
+                     "N10 (START OF O0002) (ONE POINT)\n#101=#100*2.\n(CUT)\nG1 X#101 F100. (MM)\n"
                      "(END OF O0002)\n" +
                      kAfter + point);
 }
 
 TEST(InlinedCalls, OfAnotherFile) {
-  expect_inlined(kMain + "M98P0002\n" + kAfter,
-                 kMain + "(M98P0002: ITS BLOCK FOLLOWS)\nG1 X#100 F100.\n(END OF O0002)\n" + kAfter,
+  expect_inlined(kMain + "M98P0002\n" + kAfter, kMain + "(START OF O0002)\nG1 X#100 F100.\n(END OF O0002)\n" + kAfter,
                  {.files = {{"O0002", "%\nO0002\nG1 X#100 F100.\nM99\n%\n"}}});
 }
 
 TEST(InlinedCalls, AllFourControls) {
   for (const std::string_view dialect : {"fanuc", "mazak", "mitsubishi-m80", "haas"})
-    expect_inlined(kMain + "M98 P2\n" + kAfter,
-                   kMain + "(M98 P2: ITS BLOCK FOLLOWS)\nG1 X#100 F100.\n(END OF O0002)\n" + kAfter,
+    expect_inlined(kMain + "M98 P2\n" + kAfter, kMain + "(START OF O0002)\nG1 X#100 F100.\n(END OF O0002)\n" + kAfter,
                    {.dialect = dialect, .files = {{"O0002", "O0002\nG1 X#100 F100.\nM99\n"}}});
   const std::string before = "G90 G17 G94 G71\nG0 X0 Y0 Z5\nR1=0\nWHILE R1<5\n", after = "R1=R1+1\nENDWHILE\nM30\n";
   for (const std::string call : {"POINT", "CALL \"POINT\"", "POINT()"})
-    expect_inlined(
-        before + call + " ; one\n" + after,
-        before + "; " + call + ": its 2 blocks follow ; one\nR2=R1*2\nG1 X=R2 F100 ; cut\n; end of POINT\n" + after,
-        {.dialect = "sinumerik-840d",
-         .files = {{"POINT", "PROC POINT\nN10 R2=R1*2\nN20 G1 X=R2 F100 ; cut\nN30 RET\n"}}});
+    expect_inlined(before + call + " ; one\n" + after,
+                   before + "; start of POINT ; one\nR2=R1*2\nG1 X=R2 F100 ; cut\n; end of POINT\n" + after,
+                   {.dialect = "sinumerik-840d",
+                    .files = {{"POINT", "PROC POINT\nN10 R2=R1*2\nN20 G1 X=R2 F100 ; cut\nN30 RET\n"}}});
 }
 
 TEST(InlinedCalls, AReturnMayStandInTheLastBlock) {
-  expect_inlined(kMain + "M98 P2\n" + kAfter,
-                 kMain + "(M98 P2: ITS BLOCK FOLLOWS)\nG1 X#100 F100.\n(END OF O0002)\n" + kAfter,
+  expect_inlined(kMain + "M98 P2\n" + kAfter, kMain + "(START OF O0002)\nG1 X#100 F100.\n(END OF O0002)\n" + kAfter,
                  {.files = {{"O0002", "O0002\nG1 X#100 F100. M99\n"}}});
-  expect_inlined(
-      "G0 X0\nWHILE R1<5\nPOINT\nR1=R1+1\nENDWHILE\nM30\n",
-      "G0 X0\nWHILE R1<5\n; POINT: its block follows\nG1 X=R1 F100\n; end of POINT\nR1=R1+1\nENDWHILE\nM30\n",
-      {.dialect = "sinumerik-840d", .files = {{"POINT", "G1 X=R1 F100 M17\n"}}});
+  expect_inlined("G0 X0\nWHILE R1<5\nPOINT\nR1=R1+1\nENDWHILE\nM30\n",
+                 "G0 X0\nWHILE R1<5\n; start of POINT\nG1 X=R1 F100\n; end of POINT\nR1=R1+1\nENDWHILE\nM30\n",
+                 {.dialect = "sinumerik-840d", .files = {{"POINT", "G1 X=R1 F100 M17\n"}}});
 }
 
 // M17 in a block of its own ends continuous-path mode there.
@@ -118,7 +113,7 @@ TEST(InlinedCalls, OneInTheOther) {
                        {"O0003", "O0003\nG1 X#101 F100.\nM99\n"}};
   expect_inlined(kMain + "M98 P2\n" + kAfter,
                  kMain +
-                     "(M98 P2: ITS 2 BLOCKS FOLLOW)\n#101=#100+1.\n(M98 P3: ITS BLOCK FOLLOWS) (CUT)\nG1 X#101 F100.\n"
+                     "(START OF O0002)\n#101=#100+1.\n(START OF O0003) (CUT)\nG1 X#101 F100.\n"
                      "(END OF O0003)\n(END OF O0002)\n" +
                      kAfter,
                  {.files = files});
@@ -129,7 +124,7 @@ TEST(InlinedCalls, LoopsGetNumbersThatAreFree) {
       "O0002\nN1 #102=0\nWHILE [#102 LT 2] DO 1 (TWICE)\nG1 X#102 F100.\n#102=#102+1\nEND 1\nM99\n";
   expect_inlined(kMain + "M98 P2\n" + kAfter,
                  kMain +
-                     "(M98 P2: ITS 5 BLOCKS FOLLOW)\n#102=0\nWHILE [#102 LT 2] DO 2 (TWICE)\nG1 X#102 F100.\n"
+                     "(START OF O0002)\n#102=0\nWHILE [#102 LT 2] DO 2 (TWICE)\nG1 X#102 F100.\n"
                      "#102=#102+1\nEND 2\n(END OF O0002)\n" +
                      kAfter,
                  {.files = {{"O0002", body}}});
@@ -142,7 +137,7 @@ TEST(InlinedCalls, LoopsGetNumbersThatAreFree) {
 
 TEST(InlinedCalls, BlockSkipAndEndsOfBlocksStay) {
   expect_inlined("O0001\r\nG0 X0\r\nM98 P2\r\nM30\r\n",
-                 "O0001\r\nG0 X0\r\n(M98 P2: ITS 2 BLOCKS FOLLOW)\r\n/G1 X1. F100.\r\n/2 G1  X2.\r\n(END OF O0002)\r\n"
+                 "O0001\r\nG0 X0\r\n(START OF O0002)\r\n/G1 X1. F100.\r\n/2 G1  X2.\r\n(END OF O0002)\r\n"
                  "M30\r\n",
                  {.files = {{"O0002", "O0002\n/N10 G1 X1. F100.\nN20 /2 G1  X2.\nM99\n"}}});
 }
@@ -154,7 +149,7 @@ TEST(InlinedCalls, OtherRulesGoOnInTheNewText) {
                      .files = {{"POINT", "PROC POINT\nR2=R1*SIN(R1)\nG1 X=R2 Y=R4 F100\nRET\n"}},
                      .all_rules = true});
   EXPECT_EQ(result.text,
-            "G0 X0 Y0\nR1=30 R4=0\nR2=R1*SIN(R1)\nWHILE R4<3\n; POINT: its 2 blocks follow\nG1 X=R2 Y=R4 F100\n"
+            "G0 X0 Y0\nR1=30 R4=0\nR2=R1*SIN(R1)\nWHILE R4<3\n; start of POINT\nG1 X=R2 Y=R4 F100\n"
             "; end of POINT\nR4=R4+1\nENDWHILE\nM30\n");
   ASSERT_GE(result.savings.size(), 2U);
   EXPECT_EQ(result.savings.front().rule, Rule::inlined);
