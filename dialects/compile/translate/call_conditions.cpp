@@ -41,6 +41,20 @@ std::optional<LoopNumbers> loop_numbers(const CalledBody& body, std::vector<std:
 bool has_code(const ir::Program& text, const ir::Block& block, ir::Function function) {
   return std::ranges::find(text.codes_of(block), function, &ir::Code::function) != text.codes_of(block).end();
 }
+// Statements after which the next one of the text comes, and that call nothing.
+bool goes_straight_on(StatementKind kind) {
+  switch (kind) {
+    case StatementKind::empty:
+    case StatementKind::block:
+    case StatementKind::assign:
+    case StatementKind::define:
+    case StatementKind::procedure:
+    case StatementKind::declaration:
+    case StatementKind::message: return true;
+    default: return false;
+  }
+}
+
 bool may_set_path(const ir::Program& text, const ir::Block& block) {
   return has_code(text, block, ir::Function::continuous_path) ||
          std::ranges::any_of(text.codes_of(block),
@@ -169,9 +183,7 @@ bool CallConditions::states_exact_stop_first() const {
   const ir::Section range = main_.range();
   for (std::uint32_t i = range.first; i < range.last; ++i) {
     const ir::Statement& s = text_.statements[i];
-    const bool is_straight =
-        s.kind == StatementKind::empty || s.kind == StatementKind::assign || s.kind == StatementKind::block;
-    if (!is_straight) return false;
+    if (!goes_straight_on(s.kind)) return false;
     if (s.kind != StatementKind::block || s.skip_level != 0) continue;
     const ir::Block& block = text_.blocks[s.payload];
     if (block.rest_level == 0 && has_code(text_, block, ir::Function::exact_stop_mode)) return true;

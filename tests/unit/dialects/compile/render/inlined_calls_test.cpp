@@ -105,6 +105,8 @@ TEST(InlinedCalls, AReturnThatRestsIsInlinedWhereTheToolRestsAnyhow) {
   expect_kept("G64\n" + program, why, point);
   expect_kept("G60\nIF R5>1\nG64\nENDIF\n" + program, why, point);
   EXPECT_EQ(inlined("G60\n" + program, point).changes.size(), 1U);
+  EXPECT_EQ(inlined("DEF REAL A\nR9=2\nG90 G60\n" + program, point).changes.size(), 1U);
+  expect_kept("IF R5>1\nG60\nENDIF\n" + program, why, point);
   expect_kept("G60\n" + program, why, {.dialect = "sinumerik-840d", .files = {{"POINT", "G64\nG1 X=R1 F100\nM17\n"}}});
 }
 
