@@ -183,6 +183,8 @@ Depth HeightMap::touch_ahead(const Cutter& cutter, const checks::HolderStep& ste
                    {to.x, to.y, to.z + above});
   const Sweep narrow(cutter, from, to);
   pass(wide, false, [&](std::size_t place, double x, double y, double) {
+    const double most = heights_[place] - wide.z_low();
+    if (!(most > 0.0) || most + slack <= deepest.mm) return;
     const std::optional<double> cut_at = narrow.share_until(x, y);
     if (cut_at && wide.share_until(x, y).value_or(0.0) >= *cut_at) return;  // the cutter is there first
     const double depth = heights_[place] - wide.lowest_before(x, y, cut_at.value_or(1.0));
@@ -216,34 +218,92 @@ Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to)
 }
 
 // A ring: what lies nearer to the center than its inner edge stays.
+// Calls visit(row, columns) for what lies between two circles.
+template <class Visit>
+void HeightMap::pass_ring(double center_x, double center_y, double inner, double outer, Visit&& visit) const {
+  const Places rows = rows_of(center_y - outer, center_y + outer);
+  for (std::ptrdiff_t row = rows.first; row <= rows.last; ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    const double away = y_at(r) - center_y;
+    const double half = std::sqrt(std::max(0.0, outer * outer - away * away));
+    if (std::fabs(away) >= inner) {
+      visit(r, columns_of({center_x - half, center_x + half}));
+      continue;
+    }
+    const double gap = std::sqrt(inner * inner - away * away);
+    visit(r, columns_of({center_x - half, center_x - gap}));
+    visit(r, columns_of({center_x + gap, center_x + half}));
+  }
+}
+
 Depth HeightMap::cut_circle(const Cutter& cutter, const Point3& start, double center_x, double center_y) {
   Depth deepest;
   if (start.z >= top_) return deepest;
   const double radius = std::hypot(start.x - center_x, start.y - center_y);
-  const double outer = radius + cutter.radius;
-  const double inner = std::max(0.0, radius - cutter.radius);
-  const Places rows = rows_of(center_y - outer, center_y + outer);
+  pass_ring(center_x, center_y, std::max(0.0, radius - cutter.radius), radius + cutter.radius,
+            [&](std::size_t row, Places columns) {
+              for (std::ptrdiff_t c = columns.first; c <= columns.last; ++c) {
+                const auto column = static_cast<std::size_t>(c);
+                lower(row * columns_ + column, x_at(column), y_at(row), start.z, deepest);
+              }
+            });
+  last_cut_ = LastCut{cutter, start};
+  return deepest;
+}
+
+// A disk wider than the cutter around the same axis is over each place before the cutter is, except where the cutter
+// stands first; a smaller one never is.
+struct HeightMap::Disk {
+  Disk(const Cutter& cutter_, const checks::HolderStep& step, const Point3& start_, double slack_)
+      : cutter(cutter_),
+        start(start_),
+        slack(slack_),
+        radius(0.5 * step.diameter_mm - slack_),
+        z(start_.z + step.from_mm + slack_) {}
+  [[nodiscard]] bool may_touch(double top) const { return z < top && radius > cutter.radius; }
+
+  Cutter cutter;
+  Point3 start;
+  double slack;
+  double radius;
+  double z;
+};
+
+void HeightMap::touch_some(const Disk& disk, std::size_t row, Places columns, Depth& deepest) const {
+  const double* const heights = heights_.data() + row * columns_;
+  const double y = y_at(row);
+  double limit = disk.z + std::max(0.0, deepest.mm - disk.slack);
+  for (std::ptrdiff_t c = columns.first; c <= columns.last; ++c) {
+    if (!(heights[c] > limit)) continue;
+    const double x = x_at(static_cast<std::size_t>(c));
+    if (std::hypot(x - disk.start.x, y - disk.start.y) <= disk.cutter.radius) continue;
+    limit = heights[c];
+    deepest = {limit - disk.z + disk.slack, x, y};
+  }
+}
+
+Depth HeightMap::touch_level(const Cutter& cutter, const checks::HolderStep& step, const Point3& from, const Point3& to,
+                             double slack) const {
+  Depth deepest;
+  const Disk disk(cutter, step, from, slack);
+  if (!disk.may_touch(top_)) return deepest;
+  const Sweep wide(Cutter{disk.radius, 0.0}, from, to);
+  const Places rows = rows_of(wide.y_low(), wide.y_high());
   for (std::ptrdiff_t row = rows.first; row <= rows.last; ++row) {
     const auto r = static_cast<std::size_t>(row);
-    const double y = y_at(r);
-    const double away = y - center_y;
-    const auto lower_some = [&](double from_x, double to_x) {
-      const Places some = columns_of({from_x, to_x});
-      for (std::ptrdiff_t c = some.first; c <= some.last; ++c) {
-        const auto column = static_cast<std::size_t>(c);
-        lower(r * columns_ + column, x_at(column), y, start.z, deepest);
-      }
-    };
-    const double half = std::sqrt(std::max(0.0, outer * outer - away * away));
-    if (std::fabs(away) >= inner) {
-      lower_some(center_x - half, center_x + half);
-      continue;
-    }
-    const double gap = std::sqrt(inner * inner - away * away);
-    lower_some(center_x - half, center_x - gap);
-    lower_some(center_x + gap, center_x + half);
+    if (const auto stretch = wide.row(y_at(r))) touch_some(disk, r, columns_of(*stretch), deepest);
   }
-  last_cut_ = LastCut{cutter, start};
+  return deepest;
+}
+
+Depth HeightMap::touch_around(const Cutter& cutter, const checks::HolderStep& step, const Point3& start,
+                              double center_x, double center_y, double slack) const {
+  Depth deepest;
+  const Disk disk(cutter, step, start, slack);
+  if (!disk.may_touch(top_)) return deepest;
+  const double radius = std::hypot(start.x - center_x, start.y - center_y);
+  pass_ring(center_x, center_y, std::max(0.0, radius - disk.radius), radius + disk.radius,
+            [&](std::size_t row, Places columns) { touch_some(disk, row, columns, deepest); });
   return deepest;
 }
 

@@ -62,6 +62,13 @@ class HeightMap {
   // The same of a full circle at the height of `start` around a center, by a flat cutter. It writes no log.
   Depth cut_circle(const Cutter& cutter, const Point3& start, double center_x, double center_y);
 
+  // touch_ahead() of a flat cutter and what its cut leaves, in one: along a level line, or around a full circle at the
+  // height of `start`. With the map as it is before the cut.
+  [[nodiscard]] Depth touch_level(const Cutter& cutter, const checks::HolderStep& step, const Point3& from,
+                                  const Point3& to, double slack) const;
+  [[nodiscard]] Depth touch_around(const Cutter& cutter, const checks::HolderStep& step, const Point3& start,
+                                   double center_x, double center_y, double slack) const;
+
   // From now on `log`, which must outlive this, gets what the cuts take away, by place(row, column).
   void log_to(RemovalLog* log) { log_ = log; }
   // Rows lie along x; the first one is the lowest in y.
@@ -105,6 +112,10 @@ class HeightMap {
   // Calls visit(place, x, y, z) for the places that are passed and might lie lower than `top`.
   template <class Visit>
   void pass(const Sweep& sweep, bool goes_on, Visit&& visit) const;
+  struct Disk;  // of a shank or holder, seen from above
+  void touch_some(const Disk& disk, std::size_t row, Places columns, Depth& deepest) const;
+  template <class Visit>
+  void pass_ring(double center_x, double center_y, double inner, double outer, Visit&& visit) const;
 
   curves::Range x_;
   curves::Range y_;

@@ -30,4 +30,20 @@ HolderTouch Holder::touch_ahead(const HeightMap& map, const Cutter& cutter, cons
   return deepest;
 }
 
+HolderTouch Holder::touch_level(const HeightMap& map, const Cutter& cutter, const Point3& from, const Point3& to,
+                                double slack) const {
+  HolderTouch deepest;
+  for (const checks::HolderStep& step : steps_)
+    keep_deeper(deepest, map.touch_level(cutter, step, from, to, slack), step);
+  return deepest;
+}
+
+HolderTouch Holder::touch_around(const HeightMap& map, const Cutter& cutter, const Point3& start, double center_x,
+                                 double center_y, double slack) const {
+  HolderTouch deepest;
+  for (const checks::HolderStep& step : steps_)
+    keep_deeper(deepest, map.touch_around(cutter, step, start, center_x, center_y, slack), step);
+  return deepest;
+}
+
 }  // namespace dripfeed::gouge

@@ -33,6 +33,11 @@ class Holder {
   // The same of a cut that is still to be taken off the map: what the cutter itself removes first does not count.
   [[nodiscard]] HolderTouch touch_ahead(const HeightMap& map, const Cutter& cutter, const Point3& from,
                                         const Point3& to, double slack) const;
+  // Both of a flat cutter, along a level line or around a full circle that is still to be taken off.
+  [[nodiscard]] HolderTouch touch_level(const HeightMap& map, const Cutter& cutter, const Point3& from,
+                                        const Point3& to, double slack) const;
+  [[nodiscard]] HolderTouch touch_around(const HeightMap& map, const Cutter& cutter, const Point3& start,
+                                         double center_x, double center_y, double slack) const;
 
  private:
   std::vector<checks::HolderStep> steps_;

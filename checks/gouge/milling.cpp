@@ -187,14 +187,20 @@ void Milling::log_part(const ir::Motion& motion, double from, double to) {
 
 // A flat cutter on a level circle leaves a ring, which takes no chords. The log has a time for each part of an arc.
 bool Milling::is_ring(const ir::Motion& motion) const {
-  return settings_.log == nullptr && !holder_.may_touch(*map_, motion.start[2]) && cutter_->corner == 0.0 &&
-         motion.plane == ir::Plane::xy && motion.start[2] == motion.end[2] && checks::is_full_circle(motion);
+  return settings_.log == nullptr && cutter_->corner == 0.0 && motion.plane == ir::Plane::xy &&
+         motion.start[2] == motion.end[2] && checks::is_full_circle(motion);
+}
+
+void Milling::check_ring(const ir::Motion& motion) {
+  const Point3 start = point_of(motion.start);
+  const double x = motion.start[0] + motion.center[0];
+  const double y = motion.start[1] + motion.center[1];
+  if (holder_.may_touch(*map_, start.z)) meet(holder_.touch_around(*map_, *cutter_, start, x, y, settings_.depth_mm));
+  judge_cut(motion, map_->cut_circle(*cutter_, start, x, y));
 }
 
 void Milling::check_arc(const ir::Motion& motion) {
-  if (is_ring(motion))
-    return judge_cut(motion, map_->cut_circle(*cutter_, point_of(motion.start), motion.start[0] + motion.center[0],
-                                              motion.start[1] + motion.center[1]));
+  if (is_ring(motion)) return check_ring(motion);
   double chords = 0.0;
   if (settings_.log != nullptr)
     checks::for_chords(motion, kArcError_mm, [&](const checks::AxisValues&, const checks::AxisValues&) { ++chords; });
@@ -265,6 +271,10 @@ void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Po
 
 void Milling::check_cut(const ir::Motion& motion, const Point3& from, const Point3& to) {
   if (!holder_.may_touch(*map_, std::min(from.z, to.z))) return judge_cut(motion, map_->cut(*cutter_, from, to));
+  if (cutter_->corner == 0.0 && from.z == to.z) {
+    meet(holder_.touch_level(*map_, *cutter_, from, to, settings_.depth_mm));
+    return judge_cut(motion, map_->cut(*cutter_, from, to));
+  }
   meet(holder_.touch_ahead(*map_, *cutter_, from, to, settings_.depth_mm));
   judge_cut(motion, map_->cut(*cutter_, from, to));
   meet(holder_.touch(*map_, from, to, settings_.depth_mm));

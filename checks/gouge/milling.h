@@ -60,6 +60,7 @@ class Milling final : public ir::MotionSink {
   void check_move(const ir::Motion& motion);
   void check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to);
   void log_part(const ir::Motion& motion, double from, double to);
+  void check_ring(const ir::Motion& motion);
   void check_arc(const ir::Motion& motion);
   [[nodiscard]] bool is_ring(const ir::Motion& motion) const;
   void judge_cut(const ir::Motion& motion, const Depth& depth);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ using text::DiagnosticId;
 
 const Blank kBlock{{-20, 20}, {-20, 20}, {-30, 0}};
 constexpr double kSlack_mm = 0.001;
+constexpr double kRounding_mm = 1e-9;
 
 // Moves the tool in small steps over the places of a map: the cutter takes its material away, then the disk above it
 // meets what is left. Radii are given larger or smaller by `rim`, so that places at the very rim decide nothing.
@@ -71,11 +73,15 @@ TEST(Holder, TouchesWhatASimulationInSmallStepsTouches) {
     const double most = simulation.deepest(cutter, step, from, to, kRim_mm, cuts);
     const Holder holder(std::span(&step, 1));
     double found = 0.0;
+    const double level = from.z == to.z ? holder.touch_level(map, cutter, from, to, kSlack_mm).depth.mm : 0.0;
     if (cuts) {
       found = holder.touch_ahead(map, cutter, from, to, kSlack_mm).depth.mm;
       map.cut(cutter, from, to);
     }
     found = std::max(found, holder.touch(map, from, to, kSlack_mm).depth.mm);
+    if (cuts && from.z == to.z) {
+      EXPECT_NEAR(level, found, kRounding_mm) << i;
+    }
     constexpr double kStep_mm = 0.05;  // a step of the simulation goes that deep
     EXPECT_GE(found, least - kStep_mm) << i;
     EXPECT_LE(found, most + kStep_mm) << i;
@@ -83,6 +89,53 @@ TEST(Holder, TouchesWhatASimulationInSmallStepsTouches) {
   }
   EXPECT_GT(touches, 30);
   EXPECT_LT(touches, 105);
+}
+
+// By the two questions of a straight cut, chord by chord.
+double deepest_by_chords(HeightMap map, const Cutter& cutter, const checks::HolderStep& step, const Point3& start) {
+  constexpr int kChords = 360;
+  const Holder holder(std::span(&step, 1));
+  const double radius = std::hypot(start.x, start.y);
+  const double begin = std::atan2(start.y, start.x);
+  double found = 0.0;
+  Point3 from = start;
+  for (int i = 1; i <= kChords; ++i) {
+    const double angle = begin + 2.0 * std::numbers::pi * i / kChords;
+    const Point3 to{radius * std::cos(angle), radius * std::sin(angle), start.z};
+    found = std::max(found, holder.touch_ahead(map, cutter, from, to, kSlack_mm).depth.mm);
+    map.cut(cutter, from, to);
+    found = std::max(found, holder.touch(map, from, to, kSlack_mm).depth.mm);
+    from = to;
+  }
+  return found;
+}
+
+TEST(Holder, AFullCircleTouchesWhatItsChordsTouch) {
+  std::mt19937 random(18);
+  std::uniform_real_distribution<double> side(-18, 18), depth(-14, 2), radius(1, 4), more(-0.5, 5), above(1, 8);
+  int touches = 0;
+  for (int i = 0; i < 60; ++i) {
+    HeightMap map(kBlock, 0.8);
+    const Cutter cutter{radius(random), 0.0};
+    const checks::HolderStep step{above(random), 2.0 * (cutter.radius + more(random))};
+    for (int k = 0; k < 6; ++k) {  // what earlier cuts left
+      const double z = depth(random);
+      map.cut({4, 0}, {side(random), side(random), z}, {side(random), side(random), z});
+    }
+    const Point3 start{side(random), side(random), depth(random)};
+    const Holder holder(std::span(&step, 1));
+    const double found = holder.touch_around(map, cutter, start, 0, 0, kSlack_mm).depth.mm;
+    constexpr double kRim_mm = 0.02;  // chords lie that far inside
+    const double wide = step.diameter_mm + 2 * kRim_mm;
+    const double narrow = step.diameter_mm - 2 * kRim_mm;
+    const double least = deepest_by_chords(map, {cutter.radius + kRim_mm, 0}, {step.from_mm, narrow}, start);
+    const double most = deepest_by_chords(map, {cutter.radius - kRim_mm, 0}, {step.from_mm, wide}, start);
+    EXPECT_GE(found, least - kRounding_mm) << i;
+    EXPECT_LE(found, most + kRounding_mm) << i;
+    touches += found > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(touches, 15);
+  EXPECT_LT(touches, 55);
 }
 
 // ⌀ 10, a holder of ⌀ 40 from 12 mm above its tip on.
