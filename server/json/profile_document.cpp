@@ -12,7 +12,6 @@
 #include "server/json/bodies.h"
 #include "server/json/object_reader.h"
 #include "server/json/profile_link.h"
-#include "server/json/profile_receive.h"
 #include "server/json/profile_words.h"
 
 namespace dripfeed::json {

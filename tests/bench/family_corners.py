@@ -40,8 +40,6 @@ class Family:
         return out
 
 
-
-
 def trial(binary, family, values, machine):
     """pass, condition, machine or family, and the first finding."""
     words = [word for value in values for word in ("--set", value)]
@@ -49,10 +47,14 @@ def trial(binary, family, values, machine):
         done = subprocess.run([binary, "check", family.path, "--machine", machine, "--json", *words], capture_output=True, text=True, timeout=60)
     except subprocess.TimeoutExpired:
         return "long", "more than 60 s"
+    if not done.stdout:
+        sys.exit(f"{family.name}: {done.stderr.strip()}")
     report = json.loads(done.stdout)["files"][0]
     said = [one for one in report["diagnostics"] if one["severity"] == "error"]
     if any(one["id"].startswith("family-") for one in said) or not report["ran"]:
         return "condition", said[0]["text"] if said else done.stderr.strip()
+    if "which counts" in done.stdout:  # the profile has the tool, of another diameter
+        return "machine", "its tool has another diameter"
     for part in ("gouge", "accuracy"):
         for one in (report[part] or {}).get("findings", []):
             # How long its tools are, the machine's profile states.

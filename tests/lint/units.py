@@ -9,7 +9,7 @@ import tree
 # name, what it looks like, what of that does not count, how many source files may take it
 LIMITS = (
     ('Beast', re.compile(r'<boost/beast\b'), None, 6),
-    ('JSON', re.compile(r'<nlohmann/'), re.compile(r'<nlohmann/json_fwd\.hpp>'), 31),
+    ('JSON', re.compile(r'<nlohmann/'), re.compile(r'<nlohmann/json_fwd\.hpp>'), 30),
 )
 
 

@@ -16,14 +16,14 @@ class Units(bad_tree.BadTree):
         self.assert_refused(units.faults, 'Beast is in 7 source files')
 
     def test_json_counts_without_its_forward_header(self):
-        for n in range(31):
+        for n in range(30):
             self.write(f'server/json/light{n}.cpp', '#include <nlohmann/json_fwd.hpp>\n')
         self.assert_clean(units.faults)
-        for n in range(31):
+        for n in range(30):
             self.write(f'server/json/heavy{n}.cpp', '#include <nlohmann/json_fwd.hpp>\n#include <nlohmann/json.hpp>\n')
         self.assert_clean(units.faults)
         self.write('tests/api/routes_test.cpp', '#include <nlohmann/json.hpp>\n')
-        self.assert_refused(units.faults, 'JSON is in 32 source files')
+        self.assert_refused(units.faults, 'JSON is in 31 source files')
 
 
 if __name__ == '__main__':

@@ -1,6 +1,4 @@
 // The section "receive" of a profile.
-#include "server/json/profile_receive.h"
-
 #include <gtest/gtest.h>
 
 #include "server/json/profile_document.h"
