@@ -217,8 +217,6 @@ Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to)
   return deepest;
 }
 
-// A ring: what lies nearer to the center than its inner edge stays.
-// Calls visit(row, columns) for what lies between two circles.
 template <class Visit>
 void HeightMap::pass_ring(double center_x, double center_y, double inner, double outer, Visit&& visit) const {
   const Places rows = rows_of(center_y - outer, center_y + outer);
@@ -236,6 +234,7 @@ void HeightMap::pass_ring(double center_x, double center_y, double inner, double
   }
 }
 
+// A ring: what lies nearer to the center than its inner edge stays.
 Depth HeightMap::cut_circle(const Cutter& cutter, const Point3& start, double center_x, double center_y) {
   Depth deepest;
   if (start.z >= top_) return deepest;

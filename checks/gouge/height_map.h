@@ -114,6 +114,7 @@ class HeightMap {
   void pass(const Sweep& sweep, bool goes_on, Visit&& visit) const;
   struct Disk;  // of a shank or holder, seen from above
   void touch_some(const Disk& disk, std::size_t row, Places columns, Depth& deepest) const;
+  // Calls visit(row, columns) for what lies between two circles.
   template <class Visit>
   void pass_ring(double center_x, double center_y, double inner, double outer, Visit&& visit) const;
 

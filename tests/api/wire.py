@@ -27,7 +27,7 @@ def bench(folder, control, **link):
 
 
 def line_test(client):
-    """While the disk is slow the ledger's thread may have the line for longer than the server waits."""
+    """It is refused where another thread of the server has the line for longer than the server waits: then it is asked again."""
     def tested():
         answer = client.call("POST", "/machines/lathe/line-test", role="operator")
         return None if answer.status == 409 and "is in use" in answer.document["detail"] else answer

@@ -7,6 +7,7 @@
 
 #include "dialects/compile/dialect/program_digest.h"
 #include "dialects/facts/calls.h"
+#include "dialects/ir/block_codes.h"
 
 namespace dripfeed::compile {
 
@@ -22,14 +23,10 @@ std::unordered_set<std::uint32_t> jumped_to(const ir::Program& program) {
   return numbers;
 }
 
-bool has_code(const ir::Program& program, const ir::Block& block, ir::Function function) {
-  return std::ranges::any_of(program.codes_of(block), [&](const ir::Code& c) { return c.function == function; });
-}
-
 bool names_tool(const ir::Program& program, const ir::Block& block) {
   const auto words = program.words_of(block);
   return std::ranges::any_of(words, [](const ir::Word& w) { return w.address == ir::Address::t; }) ||
-         has_code(program, block, ir::Function::tool_change);
+         ir::has_code(program, block, ir::Function::tool_change);
 }
 
 class Lister {
@@ -82,7 +79,8 @@ class Lister {
     if (s.kind != StatementKind::block) return;
     const ir::Block& block = program_.blocks[s.payload];
     if (names_tool(program_, block)) return mark(i, OutlineSort::tool);
-    if (has_code(program_, block, ir::Function::program_stop) || has_code(program_, block, ir::Function::optional_stop))
+    if (ir::has_code(program_, block, ir::Function::program_stop) ||
+        ir::has_code(program_, block, ir::Function::optional_stop))
       mark(i, OutlineSort::stop);
   }
 

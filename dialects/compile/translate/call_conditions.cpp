@@ -9,6 +9,7 @@
 #include "dialects/compile/translate/inlined_calls.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/flow_graph.h"
+#include "dialects/ir/block_codes.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/walk.h"
 #include "dialects/text/upper_case.h"
@@ -38,9 +39,6 @@ std::optional<LoopNumbers> loop_numbers(const CalledBody& body, std::vector<std:
   return out;
 }
 
-bool has_code(const ir::Program& text, const ir::Block& block, ir::Function function) {
-  return std::ranges::find(text.codes_of(block), function, &ir::Code::function) != text.codes_of(block).end();
-}
 // Statements after which the next one of the text comes, and that call nothing.
 bool goes_straight_on(StatementKind kind) {
   switch (kind) {
@@ -56,7 +54,7 @@ bool goes_straight_on(StatementKind kind) {
 }
 
 bool may_set_path(const ir::Program& text, const ir::Block& block) {
-  return has_code(text, block, ir::Function::continuous_path) ||
+  return ir::has_code(text, block, ir::Function::continuous_path) ||
          std::ranges::any_of(text.codes_of(block),
                              [](const ir::Code& code) { return code.number != ir::ExpressionId::none; });
 }
@@ -186,7 +184,7 @@ bool CallConditions::states_exact_stop_first() const {
     if (!goes_straight_on(s.kind)) return false;
     if (s.kind != StatementKind::block || s.skip_level != 0) continue;
     const ir::Block& block = text_.blocks[s.payload];
-    if (block.rest_level == 0 && has_code(text_, block, ir::Function::exact_stop_mode)) return true;
+    if (block.rest_level == 0 && ir::has_code(text_, block, ir::Function::exact_stop_mode)) return true;
   }
   return false;
 }

@@ -1,10 +1,9 @@
 // Words to one motion, each field written once.
 #include "dialects/interpreter/block/straight_cut.h"
 
-#include <bit>
-
 #include "dialects/interpreter/block/feed_word.h"
 #include "dialects/interpreter/motion/move.h"
+#include "dialects/interpreter/state/axis_words.h"
 #include "dialects/interpreter/state/frame.h"
 
 namespace dripfeed::interpreter {
@@ -38,19 +37,13 @@ bool goes_straight(const ModalState& state) {
   return by_code && plain && !in_cycle && !waits && !bends;
 }
 
-// Where the words lead, as `for_each_axis_word` and `find_target` have it without increments. The coordinates go to
-// both places one by one: a copy of what was just written waits until it is in memory.
+// The coordinates go to both places one by one: a copy of what was just written waits until it is in memory.
 std::uint16_t go_to(const PlainBlock& block, const BlockRules& rules, ModalState& state, ir::Motion& motion) {
   std::uint16_t commanded = 0;
-  for (std::uint64_t rest = block.present & rules.coordinates; rest != 0; rest &= rest - 1) {
-    const auto address = static_cast<Address>(std::countr_zero(rest));
-    const AxisWord& word = rules.axis_words[index_of(address)];
-    const std::size_t axis = index_of(word.axis);
-    double value = word.rotary ? rules.angle_deg(block, address) : rules.length_mm(block, address, state.modes.inch);
-    if (word.axis == ir::Axis::x) value *= rules.x_factor(state.modes, false);
+  for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double value, bool) {
     motion.end[axis] = state.position[axis] = value + state.modes.shift[axis] + state.coordinate_shift[axis];
     commanded |= static_cast<std::uint16_t>(1U << axis);
-  }
+  });
   return commanded;
 }
 
