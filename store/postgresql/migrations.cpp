@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "store/postgresql/lingering.h"
 #include "store/postgresql/schema_v1.h"
 #include "store/postgresql/schema_v10.h"
 #include "store/postgresql/schema_v2.h"
@@ -130,7 +131,9 @@ Result<void> bring_up_to_date(Connection& connection, const OpenSettings& settin
   if (wanted->empty()) return {};
   if (*stands && schema_version(connection).value_or(0) >= kFirstWithNodes) {
     for (const sql::Migration& migration : *wanted) {
-      if (auto fits = refuse_too_old_nodes(connection, migration); !fits) return fits;
+      const auto fits =
+          wait_for_the_ended(ErrorCode::migration_failed, [&] { return refuse_too_old_nodes(connection, migration); });
+      if (!fits) return fits;
     }
   }
   return migrate_among_others(connection, known, settings.busy_timeout_ms);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "store/postgresql/lingering.h"
 #include "store/postgresql/migrations.h"
 #include "store/sql/session.h"
 
@@ -66,14 +67,17 @@ Result<void> lock_alone(Connection& connection) {
 Result<std::unique_ptr<Connection>> connect_alone(const std::string& url) {
   auto connection = Connection::open(url, {});
   if (!connection) return connection;
-  if (auto locked = lock_alone(**connection); !locked) return std::unexpected(locked.error());
+  const auto locked = wait_for_the_ended(ErrorCode::in_use, [&] { return lock_alone(**connection); });
+  if (!locked) return std::unexpected(locked.error());
   return connection;
 }
 
 Result<std::unique_ptr<Server>> Server::open(const std::string& url, const OpenSettings& settings) {
   std::unique_ptr<Server> server(new Server(url, settings));
-  auto first = server->connect_as_owner();
+  auto first = Connection::open(url, settings);
   if (!first) return std::unexpected(first.error());
+  const auto locked = wait_for_the_ended(ErrorCode::in_use, [&] { return server->lock(**first); });
+  if (!locked) return std::unexpected(locked.error());
   if (auto alone = one_number(**first, kLockStart); !alone) return std::unexpected(alone.error());
   if (auto ready = bring_up_to_date(**first, settings); !ready) return std::unexpected(ready.error());
   if (auto learned = (*first)->learn_numbered_tables(); !learned) return std::unexpected(learned.error());
@@ -93,12 +97,9 @@ std::unique_ptr<Server> Server::only_read(const std::string& url) {
   return std::unique_ptr<Server>(new Server(url, {}));
 }
 
-Result<std::unique_ptr<Connection>> Server::connect_as_owner() {
-  auto connection = Connection::open(url_, settings_, pulse_);
-  if (!connection || !settings_.own) return connection;
-  const auto locked = settings_.node.empty() ? lock_alone(**connection) : lock_as_node(**connection);
-  if (!locked) return std::unexpected(locked.error());
-  return connection;
+Result<void> Server::lock(Connection& connection) const {
+  if (!settings_.own) return {};
+  return settings_.node.empty() ? lock_alone(connection) : lock_as_node(connection);
 }
 
 Result<void> Server::lock_as_node(Connection& connection) const {
@@ -143,8 +144,9 @@ Result<std::unique_ptr<sql::Connection>> Server::connect_to_read() { return Conn
 
 Result<std::unique_ptr<sql::Connection>> Server::connect_to_write() {
   if (first_) return std::move(first_);
-  auto connection = connect_as_owner();
+  auto connection = Connection::open(url_, settings_, pulse_);
   if (!connection) return std::unexpected(connection.error());
+  if (auto locked = lock(**connection); !locked) return std::unexpected(locked.error());
   if (settings_.own) {
     if (auto same = know_epoch(**connection); !same) return std::unexpected(same.error());
   }

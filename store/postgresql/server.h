@@ -26,7 +26,7 @@ class Server final : public sql::Engine {
 
  private:
   Server(std::string url, OpenSettings settings) : url_(std::move(url)), settings_(std::move(settings)) {}
-  store::Result<std::unique_ptr<Connection>> connect_as_owner();
+  store::Result<void> lock(Connection& connection) const;
   store::Result<void> lock_as_node(Connection& connection) const;
   store::Result<void> begin_epoch(Connection& connection);
   store::Result<void> know_epoch(Connection& connection) const;

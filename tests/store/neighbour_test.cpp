@@ -70,7 +70,10 @@ TEST_F(PostgresqlNeighbours, NoTableIsTakenFromANodeThatRuns) {
   EXPECT_EQ(refused.error().code, ErrorCode::migration_failed);
   EXPECT_NE(refused.error().detail.find("node hall-1"), std::string::npos) << refused.error().detail;
   add_program(*older, "%\nM30\n%\n");
-  older.reset();
+  const std::jthread ends([&] {
+    std::this_thread::sleep_for(300ms);
+    older.reset();
+  });
   must(start_newer(0, kTakesAway));
 }
 

@@ -1,4 +1,6 @@
 // What only a store on a server has: a database that others use, connections that break, an owner that lost its lock.
+#include <thread>
+
 #include <fmt/format.h>
 
 #include "store/postgresql/open.h"
@@ -10,6 +12,7 @@ namespace dripfeed::store_test {
 namespace {
 
 using namespace store;
+using namespace std::chrono_literals;
 
 class PostgresqlTest : public StoreTest {
  protected:
@@ -69,6 +72,16 @@ TEST_F(PostgresqlTest, AnOwnerWhomAnotherOneReplacedWritesNoMore) {
   must(store_->machines().get("mill-1"));
   reopen({.own = true});
   EXPECT_EQ(add_machine("mill-2"), "");
+}
+
+// A server ends a connection's process, and with it the locks, a moment after the connection was closed.
+TEST_F(PostgresqlTest, AStartWaitsAMomentForTheLocksOfTheOneBefore) {
+  reopen({.own = true});
+  const std::jthread ends([this] {
+    std::this_thread::sleep_for(300ms);
+    store_.reset();
+  });
+  must(open_second({.own = true}));
 }
 
 TEST_F(PostgresqlTest, TextsAreComparedByTheirBytes) {
