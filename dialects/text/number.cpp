@@ -105,20 +105,31 @@ std::int64_t scaled_integer(double magnitude, int decimals) {
   return static_cast<std::int64_t>(whole) + (fraction > 0.5 ? 1 : 0);
 }
 
-void append_scaled(std::string& out, std::int64_t scaled, int decimals) {
-  std::array<char, 32> buffer{};
-  const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), scaled);
-  const std::string_view digits(buffer.data(), static_cast<std::size_t>(written.ptr - buffer.data()));
-  const auto fraction = static_cast<std::size_t>(decimals);
-  if (digits.size() <= fraction) {
-    out.push_back('0');
-  } else {
-    out.append(digits.substr(0, digits.size() - fraction));
-  }
-  if (fraction == 0) return;
-  out.push_back('.');
-  if (digits.size() < fraction) out.append(fraction - digits.size(), '0');
-  out.append(digits.substr(digits.size() - std::min(fraction, digits.size())));
+// Up to `end`, with a point before the last `decimals` digits. Returns where it begins.
+char* write_scaled(char* end, std::uint64_t scaled, int decimals) {
+  const auto write_digit = [&] {
+    *--end = static_cast<char>('0' + scaled % 10);
+    scaled /= 10;
+  };
+  for (int i = 0; i < decimals; ++i) write_digit();
+  if (decimals > 0) *--end = '.';
+  do write_digit();
+  while (scaled > 0);
+  return end;
+}
+
+// False, and nothing is appended, where the digits have to be looked at. `trims`: without zeros at the end of a
+// fraction.
+bool append_scaled(std::string& out, double value, int decimals, bool trims) {
+  const std::int64_t scaled = scaled_integer(std::fabs(value), decimals);
+  if (scaled < 0) return false;
+  std::array<char, 24> room{};  // a sign, a point and 13 digits
+  const char* end = room.data() + room.size();
+  char* begin = write_scaled(room.data() + room.size(), static_cast<std::uint64_t>(scaled), decimals);
+  if (value < 0.0 && scaled != 0) *--begin = '-';
+  while (trims && decimals > 0 && end[-1] == '0') --end;
+  out.append(begin, static_cast<std::size_t>(end - begin));
+  return true;
 }
 
 }  // namespace
@@ -185,33 +196,27 @@ std::string format_fixed(double value, int decimals) {
 }
 
 void append_fixed(std::string& out, double value, int decimals) {
+  decimals = std::clamp(decimals, 0, kMaxDecimals);
+  if (append_scaled(out, value, decimals, false)) return;
   if (!std::isfinite(value)) {
     fmt::format_to(std::back_inserter(out), "{}", value);
     return;
   }
-  decimals = std::clamp(decimals, 0, kMaxDecimals);
-  const double magnitude = std::fabs(value);
-  if (const std::int64_t scaled = scaled_integer(magnitude, decimals); scaled >= 0) {
-    if (value < 0.0 && scaled != 0) out.push_back('-');
-    append_scaled(out, scaled, decimals);
-    return;
-  }
-  Digits digits = shortest_digits(magnitude);
+  Digits digits = shortest_digits(std::fabs(value));
   round_digits(digits, digits.point + decimals);
   if (value < 0.0 && digits.count > 0) out.push_back('-');
   append_digits(out, digits, decimals);
 }
 
 void append_word_number(std::string& out, double value, int decimals, bool bare_integer) {
-  append_fixed(out, value, decimals);
-  const auto fraction = static_cast<std::size_t>(std::clamp(decimals, 0, kMaxDecimals));
-  const std::size_t point = fraction == 0 || !std::isfinite(value) ? std::string::npos : out.size() - fraction - 1;
-  if (point == std::string::npos) {
-    if (std::isfinite(value) && !bare_integer) out.push_back('.');
-    return;
+  decimals = std::clamp(decimals, 0, kMaxDecimals);
+  if (!append_scaled(out, value, decimals, true)) {
+    append_fixed(out, value, decimals);
+    if (!std::isfinite(value)) return;
+    if (decimals > 0) out.erase(out.find_last_not_of('0') + 1);
   }
-  out.erase(out.find_last_not_of('0') + 1);
-  if (bare_integer && out.size() == point + 1) out.pop_back();
+  if (decimals == 0 && !bare_integer) out.push_back('.');
+  if (decimals > 0 && bare_integer && out.back() == '.') out.pop_back();
 }
 
 }  // namespace dripfeed::text

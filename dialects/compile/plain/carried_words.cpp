@@ -113,15 +113,9 @@ const ir::Program* CarriedBlocks::source_of(std::uint32_t program, const std::ve
   return program < names.size() ? finder_.find(names[program]) : nullptr;
 }
 
-const CarriedBlock* CarriedBlocks::at(std::uint32_t program, const std::vector<std::string>& names,
-                                      std::uint32_t line) {
-  auto known = programs_.find(program);
-  if (known == programs_.end()) {
-    const ir::Program* source = source_of(program, names);
-    known = programs_.emplace(program, source == nullptr ? ByLine{} : collect(*source)).first;
-  }
-  const auto found = known->second.find(line);
-  return found == known->second.end() ? nullptr : &found->second;
+ByLine<CarriedBlock>& CarriedBlocks::look_at(std::uint32_t program, const std::vector<std::string>& names) {
+  const ir::Program* source = source_of(program, names);
+  return programs_.add(program, source == nullptr ? ByLine<CarriedBlock>() : collect(*source));
 }
 
 // A called program that stands in the text of the main one.
@@ -132,15 +126,18 @@ bool CarriedBlocks::is_section(std::uint32_t program, const std::vector<std::str
              [&](const ir::Section& section) { return main_.strings.at(section.name) == names[program]; });
 }
 
-CarriedBlocks::ByLine CarriedBlocks::collect(const ir::Program& program) const {
-  ByLine out;
+ByLine<CarriedBlock> CarriedBlocks::collect(const ir::Program& program) const {
+  ByLine<CarriedBlock> out;
   for (const ir::Statement& statement : program.statements) {
     if (statement.kind != ir::StatementKind::block) continue;
     CarriedBlock carried = carried_by(program, program.blocks[statement.payload]);
     if (carried.empty()) continue;
-    const auto [entry, is_new] = out.try_emplace(statement.line, std::move(carried));
+    CarriedBlock& row = out.row(statement.line);
     // Places are lines: with G43 H1;G41 D2; it is not known which block is executed.
-    if (!is_new) entry->second.lost.push_back(passes::computed("numbers of several blocks in one line"));
+    if (!row.empty())
+      row.lost.push_back(passes::computed("numbers of several blocks in one line"));
+    else
+      row = std::move(carried);
   }
   return out;
 }

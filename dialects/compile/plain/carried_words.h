@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dialects/compile/plain/by_line.h"
 #include "dialects/family/emitter.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/axis_letters.h"
@@ -56,11 +56,14 @@ class CarriedBlocks {
   // Number `program` of the run; nullptr when there is none. `names` are the run's programs.
   const ir::Program* source_of(std::uint32_t program, const std::vector<std::string>& names) const;
   // nullptr: nothing. Valid as long as this.
-  const CarriedBlock* at(std::uint32_t program, const std::vector<std::string>& names, std::uint32_t line);
+  const CarriedBlock* at(std::uint32_t program, const std::vector<std::string>& names, std::uint32_t line) {
+    ByLine<CarriedBlock>* const known = programs_.of(program);
+    return (known != nullptr ? *known : look_at(program, names)).at(line);
+  }
 
  private:
-  using ByLine = std::map<std::uint32_t, CarriedBlock>;
-  [[nodiscard]] ByLine collect(const ir::Program& program) const;
+  ByLine<CarriedBlock>& look_at(std::uint32_t program, const std::vector<std::string>& names);
+  [[nodiscard]] ByLine<CarriedBlock> collect(const ir::Program& program) const;
   [[nodiscard]] CarriedBlock carried_by(const ir::Program& program, const ir::Block& block) const;
   [[nodiscard]] bool is_section(std::uint32_t program, const std::vector<std::string>& names) const;
 
@@ -69,7 +72,7 @@ class CarriedBlocks {
   const bool h_is_length_;
   bool prepares_tools_;  // T waits for M6
   interpreter::ProgramFinder& finder_;
-  std::map<std::uint32_t, ByLine> programs_;
+  ByProgram<CarriedBlock> programs_;
 };
 
 }  // namespace dripfeed::compile

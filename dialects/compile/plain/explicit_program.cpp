@@ -64,6 +64,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
         names_(names),
         writer_(out.program, out.control, names, options.own_unit && is_in_inches(source, control)),
         want_changes_(options.want_changes),
+        is_quick_(!options.want_changes && source.source.text().empty()),
         keeps_taps_(options.keep_taps && std::ranges::any_of(source.codes, passes::is_tap)) {
     for (const ir::Statement& s : source.statements)
       if (options.keep_skips && s.skip_level != 0) skips_.emplace(s.line, s.skip_level);
@@ -72,20 +73,13 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
-    if (place.program == 0) {
+    // Most blocks only compute, and of a family's program there is no text that could write anything.
+    if (place.program == 0 && is_quick_ && carried_.at(0, names_.programs, place.line) == nullptr) {
       main_line_ = place.line;
       in_call_ = false;
-    } else if (!std::exchange(in_call_, true)) {
-      calls_.push_back({main_line_, place.ordinal});
+      return;
     }
-    if (const CarriedBlock* carried = carried_.at(place.program, names_.programs, place.line)) {
-      for (const passes::Refusal& word : carried->lost) lose(word);
-      pending_.push_back({place.ordinal, main_line_, carried});
-    }
-    if (!source_.source.text().empty())
-      writes_.executed(place.program, program_of(place.program), place.line, span_of_line(out_.source, main_line_));
-    if (!want_changes_) return;
-    for (const interpreter::VariableChange& change : changes) out_.changes.push_back({place.ordinal, change});
+    look_at(place, changes);
   }
 
   void consume(std::span<const ir::Motion> motions) override {
@@ -116,6 +110,23 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
  private:
+  void look_at(const ir::Place& place, std::span<const interpreter::VariableChange> changes) {
+    if (place.program == 0) {
+      main_line_ = place.line;
+      in_call_ = false;
+    } else if (!std::exchange(in_call_, true)) {
+      calls_.push_back({main_line_, place.ordinal});
+    }
+    if (const CarriedBlock* carried = carried_.at(place.program, names_.programs, place.line)) {
+      for (const passes::Refusal& word : carried->lost) lose(word);
+      pending_.push_back({place.ordinal, main_line_, carried});
+    }
+    if (!source_.source.text().empty())
+      writes_.executed(place.program, program_of(place.program), place.line, span_of_line(out_.source, main_line_));
+    if (!want_changes_) return;
+    for (const interpreter::VariableChange& change : changes) out_.changes.push_back({place.ordinal, change});
+  }
+
   void take(const ir::Motion& motion) {
     watch_spindle(motion);
     const bool cuts = ir::is_move(motion.kind) && motion.kind != ir::MotionKind::rapid;
@@ -252,6 +263,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   const interpreter::RunNames& names_;
   BlockWriter writer_;
   bool want_changes_;
+  bool is_quick_;
   bool keeps_taps_;
   PositionRuns* runs_ = nullptr;
   std::map<std::uint32_t, std::uint8_t> skips_;  // by line of the main program

@@ -78,8 +78,8 @@ std::map<std::uint32_t, std::size_t> writes_by_line(const ir::Program& program, 
   return out;
 }
 
-LostWrites::ByLine LostWrites::look_at(const ir::Program& program) {
-  ByLine out;
+ByLine<LostWrites::Writes> LostWrites::look_at(const ir::Program& program) {
+  ByLine<Writes> out;
   for (const ir::Statement& s : program.statements) {
     // A count of parts reads itself, for no one but those who come later.
     const bool assigns = s.kind == ir::StatementKind::assign;
@@ -92,26 +92,26 @@ LostWrites::ByLine LostWrites::look_at(const ir::Program& program) {
       }
       if (program.is_standard) continue;
       if (std::optional<OutsideWrite> write = outside_write(program, v, control_))
-        out[s.line].push_back(std::move(*write));
+        out.row(s.line).push_back(std::move(*write));
     }
     if (s.kind == ir::StatementKind::native && program.natives[s.payload].writes) {
       const std::string name(program.strings.at(program.natives[s.payload].name));
-      out[s.line].push_back({.name = "a file (" + name + ")", .variable = name, .is_shared = false});
+      out.row(s.line).push_back({.name = "a file (" + name + ")", .variable = name, .is_shared = false});
     }
     if (s.kind == ir::StatementKind::output)
-      out[s.line].push_back({.name = "a device", .variable = "a device", .is_shared = false});
+      out.row(s.line).push_back({.name = "a device", .variable = "a device", .is_shared = false});
   }
   return out;
 }
 
 void LostWrites::executed(std::uint32_t index, const ir::Program* program, std::uint32_t line, text::Span place) {
-  auto known = programs_.find(index);
-  if (known == programs_.end())
-    known = programs_.emplace(index, program == nullptr ? ByLine{} : look_at(*program)).first;
-  const auto writes = known->second.find(line);
-  if (writes == known->second.end()) return;
-  for (const OutsideWrite& write : writes->second)
+  ByLine<Writes>* lines = programs_.of(index);
+  if (lines == nullptr) lines = &programs_.add(index, program == nullptr ? ByLine<Writes>() : look_at(*program));
+  Writes* const writes = lines->at(line);
+  if (writes == nullptr) return;
+  for (const OutsideWrite& write : *writes)
     if (reported_.insert(write.variable).second) found_.push_back({write, place});
+  writes->clear();  // once is enough
 }
 
 std::vector<text::Diagnostic> LostWrites::found() const {

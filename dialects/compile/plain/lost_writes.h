@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/compile/plain/by_line.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/text/diagnostic.h"
@@ -41,16 +42,16 @@ class LostWrites {
   [[nodiscard]] std::vector<text::Diagnostic> found() const;
 
  private:
-  using ByLine = std::map<std::uint32_t, std::vector<OutsideWrite>>;
+  using Writes = std::vector<OutsideWrite>;
   struct Found {
     OutsideWrite write;
     text::Span place;
   };
 
-  ByLine look_at(const ir::Program& program);
+  ByLine<Writes> look_at(const ir::Program& program);
 
   const ir::Control& control_;
-  std::map<std::uint32_t, ByLine> programs_;
+  ByProgram<Writes> programs_;
   std::set<std::string> read_;  // OutsideWrite::variable
   std::set<std::string> reported_;
   std::vector<Found> found_;

@@ -25,8 +25,9 @@ bool PositionRuns::serves(const ir::Control& written_for) const {
 }
 
 bool PositionRuns::add(const ir::Motion& move) {
-  if (!known_.test(axes_to_name(move)) || ++since_sample_ >= kSampleEvery) return false;
-  append(move);
+  const std::uint16_t axes = axes_to_name(move);
+  if (!known_.test(axes) || ++since_sample_ >= kSampleEvery) return false;
+  append(move, axes);
   ++blocks_;
   if (text_.size() < kChunk) return true;
   sink_.write(text_);
@@ -42,13 +43,13 @@ void PositionRuns::sample(const ir::Motion& move, std::uint32_t block) {
   known_.set(axes);
   since_sample_ = 0;
   const std::string before = std::exchange(text_, {});
-  append(move);
+  append(move, axes);
   text_.pop_back();
   runs_.push_back({.block = block, .line = std::exchange(text_, before), .begin = bytes(), .end = bytes()});
 }
 
-void PositionRuns::append(const ir::Motion& move) {
-  for (std::uint16_t left = axes_to_name(move); left != 0; left &= static_cast<std::uint16_t>(left - 1U)) {
+void PositionRuns::append(const ir::Motion& move, std::uint16_t axes) {
+  for (std::uint16_t left = axes; left != 0; left &= static_cast<std::uint16_t>(left - 1U)) {
     const auto axis = static_cast<std::size_t>(std::countr_zero(left));
     const ir::Address address = kAxisAddresses[axis];
     const bool rounds = target_.from_profile && target_.axes.contains(ir::letter_of(address));

@@ -68,7 +68,7 @@ class PositionRuns {
     std::uint64_t end = 0;
   };
 
-  void append(const ir::Motion& move);
+  void append(const ir::Motion& move, std::uint16_t axes);
   void drop_empty();
 
   const Dialect& dialect_;
