@@ -270,12 +270,13 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "The program itself found something wrong: look at the condition before the alarm."},
   // translation and rendering
   {cannot_translate, "cannot-translate", error, "{} has no counterpart on {}",
-   "Replace it in the source, or render explicitly, where only moves remain."},
+   "Replace it in the source. Explicit mode, where only moves remain, may take it."},
   {translation_not_known, "translation-not-known", error, "{} has no counterpart on {}",
    "The counterpart needs what this text leaves open here. State it in the block, or before it on all control-flow paths; "
    "plain blocks take it from the run."},
   {translation_computed, "translation-computed", error, "{} has no counterpart on {}",
-   "The counterpart needs a number that is written. Write it, or render explicitly, where the run computes it."},
+   "The counterpart needs a number that is written. Write it. Explicit mode, where the run computes "
+   "it, may take it."},
   {translation_by_parameter, "translation-by-parameter", error, "{} has no counterpart on {}",
    "A parameter of the control decides what it does. Write the value in the program, or give it in the machine's profile."},
   {translation_together, "translation-together", error, "{} has no counterpart on {}",
@@ -285,7 +286,8 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
   {translation_kept_value, "translation-kept-value", error, "{} has no counterpart on {}",
    "Other programs, the operator or the machine may read it. Translate as a macro: plain blocks keep no values."},
   {translation_value, "translation-value", error, "{} has no counterpart on {}",
-   "The control has no such value or function. Rewrite the expression, or render explicitly, where only its result remains."},
+   "The control has no such value or function. Rewrite the expression. Explicit mode, where only its "
+   "result remains, may take it."},
   {translation_tool, "translation-tool", error, "{} has no counterpart on {}",
    "Tools and their offsets are named differently there. Write the tool and its offset as numbers before the move that needs them, or give a tool in the profile of the machine (`--machine`) the name."},
   {translation_call, "translation-call", error, "{} has no counterpart on {}",

@@ -353,7 +353,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   } else {
     act(block, rules, effects, state, out, result);
   }
-  if (((block.present | block.unknown) & kIdleLetters) != 0) [[unlikely]]
+  if (((block.present | block.unknown) & kIdleLetters) != 0 || effects.one_shot == Function::dwell) [[unlikely]]
     result.notes |= idle_notes(block, rules, effects, state);
   if (((block.present | block.unknown) & kContourOffsetWord) != 0) [[unlikely]]
     state.offsets_contour = !block.has(Address::contour_offset) || block.at(Address::contour_offset) != 0.0;

@@ -73,10 +73,21 @@ std::uint64_t taken_by_codes(const PlainBlock& block) {
   return block.has(Address::p) && takes_p ? bit_of(Address::p) : 0;
 }
 
+// Axis letters of a dwell's block that are not its time: whether the control moves them, drops them or stops with an
+// alarm is not known.
+bool names_axes_with_dwell(const PlainBlock& block, const BlockRules& rules, const Effects& effects) {
+  if (effects.one_shot != Function::dwell || !rules.semantics.dwell_p_is_ms) return false;
+  constexpr std::array kTimes = {Address::p, Address::x, Address::u};
+  const auto time = std::ranges::find_if(kTimes, [&](Address address) { return block.has(address); });
+  const std::uint64_t taken = time == kTimes.end() ? 0 : bit_of(*time);
+  return ((block.present | block.unknown) & rules.axis_addresses & ~taken) != 0;
+}
+
 }  // namespace
 
 std::uint64_t idle_notes(const PlainBlock& block, const BlockRules& rules, const Effects& effects,
                          const ModalState& state) {
+  if (names_axes_with_dwell(block, rules, effects)) return kNoteIdleWord;
   constexpr std::uint64_t kDirection = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
   const std::uint64_t letters = (block.present | block.unknown) & kIdleLetters & ~rules.axis_addresses;
   if (letters == 0 || !rules.semantics.arc_radius_is_r) return 0;

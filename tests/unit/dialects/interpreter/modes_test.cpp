@@ -273,6 +273,12 @@ TEST(Modes, AWordThatNoCodeTakesIsCounted) {
   EXPECT_EQ(counted({{Function::surface_speed_on}}, {{Address::s, 90.0}, {Address::p, 11.0}}), 1U);
   EXPECT_EQ(counted({{Function::surface_speed_on}}, {{Address::s, 90.0}, {Address::p, 1.0}}), 0U);
   EXPECT_EQ(counted({{Function::dwell}}, {{Address::p, 500.0}}), 0U);
+  EXPECT_EQ(counted({{Function::dwell}}, {{Address::x, 1.0}}), 0U);
+  EXPECT_EQ(counted({{Function::dwell}}, {{Address::x, 1.0}, {Address::y, 2.0}}), 1U);
+  EXPECT_EQ(counted({{Function::dwell}}, {{Address::p, 500.0}, {Address::x, 2.0}}), 1U);
+  EXPECT_EQ(counted({{Function::linear}, {Function::dwell}}, {{Address::p, 500.0}, {Address::z, 2.0}}), 1U);
+  EXPECT_EQ(counted({{Function::dwell}}, {{Address::u, 0.5}}, lathe_control()), 0U);
+  EXPECT_EQ(counted({{Function::dwell}}, {{Address::u, 0.5}, {Address::w, 1.0}}, lathe_control()), 1U);
   EXPECT_EQ(counted({{Function::spindle_orient}}, {{Address::r, 90.0}}), 0U);
   EXPECT_EQ(counted({{Function::arc_cw}}, {{Address::x, 5.0}, {Address::r, 8.0}, {Address::f, 100.0}}), 0U);
   EXPECT_EQ(counted({{Function::spindle_cw}}, {{Address::p, 11.0}}, sinumerik_control()), 0U);
