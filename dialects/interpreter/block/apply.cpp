@@ -3,6 +3,7 @@
 #include "dialects/interpreter/block/apply.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -186,7 +187,10 @@ void frame(const PlainBlock& block, const BlockRules& rules, const Effects& effe
            BlockResult& result) {
   if (effects.argument == ir::kFrameEnds) {
     if (end_point_frame(block, rules, effects.one_shot, state)) note_language_of_frame(rules, state, result);
-    return;
+    // The axes of G50.1 are those whose mirror ends.
+    if (effects.one_shot == Function::mirror || ((block.present | block.unknown) & rules.axis_addresses) == 0) return;
+    result.notes |= kNoteMoveAtFrameEnd;
+    return forget_positions(block, rules, state);
   }
   if (effects.argument != ir::kFrameAboutPoint) {
     change_frame(block, rules, effects.one_shot, effects.argument == ir::kFrameReplaces, state);
@@ -317,6 +321,23 @@ bool uses_contour_offset(const ModalState& state) {
   return state.modes.comp != ir::CompSide::off || state.transformation.shape == Transformation::Shape::cylinder;
 }
 
+// X and U of a lathe in one block: the one that stands later is effective (Fanuc 0i-F B-64604EN-1, "Absolute and
+// incremental programming"), and a block does not know the order of its words.
+void note_axis_named_twice(std::uint64_t letters, const BlockRules& rules, ModalState& state, BlockResult& result) {
+  const auto axes_of_letters = [&](std::uint64_t rest) {
+    std::uint16_t axes = 0;
+    for (; rest != 0; rest &= rest - 1)
+      axes |= static_cast<std::uint16_t>(
+          1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis));
+    return axes;
+  };
+  const std::uint16_t twice =
+      axes_of_letters(letters & rules.coordinates) & axes_of_letters(letters & ~rules.coordinates);
+  if (twice == 0) return;
+  result.notes |= kNoteAxisTwice;
+  state.unknown |= twice;
+}
+
 }  // namespace
 
 BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
@@ -355,6 +376,9 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   }
   if (((block.present | block.unknown) & kIdleLetters) != 0 || effects.one_shot == Function::dwell) [[unlikely]]
     result.notes |= idle_notes(block, rules, effects, state);
+  const std::uint64_t axis_letters = (block.present | block.unknown) & rules.axis_addresses;
+  if ((axis_letters & ~rules.coordinates) != 0) [[unlikely]]
+    note_axis_named_twice(axis_letters, rules, state, result);
   if (((block.present | block.unknown) & kContourOffsetWord) != 0) [[unlikely]]
     state.offsets_contour = !block.has(Address::contour_offset) || block.at(Address::contour_offset) != 0.0;
   if (state.offsets_contour && result.moved && uses_contour_offset(state)) [[unlikely]]

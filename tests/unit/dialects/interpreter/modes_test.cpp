@@ -1,6 +1,7 @@
 // What codes and words do to the modal state: distance, unit, diameter, decimals, coordinates, feed, events.
 #include <gtest/gtest.h>
 
+#include "dialects/ir/frame_use.h"
 #include "tests/unit/dialects/interpreter/run_trace.h"
 
 namespace dripfeed::test {
@@ -288,6 +289,37 @@ TEST(Modes, AWordThatNoCodeTakesIsCounted) {
   EXPECT_EQ(counted({{Function::linear}, {Function::comp_off}},
                     {{Address::x, 5.0}, {Address::i, 2.0}, {Address::f, 1.0}}, lathe),
             1U);
+}
+
+// Fanuc takes other commands next to G69 (0i-F B-64604EN-2, "Coordinate system rotation"); of G50 no one says.
+TEST(Modes, AnAxisInTheBlockThatEndsARotationIsNotKnown) {
+  const auto end_of_run = [](std::initializer_list<Builder::WordText> words) {
+    Builder b;
+    b.block({{Function::linear}}, {{Address::x, 1.0}, {Address::y, 2.0}, {Address::z, 3.0}, {Address::f, 100.0}});
+    b.block({{Function::rotate, ir::kFrameEnds}}, words);
+    b.block({}, {{Address::y, 5.0}});
+    b.end();
+    return run_program(b.build(), mill_control());
+  };
+  EXPECT_TRUE(end_of_run({}).result.not_interpreted.empty());
+  const auto moved = end_of_run({{Address::x, 40.0}});
+  ASSERT_EQ(moved.result.not_interpreted.size(), 1U);
+  EXPECT_EQ(moved.result.not_interpreted[0].function, Function::rotate);
+  EXPECT_EQ(moved.result.not_interpreted[0].first_line, 2U);
+}
+
+TEST(Modes, AnAxisThatIsNamedTwiceIsNotKnown) {
+  const auto counted = [](std::initializer_list<Builder::WordText> words, const ir::Control& control) {
+    Builder b;
+    b.block({{Function::rapid}}, {{Address::x, 50.0}, {Address::z, 3.0}});
+    b.block({{Function::linear}}, words);
+    b.end();
+    return run_program(b.build(), control).result.not_interpreted.size();
+  };
+  const ir::Control lathe = lathe_control();
+  EXPECT_EQ(counted({{Address::x, 40.0}, {Address::w, -1.0}, {Address::f, 1.0}}, lathe), 0U);
+  EXPECT_EQ(counted({{Address::x, 40.0}, {Address::u, -1.0}, {Address::f, 1.0}}, lathe), 1U);
+  EXPECT_EQ(counted({{Address::z, 40.0}, {Address::x, 3.0}, {Address::w, -1.0}, {Address::f, 1.0}}, lathe), 1U);
 }
 
 TEST(Modes, MachineCoordinatesAreForOneBlock) {
