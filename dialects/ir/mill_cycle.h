@@ -16,6 +16,7 @@ enum class MillShape : std::uint8_t {
   pocket,     // a rectangle with rounded corners is emptied; a circle or a slot is one by its radius
   spigot,     // … is left standing, and cut around once at each depth
   long_hole,  // as wide as the tool: there and back along its middle
+  bent_slot,  // a slot on a circle around its place, from the place's angle counterclockwise, is emptied
   face,       // a rectangle is faced by straight cuts that go beyond it
 };
 // Which side of the tool cuts, or the sense in which it goes around.
@@ -43,6 +44,8 @@ struct MillCycle {
   double length = 0.0;
   double width = 0.0;
   double corner_radius = 0.0;
+  double bend_radius = 0.0;   // of a bent slot: of the circle in its middle
+  double bend_deg = 0.0;      // … from the centre of its first end to that of its last; 360: a ring
   double blank_length = 0.0;  // of a spigot before; 0: not given
   double blank_width = 0.0;
   bool roughs = true;

@@ -1,5 +1,5 @@
 // What SINUMERIK's milling cycles remove, seen by a check that knows nothing of cycles: their motions cut a block on
-// the height map of checks/gouge, and each place of the map is compared with the drawing of the form, at 400 seeded
+// the height map of checks/gouge, and each place of the map is compared with the drawing of the form, at 480 seeded
 // calls. Nothing outside of the form may be cut, all of it lies at the base or the allowance above, and no rapid
 // touches material. Programming Manual Cycles (PGZ), "Milling cycles".
 #include <algorithm>
@@ -87,13 +87,14 @@ class Dice {
 
 // By the distance from the nearest of the forms, negative within: cut to `base` where it is less than 0, and not at all
 // where it is more.
-void expect_emptied(const Left& left, const std::vector<RoundRectangle>& forms, double base) {
+template <class Form>
+void expect_emptied(const Left& left, const std::vector<Form>& forms, double base) {
   std::size_t cut_outside = 0;
   std::size_t left_inside = 0;
   std::string worst;
   left.for_places([&](const compile::test::Spot& at, double height) {
     double nearest = 1e9;
-    for (const RoundRectangle& form : forms) nearest = std::min(nearest, form.distance(at));
+    for (const Form& form : forms) nearest = std::min(nearest, form.distance(at));
     const bool outside = nearest > kWall_mm && height < kTop_mm - kSame_mm;
     const bool inside = nearest < -kWall_mm && std::abs(height - base) > kSame_mm;
     if ((outside || inside) && worst.empty()) worst = fmt::format("x {} y {} z {}, {}", at.x, at.y, height, nearest);
@@ -174,8 +175,9 @@ void check_pockets(bool is_round, unsigned seed) {
     const std::string rough = is_round ? p.circle(1) : p.rectangle(1);
     const std::string finish = is_round ? p.circle(2) : p.rectangle(2);
     SCOPED_TRACE(rough + n(radius));
-    expect_emptied(mill(rough, radius, block()), {p.emptied(p.side, radius)}, p.base - p.depth);
-    if (trial % 2 == 0) expect_emptied(mill(rough + finish, radius, block()), {p.emptied(0.0, radius)}, -p.depth);
+    expect_emptied(mill(rough, radius, block()), std::vector{p.emptied(p.side, radius)}, p.base - p.depth);
+    if (trial % 2 == 0)
+      expect_emptied(mill(rough + finish, radius, block()), std::vector{p.emptied(0.0, radius)}, -p.depth);
     if (testing::Test::HasFailure()) return;
   }
 }
@@ -274,6 +276,90 @@ TEST(MilledMaterial, LongHoles) {
                     n(rays.x), n(rays.y), n(rays.from), n(rays.first_deg), n(rays.step_deg), n(dice.between(0.8, 9.0)));
     SCOPED_TRACE(call + n(radius));
     expect_emptied(mill(call, radius, block()), rays.forms(0.0), -depth);
+    if (HasFailure()) return;
+  }
+}
+
+// --- slots on a circle
+
+// As drawn: the places no farther than half of the width from an arc.
+struct BentForm {
+  double x = 0.0;
+  double y = 0.0;
+  double radius = 0.0;
+  double first_deg = 0.0;
+  double angle_deg = 0.0;
+  double width = 0.0;
+
+  [[nodiscard]] double distance(const compile::test::Spot& at) const {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    const double dx = at.x - x;
+    const double dy = at.y - y;
+    double turned = std::fmod(std::atan2(dy, dx) / kDegree - first_deg, 360.0);
+    if (turned < 0.0) turned += 360.0;
+    if (turned <= angle_deg) return std::abs(std::hypot(dx, dy) - radius) - width / 2.0;
+    const auto from_end = [&](double degrees) {
+      return std::hypot(dx - radius * std::cos(degrees * kDegree), dy - radius * std::sin(degrees * kDegree));
+    };
+    return std::min(from_end(first_deg), from_end(first_deg + angle_deg)) - width / 2.0;
+  }
+};
+
+struct BentSlots {
+  BentForm first;
+  int count = 1;
+  double step_deg = 0.0;
+
+  [[nodiscard]] std::vector<BentForm> forms(double allowance) const {
+    std::vector<BentForm> out(static_cast<std::size_t>(count), first);
+    for (int i = 0; i < count; ++i) {
+      out[static_cast<std::size_t>(i)].first_deg += i * (step_deg == 0.0 ? 360.0 / count : step_deg);
+      out[static_cast<std::size_t>(i)].width -= 2.0 * allowance;
+    }
+    return out;
+  }
+};
+
+BentSlots any_bent_slots(Dice& dice, double width, bool is_ring) {
+  BentSlots slots;
+  slots.first = {.x = dice.between(-5.0, 5.0),
+                 .y = dice.between(-5.0, 5.0),
+                 .radius = dice.between(width / 2.0 + 0.5, 40.0),
+                 .first_deg = dice.between(-180.0, 180.0),
+                 .angle_deg = 360.0,
+                 .width = width};
+  if (is_ring) return slots;
+  const double ends_deg = 2.0 * std::asin(width / 2.0 / slots.first.radius) * 180.0 / std::numbers::pi;
+  slots.count = 1 + dice.one_of(4);
+  double pitch = 360.0 / slots.count;
+  if (dice.one_of(2) == 0) pitch = slots.step_deg = dice.between(0.7 * pitch, pitch);
+  if (pitch < ends_deg + 8.0) slots.count = 1;
+  slots.first.angle_deg = dice.between(1.0, slots.count == 1 ? 340.0 : pitch - ends_deg - 1.0);
+  return slots;
+}
+
+TEST(MilledMaterial, SlotsOnACircle) {
+  Dice dice(37);
+  for (int trial = 0; trial < 80; ++trial) {
+    const double radius = dice.between(1.5, 5.0);
+    const double width = trial % 8 == 0 ? 2.0 * radius : dice.between(2.0 * radius + 0.1, 4.0 * radius);
+    const BentSlots slots = any_bent_slots(dice, width, trial % 10 == 0);
+    const double depth = dice.between(1.0, 25.0);
+    const double side =
+        dice.one_of(2) == 0 || width < 2.0 * radius + 0.2 ? 0.0 : dice.between(0.05, width / 2.0 - radius - 0.03);
+    const int direction = dice.one_of(4);
+    const std::string infeed = n(dice.between(0.8, 9.0));
+    const std::string finish_infeed = n(dice.one_of(2) == 0 ? 0.0 : dice.between(1.0, 9.0));
+    const BentForm& form = slots.first;
+    const auto call = [&](int kind) {
+      return fmt::format("SLOT2(20,0,2,{},,{},{},{},{},{},{},{},{},100,300,{},{},{},{},{})\n", n(-depth), slots.count,
+                         n(form.angle_deg), n(form.width), n(form.x), n(form.y), n(form.radius), n(form.first_deg),
+                         n(slots.step_deg), infeed, direction, n(side), kind, finish_infeed);
+    };
+    SCOPED_TRACE(call(0) + n(radius));
+    expect_emptied(mill(call(0), radius, block()), slots.forms(0.0), -depth);
+    if (trial % 2 == 0) expect_emptied(mill(call(1), radius, block()), slots.forms(side), -depth);
+    if (trial % 2 == 1) expect_emptied(mill(call(1) + call(2), radius, block()), slots.forms(0.0), -depth);
     if (HasFailure()) return;
   }
 }

@@ -6,6 +6,8 @@
 //             off it by quarter circles of 2 mm; then the base by rings at its depth.
 //   spigot    the start lies beyond the blank at +x; at each depth on to the outline by a half circle, once around, off
 //             by a half circle back to the start.
+//   bent slot down by feed at its first end; at each depth along its middle and back, and rings from the inside to the
+//             outline. The side is finished depth by depth, on and off it by quarter circles of 2 mm.
 //   long hole from end to end, in by the next depth at each end, and once along at the last.
 //   face      straight cuts at each depth; the first begins beyond the face by the clearance.
 //
@@ -19,6 +21,7 @@
 #include <numbers>
 #include <utility>
 
+#include "dialects/interpreter/cycles/bent_slot.h"
 #include "dialects/interpreter/cycles/mill_outline.h"
 #include "dialects/interpreter/cycles/mill_tool.h"
 
@@ -84,6 +87,7 @@ class Miller {
     if (!(feed_ > 0.0)) return {0, "without a feed"};
     if (const MillOutcome fault = turn(); fault.alarm != 0) return fault;
     if (cycle_.shape != MillShape::face && too_large()) return {kAlarmTool, {}};
+    if (leaves_a_rest()) return {0, "by a tool that is narrower than half of the slot"};
     if (cycle_.step > 2.0 * radius_ + kNone_mm || cycle_.step_of_tool > 1.0 + kNone_mm) return {kAlarmStep, {}};
     if (steps(depth_of(cycle_.allowance_base), cycle_.infeed) > kMostSteps) return {0, kTooMany};
     if (steps(depth_of(0.0), cycle_.finish_infeed) > kMostSteps) return {0, kTooMany};
@@ -102,14 +106,14 @@ class Miller {
   // Inside of a pocket the tool cuts on its right side, clockwise, where it goes around counterclockwise.
   MillOutcome turn() {
     const bool by_side = cycle_.direction == MillDirection::climb || cycle_.direction == MillDirection::conventional;
-    const bool is_rounded = cycle_.shape == MillShape::pocket || cycle_.shape == MillShape::spigot;
+    const bool is_inside = cycle_.shape == MillShape::pocket || cycle_.shape == MillShape::bent_slot;
+    const bool is_rounded = is_inside || cycle_.shape == MillShape::spigot;
     if (!by_side) turn_ = cycle_.direction == MillDirection::clockwise ? Turn::clockwise : Turn::counterclockwise;
     if (!by_side || !is_rounded) return {};
     if (state_.spindle == ir::SpindleState::stopped && !may_be_older(rules_.semantics, state_, ir::ModalGroup::spindle))
       return {kAlarmSpindle, {}};
     const bool climbs = cycle_.direction == MillDirection::climb;
     const bool is_reversed = state_.spindle == ir::SpindleState::counterclockwise;
-    const bool is_inside = cycle_.shape == MillShape::pocket;
     turn_ = (climbs != is_reversed) == is_inside ? Turn::counterclockwise : Turn::clockwise;
     return {};
   }
@@ -117,7 +121,14 @@ class Miller {
   [[nodiscard]] bool too_large() const {
     if (cycle_.shape == MillShape::spigot) return false;
     if (cycle_.shape == MillShape::long_hole) return 2.0 * radius_ > cycle_.length + kNone_mm;
+    if (cycle_.shape == MillShape::bent_slot) return 2.0 * radius_ > cycle_.width + kNone_mm;
     return 2.0 * radius_ > std::min(cycle_.length, cycle_.width) + kNone_mm;
+  }
+
+  // ShopMill (BAS) 10.04, "Circumferential slot": below it the control leaves material between its two rounds.
+  [[nodiscard]] bool leaves_a_rest() const {
+    const double half = cycle_.width / 2.0 - (cycle_.roughs ? cycle_.allowance_side : 0.0);
+    return cycle_.shape == MillShape::bent_slot && 2.0 * radius_ < half - kNone_mm;
   }
 
   // --- depths and widths
@@ -147,6 +158,7 @@ class Miller {
       case MillShape::pocket: return mill_pocket();
       case MillShape::spigot: return mill_spigot();
       case MillShape::long_hole: return mill_long_hole();
+      case MillShape::bent_slot: return mill_bent_slot();
       case MillShape::face: return mill_face();
     }
   }
@@ -172,7 +184,9 @@ class Miller {
     if (cycle_.finishes_side)
       at_each_depth(cycle_.finishes_base ? cycle_.allowance_base : 0.0, cycle_.finish_infeed, [&](double level) {
         tool_.rapid_level(level);
-        finish_side(pocket(0.0));
+        const MillOutline wall = pocket(0.0);
+        finish_side(wall, wall.smaller_half());
+        tool_.cut({0.0, 0.0}, finish_feed_);
       });
     if (!cycle_.finishes_base) return;
     tool_.rapid_level(
@@ -229,15 +243,50 @@ class Miller {
     tool_.cut({0.0, 0.0}, feed);
   }
 
-  void finish_side(const MillOutline& outline) {
-    const double radius = std::min(kApproach_mm, outline.smaller_half());
+  // Once around; `room` is how far the path's start is from its middle.
+  template <typename Path>
+  void finish_side(const Path& path, double room) {
+    const double radius = std::min(kApproach_mm, room);
     const double y = turn_ == Turn::counterclockwise ? radius : -radius;
-    const PlanePoint center = {outline.half_length - radius, 0.0};
+    const PlanePoint center = {path.start().p - radius, 0.0};
     tool_.cut({center.p, -y}, finish_feed_);
-    tool_.arc(outline.start(), center, turn_, finish_feed_);
-    cut_around(outline, turn_, finish_feed_, tool_);
+    tool_.arc(path.start(), center, turn_, finish_feed_);
+    cut_around(path, turn_, finish_feed_, tool_);
     tool_.arc({center.p, y}, center, turn_, finish_feed_);
-    tool_.cut({0.0, 0.0}, finish_feed_);
+  }
+
+  // --- slots on a circle
+
+  [[nodiscard]] BentSlot bent_slot(double allowance) const {
+    const double off = std::max(0.0, cycle_.width / 2.0 - radius_ - allowance);
+    return {cycle_.bend_radius, cycle_.bend_deg, off};
+  }
+
+  void mill_bent_slot() {
+    const BentSlot rough = bent_slot(cycle_.allowance_side);
+    const BentSlot wall = bent_slot(0.0);
+    tool_.rapid(wall.middle());
+    tool_.rapid_level(in_front());
+    if (cycle_.roughs)
+      at_each_depth(0.0, cycle_.infeed, [&](double level) {
+        tool_.cut_level(level, feed_in_);
+        cut_along(rough, feed_, tool_);
+        const int count = counted(rough.off > kNone_mm ? steps(rough.off, step()) : 0.0);
+        for (int n = 1; n <= count; ++n) {
+          const BentSlot ring = {rough.radius, rough.angle_deg, rough.off * n / count};
+          tool_.cut(ring.start(), feed_);
+          cut_around(ring, turn_, feed_, tool_);
+        }
+        tool_.cut(rough.middle(), feed_);
+      });
+    if (!cycle_.finishes_side) return;
+    if (cycle_.roughs) tool_.rapid_level(in_front());
+    at_each_depth(0.0, cycle_.finish_infeed, [&](double level) {
+      tool_.cut_level(level, feed_in_);
+      if (wall.off <= kNone_mm) return cut_along(wall, finish_feed_, tool_);
+      finish_side(wall, wall.off);
+      tool_.cut(wall.middle(), finish_feed_);
+    });
   }
 
   // --- spigots

@@ -4,6 +4,7 @@
 // or width.
 #include "dialects/sinumerik/tables/milling_cycles.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -23,6 +24,7 @@ using ir::MillValues;
 constexpr std::uint32_t kAlarmCuts = 61'002;
 constexpr std::uint32_t kAlarmHelix = 61'108;
 constexpr std::uint32_t kAlarmFace = 61'118;
+constexpr double kMostSlots = 1000.0;
 
 constexpr std::string_view kPocket3 =
     "RTP RFP SDIS DP LENG WID CRAD PA PO STA MID FAL FALD FFP1 FFD CDIR VARI MIDA AP1 AP2 AD RAD1 DP1 UMODE FS ZFS "
@@ -35,6 +37,9 @@ constexpr std::string_view kPocket2 = "RTP RFP SDIS DP DPR PRAD PA PO FFD FFP1 M
 constexpr std::string_view kSlot1 =
     "RTP RFP SDIS DP DPR NUM LENG WID CPA CPO RAD STA1 INDA FFD FFP1 MID CDIR FAL VARI MIDF FFP2 SSF FALD STA2 DP1 "
     "UMODE FS ZFS GMODE DMODE AMODE";
+constexpr std::string_view kSlot2 =
+    "RTP RFP SDIS DP DPR NUM AFSL WID CPA CPO RAD STA1 INDA FFD FFP1 MID CDIR FAL VARI MIDF FFP2 SSF FFCP UMODE FS ZFS "
+    "GMODE DMODE AMODE";
 constexpr std::string_view kLonghole =
     "RTP RFP SDIS DP DPR NUM LENG CPA CPO RAD STA1 INDA FFD FFP1 MID VARI UMODE GMODE DMODE AMODE";
 constexpr std::string_view kCycle61 = "RTP RFP SDIS DP PA PO LENG WID MID MIDA FALD FFP1 VARI LIM DMODE AMODE";
@@ -128,6 +133,49 @@ MillReading read_slot1(MillValues values, const MillUnits& units) {
     call.leave("with a speed of its own for finishing (SSF)");
   if (c.length < c.width) call.leave("with slots that are wider than long");
   if (c.roughs && c.entry == ir::MillEntry::helix && c.entry_depth == 0.0) call.alarm(kAlarmHelix);
+  return call.reading;
+}
+
+// AFSL: from the centre of the slot's first end to that of its last, counterclockwise from STA1. With one slot and 360
+// degrees it is a ring (ShopMill (BAS) 10.04, "Circumferential slot"), and only between the centres it closes.
+void place_on_circle(MillCall& call) {
+  MillCycle& c = call.reading.cycle;
+  const double count = call.number("NUM");
+  const double angle = call.number("AFSL");
+  if (!(count >= 1.0 && count <= kMostSlots) || count != std::floor(count))
+    return call.leave("with a number of slots (NUM) that it has not");
+  const double step = call.number("INDA") != 0.0 ? call.number("INDA") : 360.0 / count;
+  c.bend_radius = call.size("RAD");
+  c.bend_deg = angle;
+  if (!(angle > 0.0 && angle <= 360.0) || (count > 1.0 && angle == 360.0))
+    return call.leave("with an angle (AFSL) that no slot has");
+  if (c.bend_radius <= c.width / 2.0) return call.leave("with slots that are wider than their circle");
+  // The chord between the ends of neighbours.
+  const double gap_deg = std::min(std::abs(step), 360.0 - std::abs(step) * (count - 1.0)) - angle;
+  const double gap = 2.0 * c.bend_radius * std::sin(std::min(gap_deg, 180.0) * std::numbers::pi / 360.0);
+  if (count > 1.0 && gap <= c.width) return call.leave("with slots that touch each other");
+  for (int n = 0; n < count; ++n)
+    c.places.push_back({call.length("CPA"), call.length("CPO"), call.number("STA1") + n * step});
+}
+
+// VARI, tens: the path to the next slot, 0 straight. The side is finished at once where MIDF gives no depths.
+MillReading read_slot2(MillValues values, const MillUnits& units) {
+  MillCall call(values, units, kSlot2);
+  call.screen_modes();
+  call.levels();
+  call.feeds();
+  call.allowances();
+  call.kind(true);
+  call.direction();
+  MillCycle& c = call.reading.cycle;
+  c.shape = MillShape::bent_slot;
+  c.width = call.size("WID");
+  c.finish_infeed = call.size("MIDF");
+  place_on_circle(call);
+  if (call.digit("VARI", 10.0) != 0) call.leave("with a path to the next slot (VARI) that is not straight");
+  if (call.digit("VARI", 100.0) != 0 || call.digit("VARI", 1000.0) > 1)
+    call.leave("with a kind (VARI) that is not known");
+  if (call.number("SSF") != 0.0 && c.finishes_side) call.leave("with a speed of its own for finishing (SSF)");
   return call.reading;
 }
 
@@ -234,6 +282,7 @@ std::span<const MillRow> milling_cycles() {
       {"POCKET3", kPocket3, read_pocket3},
       {"POCKET4", kPocket4, read_pocket4},
       {"SLOT1", kSlot1, read_slot1},
+      {"SLOT2", kSlot2, read_slot2},
       {"LONGHOLE", kLonghole, read_longhole},
       {"CYCLE61", kCycle61, read_cycle61},
       {"CYCLE71", kCycle71, read_cycle71},

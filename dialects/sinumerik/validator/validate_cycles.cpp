@@ -29,7 +29,6 @@ constexpr CycleRow kCycles[] = {
     {"CYCLE98", "NNNNNNNNNNNNNNNNNNNNNN"},
     {"POCKET1", "NNNNNNNNNNNNNNNNNNNN"},
     {"POCKET2", "NNNNNNNNNNNNNNNNN"},
-    {"SLOT2", "NNNNNNNNNNNNNNNNNNNNNNN"},
 };
 constexpr std::size_t kFurtherParameters = 10;
 constexpr std::string_view kNumbers = "NNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNNN";  // of a milling cycle

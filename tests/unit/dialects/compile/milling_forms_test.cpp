@@ -86,6 +86,51 @@ TEST(MillingForms, SlotsOnACircle) {
                   .names("increments from a position that is not known"));
 }
 
+// PGZ, SLOT2: down by FFD at one end; the path of the tool's centre lies within half of the width, less its radius, of
+// an arc of AFSL degrees around CPA, CPO. What the manuals leave open is named.
+TEST(MillingForms, SlotsOnAnArc) {
+  const std::string call = "SLOT2(5,0,1,,23,3,70,15,60,60,42,0,120,100,320,6,2,0.2,";
+  const Result ran = mill_form(call + "0,0,200)", 5.0);
+  EXPECT_TRUE(ran.names("the order in which SLOT2 removes the material"));
+  EXPECT_TRUE(ran.trace.contains("F200.0000/min"));
+  double farthest = 0.0;
+  std::size_t plunges = 0;
+  for (const ir::Motion& m : ran.motions) {
+    if (!ir::is_move(m.kind)) continue;
+    plunges += m.kind == ir::MotionKind::linear && m.start[2] > m.end[2] && m.feed == 100.0 ? 1U : 0U;
+    for (const Spot& s : spots_of(m, kStep_mm)) {
+      if (s.z > -1e-6) continue;
+      double turned = std::remainder(std::atan2(s.y - 60.0, s.x - 60.0) * 180.0 / M_PI - 35.0, 120.0) + 35.0;
+      const double end = std::clamp(turned, 0.0, 70.0);
+      turned *= M_PI / 180.0;
+      const double out = std::hypot(s.x - 60.0, s.y - 60.0);
+      farthest = std::max(farthest, std::hypot(out * std::cos(turned) - 42.0 * std::cos(end * M_PI / 180.0),
+                                               out * std::sin(turned) - 42.0 * std::sin(end * M_PI / 180.0)));
+    }
+  }
+  EXPECT_NEAR(farthest, 2.5, 1e-6);
+  EXPECT_EQ(plunges, 15U);  // three times four of 5.75 mm, and one along the side
+  // As the operator's screen writes it.
+  EXPECT_TRUE(
+      mill_form("SLOT2(20,10,5,,5,1,60,20,55,-43,30,30,90,400,500,10,0,0.1,1001,0,0,0,,0,1,2,100,1001,101)", 6.0)
+          .names("the order in which SLOT2 removes the material"));
+  EXPECT_EQ(alarm_of(mill_form(call + "0)", 8.0)), "61105");
+  EXPECT_EQ(alarm_of(mill_form(call + "3)", 5.0)), "61002");
+  const auto left = [&](const std::string& text, const std::string& why) {
+    EXPECT_TRUE(mill_form(text, 5.0).names("SLOT2 " + why)) << text;
+  };
+  EXPECT_TRUE(mill_form(call + "0)", 3.0).names("SLOT2 by a tool that is narrower than half of the slot"));
+  left(call + "11)", "with a path to the next slot (VARI) that is not straight");
+  left(call + "101)", "with a kind (VARI) that is not known");
+  left(call + "0,0,200,900)", "with a speed of its own for finishing (SSF)");
+  left("SLOT2(5,0,1,,23,3,119,15,60,60,42,0,120,100,320,6,2,0,1)", "with slots that touch each other");
+  left("SLOT2(5,0,1,,23,3,70,15,60,60,42,0,150,100,320,6,2,0,1)", "with slots that touch each other");
+  left("SLOT2(5,0,1,,23,1,70,15,60,60,7,0,120,100,320,6,2,0,1)", "with slots that are wider than their circle");
+  left("SLOT2(5,0,1,,23,2,360,15,60,60,42,0,120,100,320,6,2,0,1)", "with an angle (AFSL) that no slot has");
+  left("SLOT2(5,0,1,,23,1,-70,15,60,60,42,0,120,100,320,6,2,0,1)", "with an angle (AFSL) that no slot has");
+  left("SLOT2(5,0,1,,23,1.5,70,15,60,60,42,0,120,100,320,6,2,0,1)", "with a number of slots (NUM) that it has not");
+}
+
 // PGZ, LONGHOLE: as wide as the tool; in at both ends by turns, along by FFP1.
 TEST(MillingForms, LongHoles) {
   const Result ran = mill_form("LONGHOLE(5,0,1,,23,4,30,40,45,20,45,90,100,320,6)", 5.0);
