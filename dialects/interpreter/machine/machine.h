@@ -79,7 +79,6 @@ class Machine {
   bool mill_cycle(const Instruction& i);
   bool mill_by(const Instruction& i, const ir::MillCycle& cycle, double radius);
   bool leave_milling(std::string name);
-  double cutter_radius();
   bool passes_over_missing(const Instruction& i);
   bool begin_modal(const Instruction& i);
   bool call_modal(const Instruction& i, std::uint32_t& next);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "dialects/interpreter/arithmetic/unknown.h"
 #include "dialects/interpreter/cycles/milling.h"
+#include "dialects/interpreter/machine/active_tool.h"
 #include "dialects/interpreter/machine/machine.h"
 #include "dialects/interpreter/motion/spline_block.h"
 #include "dialects/interpreter/motion/transformed.h"
@@ -18,17 +20,6 @@ using text::DiagnosticId;
 namespace {
 
 constexpr std::uint32_t kAlarmNoTool = 61'000;  // no tool offset active
-
-// Of a tool and its edge, as the machine's profile has it; below 0: not known.
-double radius_in_profile(const Tool& tool, const ir::Control& control) {
-  const auto fits = [&](std::int32_t offset) {
-    const auto found = std::ranges::find_if(
-        control.tool_radii, [&](const ir::ToolRadius& one) { return one.tool == tool.number && one.offset == offset; });
-    return found == control.tool_radii.end() ? -1.0 : found->radius_mm;
-  };
-  const double of_edge = fits(std::max(1, tool.offset));
-  return of_edge > 0.0 ? of_edge : fits(0);
-}
 
 int number_of(ir::Plane plane) { return plane == ir::Plane::xy ? 1 : plane == ir::Plane::zx ? 2 : 3; }
 
@@ -43,23 +34,6 @@ bool Machine::leave_milling(std::string name) {
   report_.count({.name = std::move(name)});
   state_.unknown = kAllAxes;
   return true;
-}
-
-// Of the tool in the spindle and its edge; below 0: not known, 0: its offsets are off. What the program wrote outranks
-// the profile. Which number the control has for a tool that is called by name, the program does not show.
-double Machine::cutter_radius() {
-  const bool is_numbered = state_.tool.number != 0;
-  const bool is_named = state_.tool.name != kNoText;
-  const bool is_off = state_.length_offset == ir::LengthOffset::off && control_.semantics.d_selects_edge;
-  if ((is_numbered || is_named) && is_off) return 0.0;  // D0
-  if (!is_numbered) return -1.0;
-  if ((state_.gaps & ir::kRadiiChanged) == 0) return radius_in_profile(state_.tool, control_);
-  const std::string_view name = ir::name_of_system(control_, ir::SystemValue::tool_radius);
-  if (is_named || name.empty()) return -1.0;
-  const auto edge = static_cast<std::uint32_t>(std::max(1, state_.tool.offset));
-  const SharedValue* written =
-      shared_.find(shared_.id_of(name), {static_cast<std::uint32_t>(state_.tool.number), edge});
-  return written != nullptr && written->number > 0.0 ? written->number : -1.0;
 }
 
 bool Machine::mill_cycle(const Instruction& i) {
@@ -82,10 +56,10 @@ bool Machine::mill_cycle(const Instruction& i) {
   const ir::MillReading reading = site.milling->read_milling(values, units);
   if (reading.alarm != 0) return report_.fail_user(i, reading.alarm, site.name);
   if (!reading.not_interpreted.empty()) return leave_milling(site.name + " " + std::string(reading.not_interpreted));
-  const double radius = cutter_radius();
-  if (radius == 0.0) return report_.fail_user(i, kAlarmNoTool, site.name);
-  if (radius < 0.0) return leave_milling(site.name + " by a tool whose radius is not known");
-  return mill_by(i, reading.cycle, radius);
+  const std::optional<double> radius = active_radius(control_, shared_, state_);
+  if (!radius) return leave_milling(site.name + " by a tool whose radius is not known");
+  if (*radius == 0.0) return report_.fail_user(i, kAlarmNoTool, site.name);
+  return mill_by(i, reading.cycle, *radius);
 }
 
 bool Machine::mill_by(const Instruction& i, const ir::MillCycle& cycle, double radius) {

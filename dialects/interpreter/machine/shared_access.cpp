@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dialects/interpreter/arithmetic/unknown.h"
+#include "dialects/interpreter/machine/active_tool.h"
 #include "dialects/interpreter/machine/system_values.h"
 #include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
@@ -80,14 +81,23 @@ std::optional<double> SharedAccess::tool_figure(const ir::SystemVariableRow& row
                    : find_in(control_.tool_lengths, &ir::ToolLength::length_mm);
 }
 
+// $P_TOOLR and $P_TOOLL[1], in a program in mm. Of length 2 and 3 no profile states anything.
+std::optional<double> SharedAccess::active_figure(const ir::SystemVariableRow& row, const Indices& indices) const {
+  if (state_.modes.inch) return std::nullopt;
+  if (row.kind == ir::SystemValue::tool_radius) return active_radius(control_, shared_, state_);
+  return indices[0] == 1 ? active_length(control_, shared_, state_) : std::nullopt;
+}
+
 std::optional<double> SharedAccess::answer(const Instruction& i, const Indices& indices) const {
   if (i.detail == 0) return std::nullopt;
   const ir::SystemVariableRow& row = control_.system_variables[i.detail - 1U];
   if (row.kind == ir::SystemValue::settable_frame) return frames_.settable_part(indices);
   if (row.kind == ir::SystemValue::call_argument || row.kind == ir::SystemValue::call_argument_given)
     return call_argument(row, indices);
-  if (row.kind == ir::SystemValue::tool_radius || row.kind == ir::SystemValue::tool_length)
-    return row.name == shared_.name_of(i.b) ? tool_figure(row, indices) : std::nullopt;
+  if (row.kind == ir::SystemValue::tool_radius || row.kind == ir::SystemValue::tool_length) {
+    if (row.name != shared_.name_of(i.b)) return std::nullopt;
+    return row.writable ? tool_figure(row, indices) : active_figure(row, indices);
+  }
   return answer_system(control_, row, indices, state_);
 }
 

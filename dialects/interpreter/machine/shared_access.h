@@ -36,6 +36,7 @@ class SharedAccess {
   bool refer(const Instruction& i);
   [[nodiscard]] std::optional<double> call_argument(const ir::SystemVariableRow& row, const Indices& indices) const;
   [[nodiscard]] std::optional<double> tool_figure(const ir::SystemVariableRow& row, const Indices& indices) const;
+  [[nodiscard]] std::optional<double> active_figure(const ir::SystemVariableRow& row, const Indices& indices) const;
   // Of a system variable that the modal state or the machine's tools answer.
   [[nodiscard]] std::optional<double> answer(const Instruction& i, const Indices& indices) const;
   bool may_write(const Instruction& i);

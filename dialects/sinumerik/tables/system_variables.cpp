@@ -26,8 +26,6 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$P_TOOLNO", 0, 0, tool_number, false, "LIS1, active tool number"},
   {"$P_TOOLP", 0, 0, selected_tool, false, "LIS1, last programmed tool"},
   {"$P_TOOL", 0, 0, tool_edge, false, "LIS1, active cutting edge"},
-  {"$P_TOOLR", 0, 0, not_modelled, false, "LIS1, active tool radius"},
-  {"$P_TOOLL", 0, 0, not_modelled, false, "LIS1, active tool length"},
   {"$P_GG", 0, 0, active_code, false, "LIS1, index of the active code of a group"},
   {"$P_EXTGG", 0, 0, not_modelled, false, "LIS1, the same in ISO mode"},
   {"$P_SDIR", 0, 0, spindle_direction, false, "LIS1, last programmed spindle direction"},
@@ -120,6 +118,9 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$TC_DP1", 0, 0, tool_type, true, "LIS1, type of a cutting edge"},
   {"$TC_DP3", 0, 0, tool_length, true, "LIS1, length 1 of a cutting edge"},
   {"$TC_DP6", 0, 0, tool_radius, true, "LIS1, radius of a cutting edge"},
+  // … of the tool in the spindle: to read only
+  {"$P_TOOLR", 0, 0, tool_radius, false, "LIS1, active tool radius"},
+  {"$P_TOOLL", 0, 0, tool_length, false, "LIS1, active tool length"},
   // inputs, outputs, PLC, clock
   {"$A_IN", 0, 0, not_modelled, false, "LIS1, digital input"},
   {"$A_OUT", 0, 0, not_modelled, true, "LIS1, digital output", false, 0, output},

@@ -133,6 +133,32 @@ TEST(WrittenToolData, WhatTheProfileHasIsNoChange) {
   EXPECT_EQ(ran.value("R1"), 5.0);
 }
 
+// LIS1: of the tool in the spindle. Where its data are not given the value is not known.
+TEST(ActiveTool, RadiusAndLengthAreThoseOfTheEdgeInEffect) {
+  const auto values = [](const std::string& before) {
+    return run_on(machine(), kModes + before + "R1=$P_TOOLR\nR2=$P_TOOLL[1]\nM30\n");
+  };
+  const auto expect = [&](const std::string& before, double radius, double length) {
+    const Result ran = values(before);
+    EXPECT_EQ(ran.value("R1"), radius) << before;
+    EXPECT_EQ(ran.value("R2"), length) << before;
+    EXPECT_FALSE(ran.names("$P_TOOLR") || ran.names("$P_TOOLL[1]")) << before;
+  };
+  expect("T4 D1 M6\n", 5.0, 100.0);
+  expect("T=\"MILL_D10\" D1 M6\n", 5.0, 100.0);
+  expect("T4 D1 M6\nD0\n", 0.0, 0.0);
+  expect("T7 D1 M6\n$TC_DP6[7,1]=3.5 $TC_DP3[7,1]=80\n", 3.5, 80.0);
+  const Result other_edge = values("T4 D2 M6\n");
+  EXPECT_EQ(other_edge.value("R1"), 4.0);
+  EXPECT_TRUE(other_edge.names("$P_TOOLL[1]"));
+  for (const std::string before :
+       {"", "T9 D1 M6\n", "T4 D1 M6\nG70\n", "T4 D1 M6\n$TC_DP6[4,1]=R9 $TC_DP3[4,1]=R9\n"}) {
+    EXPECT_TRUE(values(before).names("$P_TOOLR")) << before;
+    EXPECT_TRUE(values(before).names("$P_TOOLL[1]")) << before;
+  }
+  EXPECT_TRUE(run_on(machine(), kModes + "T4 D1 M6\nR1=$P_TOOLL[2]\nM30\n").names("$P_TOOLL[2]"));
+}
+
 // --- families
 
 RenderResult with_named_tool(const std::string& dialect, const std::string& name, RenderMode mode,
