@@ -53,6 +53,7 @@ class Converter {
   bool translate_rigid_taps(ir::Program& program);
   bool refuse_machine_functions(ir::Program& program);
   bool lower_flow(ir::Program& program);
+  bool place_shifted_increments(ir::Program& program);
   bool make_modes_explicit(ir::Program& program);
   bool call_as_macros(ir::Program& program);
   bool print_programs(ir::Program& program);

@@ -31,6 +31,7 @@
 #include "dialects/passes/polar_positions.h"
 #include "dialects/passes/rigid_taps.h"
 #include "dialects/passes/safe_start.h"
+#include "dialects/passes/shifted_increments.h"
 #include "dialects/passes/structures.h"
 
 namespace dripfeed::compile {
@@ -81,6 +82,8 @@ std::span<const TranslationPass> Converter::passes_of(ConvertMode mode) {
                       &C::refuse_machine_functions},
       TranslationPass{"computed jumps, repeated parts, polar positions",
                       "before anything is asked of the paths through the program", &C::lower_flow},
+      TranslationPass{"increments after a change of the frame", "polar positions are coordinates by now",
+                      &C::place_shifted_increments},
       TranslationPass{"modes, arcs and centres", "on the paths as they will be", &C::make_modes_explicit},
       TranslationPass{"calls with parameters", "the letters of a macro are taken last: all uses are known",
                       &C::call_as_macros},
@@ -153,6 +156,11 @@ bool Converter::refuse_machine_functions(ir::Program& program) {
 bool Converter::lower_flow(ir::Program& program) {
   if (program.sections.size() == 1) program.sections.clear();
   if (program.sections.empty()) lower(program);
+  return true;
+}
+
+bool Converter::place_shifted_increments(ir::Program& program) {
+  passes::place_shifted_increments(program, request_.from, request_.to);
   return true;
 }
 

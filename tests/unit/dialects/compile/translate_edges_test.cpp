@@ -156,18 +156,53 @@ TEST(TranslateEdges, HolesByAngleAreWrittenOutUpToAThousand) {
 
 // --- frames
 
-// By its setting data (SD42440, which is usually 1) a SINUMERIK goes by the change of the frame as well.
+// By its setting data (SD42440, which is usually 1) a SINUMERIK goes by the change of the frame as well: the position
+// stands in the place of such an increment where it is known, elsewhere the translation is refused.
+struct Shifted {
+  std::string source = kFanuc;
+  ConvertMode mode = ConvertMode::macro;
+
+  [[nodiscard]] Made operator()(const std::string& frame, const std::string& moves) const {
+    return make(source + frame + "\n" + moves + "\nG90\nG00 Z60.\nM30\n", kFanucMill, "sinumerik-840d", mode);
+  }
+};
+constexpr std::string_view kShiftedIncrement = "an increment along an axis whose frame has changed (SD42440";
+
 TEST(TranslateEdges, AnIncrementAfterAChangeOfTheFrameIsRefusedByItsReason) {
-  const auto shifted = [](const std::string& frame, const std::string& moves, ConvertMode mode = ConvertMode::macro) {
-    return make(kFanuc + frame + "\n" + moves + "\nG90\nG00 Z60.\nM30\n", kFanucMill, "sinumerik-840d", mode);
-  };
-  for (const std::string frame : {"G52 X5.", "G51.1 X0.", "G68 X0. Y0. R30."}) {
+  const Shifted shifted;
+  for (const std::string frame : {"G51.1 X0.", "G68 X0. Y0. R30.", "#1=5.\nG52 X#1"}) {
     const Made made = shifted(frame, "G91\nG01 X1. Y1.\nX2.");
     EXPECT_TRUE(made.refused) << frame << made.text;
-    EXPECT_TRUE(made.states("an increment along an axis whose frame has changed (SD42440")) << frame << made.messages;
+    EXPECT_TRUE(made.states(std::string(kShiftedIncrement))) << frame << made.messages;
     EXPECT_FALSE(shifted(frame, "G01 X1. Y1.\nG91\nX2. Y3.").refused) << frame;
   }
-  EXPECT_FALSE(shifted("G52 X5.", "G91\nG01 X1. Y1.\nX2.", ConvertMode::explicit_blocks).refused);
+  for (const std::string moves :
+       {"G91\n#1=1.\nG01 X#1", "G91\n#1=1.\nG01 X1.", "G91\n#1=1.\nIF[#1EQ2.]GOTO5\nN5 G01 X1."})
+    EXPECT_TRUE(shifted("G52 X5.", moves).states(std::string(kShiftedIncrement))) << moves;
+  EXPECT_FALSE(Shifted{.mode = ConvertMode::explicit_blocks}("G52 X5.", "G91\nG01 X1. Y1.\nX2.").refused);
+}
+
+TEST(TranslateEdges, AnIncrementAfterAShiftBecomesThePositionThatItLeadsTo) {
+  struct Row {
+    std::string frame;
+    std::string moves;
+    std::string written;
+  };
+  const std::string place = kFanuc + "G00 X10. Y20.\n";
+  for (const Row& row :
+       {Row{"G52 X5.", "G91\nG01 X1. Y1.\nX2.", "X=AC(6.) Y1."}, Row{"G52 X5.\nG52 X2.", "G91\nG01 X1.", "X=AC(9.)"},
+        Row{"G52 X5.\nG01 X1.\nG52 X0.", "G91\nG01 X1.", "X=AC(7.)"},
+        Row{"G52 X5. Y-1.5", "G91\nG01 X1.\nM8\nG94 Y0.5", "Y=AC(22.)"},
+        Row{"G52 X5.", "G91\nG03 X1. Y1. J1.", "X=AC(6.) Y1."},
+        Row{"G52 X5.", "G91\nG01 X1.\nG52 X0.\nX1.", "X=AC(12.)"}}) {
+    const Made made = Shifted{.source = place}(row.frame, row.moves);
+    EXPECT_FALSE(made.refused) << row.frame << made.messages;
+    EXPECT_TRUE(made.has(row.written)) << row.frame << "\n" << made.text;
+  }
+  // Where the shift is that of before, an increment stays one.
+  EXPECT_FALSE(Shifted{.source = place}("G52 X0.", "G91\nG01 X1.").has("AC("));
+  EXPECT_FALSE(Shifted{.source = place}("G52 X5.", "G91\nG01 Y1.").has("AC("));
+  EXPECT_FALSE(Shifted{.source = place}("G52 X5.", "G01 X1.\nG91\nX1.").has("AC("));
 }
 
 // --- values
