@@ -269,9 +269,7 @@ class Allocator {
   void give(Wanted& wanted, std::uint32_t first) {
     wanted.place.number = first;
     wanted.given = true;
-    // The elements of an array are not followed one by one.
-    const LiveRange live = wanted.place.count > 1 ? LiveRange::always() : wanted.live;
-    for (std::uint32_t n = first; n < first + wanted.place.count; ++n) given_[n].push_back(live);
+    for (std::uint32_t n = first; n < first + wanted.place.count; ++n) given_[n].push_back(wanted.live);
   }
 
   void too_few() {

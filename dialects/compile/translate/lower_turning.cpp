@@ -65,7 +65,7 @@ class Lowering {
       if (!state)
         out_.keep();
       else if (statement_.kind == StatementKind::block)
-        block(*state);
+        block_with_stop(*state);
       else if (statement_.kind == StatementKind::call && is_thread_call(program_.calls[statement_.payload]))
         thread_call(*state);
       else
@@ -77,6 +77,17 @@ class Lowering {
 
  private:
   // --- which blocks
+
+  // M0 stops the machine when the block's moves are made.
+  void block_with_stop(const LatheState& before) {
+    last_codes_.clear();
+    block(before);
+    if (!last_codes_.empty()) out_.emit_block(last_codes_, {});
+  }
+  void take_code(const ir::Code& code, std::vector<ir::Code>& codes) {
+    const bool stops = code.function == Function::program_stop || code.function == Function::optional_stop;
+    (stops ? last_codes_ : codes).push_back(code);
+  }
 
   void block(const LatheState& before) {
     const ir::Block block = program_.blocks[statement_.payload];
@@ -116,7 +127,7 @@ class Lowering {
     std::vector<ir::Code> rest_codes;
     std::vector<ir::Word> rest;
     for (const ir::Code& c : program_.codes_of(block))
-      if (c.function != Function::turning_cycle) rest_codes.push_back(c);
+      if (c.function != Function::turning_cycle) take_code(c, rest_codes);
     const std::optional<Pass> words = words_of(before, block, cycle, begins, rest);
     if (!words) return;
     if (words->x == ExpressionId::none || words->z == ExpressionId::none || !moves_axes(block)) {
@@ -223,7 +234,7 @@ class Lowering {
     first_words_.clear();
     LatheState here = before;
     for (const ir::Code& c : program_.codes_of(block))
-      if (c.function != Function::repetitive_cycle) first_codes_.push_back(c);
+      if (c.function != Function::repetitive_cycle) take_code(c, first_codes_);
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     for (const ir::Word& w : words) {
       const bool rest =
@@ -389,6 +400,7 @@ class Lowering {
   ir::Statement statement_;
   std::optional<ExpressionId> lead_;
   std::vector<ir::Code> first_codes_;
+  std::vector<ir::Code> last_codes_;
   std::vector<ir::Word> first_words_;
   double x_scale_ = 1.0;
   ir::WordMode mode_ = ir::WordMode::as_modal;

@@ -1,4 +1,5 @@
 // Rows at the edge of what a pass of the translator takes and refuses, each with a near miss: one word decides.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -6,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dialects/compile/dialect/dialect.h"
 #include "dialects/compile/dialect/shared_definitions.h"
+#include "dialects/passes/explicit_modes.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {
@@ -96,6 +99,23 @@ TEST(TranslateEdges, AnOrientationBelongsToItsTap) {
   EXPECT_TRUE(oriented("", "S600\n").states("SPOS=0"));
 }
 
+// G84.2 takes its speed from its own block: where it cuts nothing, that speed is stated nevertheless.
+TEST(TranslateEdges, ATapOfNoDepthLeavesItsSpeed) {
+  const Made made = make(kFanucLathe + "G00 X0. Z5.\nG84.2 Z2. R-3. F1.5 S200\nG80\nG00 Z20.\nG01 X1.\nM30\n",
+                         {"mazak", MachineKind::lathe}, "sinumerik-840d");
+  EXPECT_FALSE(made.refused) << made.messages;
+  EXPECT_TRUE(made.has("S200 M3")) << made.text;
+}
+
+TEST(TranslateEdges, AStopInTheBlockOfADrillingCycleIsRefused) {
+  const auto drill = [](const std::string& word) {
+    return make(kFanucLathe + "G00 X0. Z5.\nG83 Z-20. R-3. F0.1 " + word + "\nG80\nG00 X60.\nM30\n", kFanucTurning,
+                "sinumerik-840d");
+  };
+  EXPECT_TRUE(drill("M00").states("an event within it"));
+  EXPECT_FALSE(drill("M08").refused) << drill("M08").messages;
+}
+
 // --- turning cycles
 
 TEST(TranslateEdges, AWordThatATurningCycleKeepsMustBeANumber) {
@@ -111,6 +131,14 @@ TEST(TranslateEdges, DOfAThreadCycleIsItsCut) {
   const std::string text = kFanucLathe + "G00 X34. Z4.\nG76 X27. Z-20. K1. D300 A60 F1.5\nG00 X60.\nM30\n";
   const Made made = make(text, {"mazak", MachineKind::lathe}, "sinumerik-840d", ConvertMode::explicit_blocks);
   EXPECT_TRUE(made.has("G33 Z-20. K1.5")) << made.messages;
+}
+
+TEST(TranslateEdges, AStopWaitsForTheEndOfATurningCycle) {
+  const auto turned = [](const std::string& cycle) {
+    return make(kFanucLathe + "G00 X50. Z5.\n" + cycle + "\nG00 X60.\nM30\n", kFanucTurning, "sinumerik-840d");
+  };
+  EXPECT_TRUE(turned("G90 X40. Z-20. F0.2 M00").has("G0 Z5.\nM0\n")) << turned("G90 X40. Z-20. F0.2 M00").text;
+  EXPECT_TRUE(turned("G92 X40. Z-20. F2. M01").has("G0 Z5.\nM1\n")) << turned("G92 X40. Z-20. F2. M01").text;
 }
 
 // --- arcs and polar positions
@@ -205,6 +233,25 @@ TEST(TranslateEdges, AnIncrementAfterAShiftBecomesThePositionThatItLeadsTo) {
   EXPECT_FALSE(Shifted{.source = place}("G52 X5.", "G01 X1.\nG91\nX1.").has("AC("));
 }
 
+// --- modes
+
+// X1000 counts increments, which are 1 mm or 0.1 inch.
+TEST(TranslateEdges, AModeThatPathsDisagreeAboutIsReportedOnceAndNotStated) {
+  const ir::Control from = control("fanuc", MachineKind::mill);
+  const text::Source source("program",
+                            kFanuc + "IF[#1EQ1.]GOTO5\nG21\nGOTO6\nN5 G20\nN6 G01 X1000\nX2000\nG21\nX3000\nM30\n");
+  ir::Program program = find_dialect("fanuc")->read(source, from).program;
+  const std::vector<text::Diagnostic> found =
+      passes::make_modes_explicit(program, from, control("sinumerik-840d", MachineKind::mill));
+  EXPECT_EQ(std::ranges::count(found, text::DiagnosticId::unknown_modal_state, &text::Diagnostic::id), 1);
+  for (const ir::Statement& s : program.statements) {
+    const std::string_view written = s.span.in(source.text());
+    if (s.kind != ir::StatementKind::block || !written.contains("000")) continue;
+    for (const ir::Code& code : program.codes_of(program.blocks[s.payload]))
+      EXPECT_NE(code.group, ir::ModalGroup::unit) << written;
+  }
+}
+
 // --- values
 
 TEST(TranslateEdges, OnlyValuesFromOutsideAreReported) {
@@ -237,6 +284,19 @@ TEST(TranslateEdges, AnArrayOfTwoGetsItsNumbersFirst) {
                              "G1 X=V0 Y=V1\nA[0]=1\nA[I]=2\nG1 X=A[0] Y=A[I]\nM30\n",
                          kSinumerikMill, "fanuc");
   EXPECT_TRUE(made.has("#100=1\n")) << made.text << made.messages;
+}
+
+// An array is given up after its last use as any variable is: 183 numbers are left next to its 450.
+TEST(TranslateEdges, TheNumbersOfAnArrayAreTakenAgain) {
+  std::string text = "DEF REAL A[450]\n" + kSinumerik + "A[0]=1\nG1 X=A[0]\n";
+  for (int n = 1; n <= 200; ++n) text += "R" + std::to_string(n) + "=" + std::to_string(n) + "\n";
+  for (int n = 1; n <= 200; n += 10) {
+    text += "G1 X=R" + std::to_string(n);
+    for (int m = n + 1; m < n + 10; ++m) text += "+R" + std::to_string(m);
+    text += "\n";
+  }
+  const Made made = make(text + "M30\n", kSinumerikMill, "fanuc");
+  EXPECT_FALSE(made.refused) << made.messages;
 }
 
 // --- blocks
