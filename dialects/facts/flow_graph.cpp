@@ -71,7 +71,7 @@ namespace {
 
 // The name of a contour; nullptr where the call has none.
 const ir::Expression* contour_of(const ir::Program& program, const ir::Call& call) {
-  if (!ir::is_called(call, ir::CalledSort::removal)) return nullptr;
+  if (!ir::runs_contour(call)) return nullptr;
   const ir::ExpressionId name = ir::value_of(program, call, ir::CycleValue::contour);
   return name == ir::ExpressionId::none ? nullptr : &program.at(name);
 }

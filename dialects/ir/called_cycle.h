@@ -92,6 +92,10 @@ std::optional<double> number_of(const Program& program, const Call& call, CycleV
 // What comes after that value.
 std::span<const Argument> arguments_after(const Program& program, const Call& call, CycleValue value);
 
+// Whether the call runs blocks of a contour, which one of its values names.
+inline bool runs_contour(const Call& call) {
+  return call.cycle != nullptr && place_of(*call.cycle, CycleValue::contour) != kNoPlace;
+}
 // Whether the call is one of a cycle of that sort.
 inline bool is_called(const Call& call, CalledSort sort) { return call.cycle != nullptr && call.cycle->sort == sort; }
 

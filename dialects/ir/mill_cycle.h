@@ -18,6 +18,7 @@ enum class MillShape : std::uint8_t {
   long_hole,  // as wide as the tool: there and back along its middle
   bent_slot,  // a slot on a circle around its place, from the place's angle counterclockwise, is emptied
   face,       // a rectangle is faced by straight cuts that go beyond it
+  path,       // the tool's centre goes along a contour that the program states
 };
 // Which side of the tool cuts, or the sense in which it goes around.
 enum class MillDirection : std::uint8_t { climb, conventional, clockwise, counterclockwise };
@@ -25,6 +26,11 @@ enum class MillDirection : std::uint8_t { climb, conventional, clockwise, counte
 enum class MillEntry : std::uint8_t { rapid, straight, helix, oscillation };
 // Of a face: along which axis its cuts lie, and whether they are cut in both directions.
 enum class FaceCuts : std::uint8_t { first, second, first_to_and_fro, second_to_and_fro };
+
+// How the tool comes to a path at its depth, and leaves it. straight: along the tangent.
+enum class MillApproach : std::uint8_t { straight, vertical };
+// Where it goes after a path, before the next depth.
+enum class MillLift : std::uint8_t { return_level, in_front, clearance, none };
 
 // Where one stands: its centre in the plane of the program, and its length's angle to the first axis.
 struct MillPlace {
@@ -66,6 +72,11 @@ struct MillCycle {
   double entry_depth = 0.0;      // of each turn
   double entry_angle_deg = 0.0;  // steepest of an oscillation
   FaceCuts cuts = FaceCuts::first;
+  MillApproach approach = MillApproach::vertical;  // of a path
+  MillApproach retract = MillApproach::vertical;
+  MillLift lift = MillLift::return_level;
+  double approach_length = 0.0;
+  double retract_length = 0.0;
   double beyond_end = 0.0;   // of a face: distance from its edge to the tool's, where a cut ends
   double beyond_side = 0.0;  // … of the last cut, across the cuts
 };

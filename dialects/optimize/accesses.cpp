@@ -167,7 +167,7 @@ std::vector<bool> parameters_of(const ir::Program& program, const Places& places
 namespace {
 
 std::string obstacle_in(const ir::Program& program, const ir::Statement& s) {
-  if (s.kind == StatementKind::call && ir::is_called(program.calls[s.payload], ir::CalledSort::removal))
+  if (s.kind == StatementKind::call && ir::runs_contour(program.calls[s.payload]))
     return "a cycle that runs blocks of the program as its contour";
   return obstacle_at(program, s);
 }

@@ -37,7 +37,7 @@ class Shapes {
 
   // "BEGIN:END"
   void of_call(const ir::Call& call) {
-    if (!ir::is_called(call, ir::CalledSort::removal)) return;
+    if (!ir::runs_contour(call)) return;
     const ir::ExpressionId id = ir::value_of(program_, call, ir::CycleValue::contour);
     if (id == ir::ExpressionId::none || program_.at(id).op != ir::Operator::string) return;
     const std::string_view name = program_.strings.at(program_.at(id).string);

@@ -160,6 +160,7 @@ class Miller {
       case MillShape::long_hole: return mill_long_hole();
       case MillShape::bent_slot: return mill_bent_slot();
       case MillShape::face: return mill_face();
+      case MillShape::path: return;  // mill_path.h
     }
   }
 

@@ -70,13 +70,15 @@ class Machine {
   // CYCLE95: machine_contour.cpp
   [[nodiscard]] bool is_contour_cycle(const Instruction& i) const;
   bool begin_contour(const Instruction& i, std::uint32_t& next);
+  bool run_contour(const Instruction& i, const std::string& name, std::uint32_t& next);
   bool run_contour_program(const Instruction& i, const std::string& written, std::uint32_t& next);
   bool run_contour_labels(const Instruction& i, const std::string& name, std::uint32_t& next);
   bool end_contour();
   bool leave_contour(std::string name);
   // machine_milling.cpp
   [[nodiscard]] bool is_milling_cycle(const Instruction& i);
-  bool mill_cycle(const Instruction& i);
+  bool mill_cycle(const Instruction& i, std::uint32_t& next);
+  bool end_path(const Instruction& call);
   bool mill_by(const Instruction& i, const ir::MillCycle& cycle, double radius);
   bool leave_milling(std::string name);
   bool passes_over_missing(const Instruction& i);

@@ -1,5 +1,5 @@
-// CYCLE95: its contour is run first, as a subprogram or as the blocks between two labels, and nothing that it does is
-// seen; then the cycle is cut.
+// CYCLE95, and milling along a contour: it is run first, as a subprogram or as the blocks between two labels, and
+// nothing that it does is seen; then the cycle is cut.
 #include <array>
 #include <utility>
 
@@ -68,6 +68,11 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
                     .dwell_s = numbers[8],
                     .dwell_distance_mm = numbers[9] * mm,
                     .lift_mm = numbers[10] == 0.0 ? 1.0 : numbers[10] * mm};
+  contour_.path.reset();
+  return run_contour(i, name, next);
+}
+
+bool Machine::run_contour(const Instruction& i, const std::string& name, std::uint32_t& next) {
   // What waits for the next move must not be taken for one of the contour's.
   if (state_.spline.active) end_spline(rules_, state_, out_);
   if (std::exchange(state_.corner, {}).kind != 0) out_.hold(false);
@@ -123,6 +128,7 @@ bool Machine::end_contour() {
   out_.hold(false);  // a corner at the contour's end
   state_ = contour_.before;
   out_.place = contour_.place;
+  if (contour_.path) return end_path(call);
   BlockResult result;
   const std::uint64_t before = out_.count();
   const std::string& name = stack_.program().calls[call.a].name;

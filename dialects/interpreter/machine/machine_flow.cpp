@@ -222,7 +222,7 @@ bool Machine::call(const Instruction& i, std::uint32_t& next) {
   if (is_contour_cycle(i)) [[unlikely]]
     return begin_contour(i, next);
   if (is_milling_cycle(i)) [[unlikely]]
-    return mill_cycle(i);
+    return mill_cycle(i, next);
   const auto begin = stack_.call(i, next);
   next = begin.value_or(0);
   return begin.has_value();

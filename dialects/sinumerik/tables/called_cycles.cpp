@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "dialects/sinumerik/sinumerik.h"
@@ -137,10 +138,10 @@ std::vector<ir::CalledCycle> make_cycles() {
         {.name = row.name, .sort = row.sort, .hole = row.hole, .floats = row.floats, .values = values_of(row)});
   for (const MillRow& row : milling_cycles()) {
     const auto count = static_cast<std::size_t>(std::ranges::count(row.parameters, ' ')) + 1;
-    cycles.push_back({.name = row.name,
-                      .sort = CalledSort::milling,
-                      .values = std::vector(count, CycleValue::other),
-                      .read_milling = row.read});
+    std::vector<CycleValue> values(count, CycleValue::other);
+    if (row.parameters.starts_with("KNAME")) values.front() = CycleValue::contour;
+    cycles.push_back(
+        {.name = row.name, .sort = CalledSort::milling, .values = std::move(values), .read_milling = row.read});
   }
   return cycles;
 }

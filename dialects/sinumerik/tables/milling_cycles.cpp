@@ -1,7 +1,7 @@
 // Parameters and alarms: Programming Manual Cycles (PGZ), "Milling cycles", whose lists the later ones of "Programming
 // cycles externally" (PGA) continue by UMODE, FS, ZFS and the modes of the operator's screen. What the values mean that
-// several cycles have: mill_call.cpp. Alarms of their own: 61108 RAD1 and DP1 of a helix, 61118 a face without length
-// or width.
+// several cycles have: mill_call.cpp. Alarms of their own: 61108 RAD1 and DP1 of a helix, 61116 an approach of no
+// length, 61118 a face without length or width.
 #include "dialects/sinumerik/tables/milling_cycles.h"
 
 #include <algorithm>
@@ -23,6 +23,7 @@ using ir::MillValues;
 
 constexpr std::uint32_t kAlarmCuts = 61'002;
 constexpr std::uint32_t kAlarmHelix = 61'108;
+constexpr std::uint32_t kAlarmApproach = 61'116;
 constexpr std::uint32_t kAlarmFace = 61'118;
 constexpr double kMostSlots = 1000.0;
 
@@ -44,6 +45,8 @@ constexpr std::string_view kLonghole =
     "RTP RFP SDIS DP DPR NUM LENG CPA CPO RAD STA1 INDA FFD FFP1 MID VARI UMODE GMODE DMODE AMODE";
 constexpr std::string_view kCycle61 = "RTP RFP SDIS DP PA PO LENG WID MID MIDA FALD FFP1 VARI LIM DMODE AMODE";
 constexpr std::string_view kCycle71 = "RTP RFP SDIS DP PA PO LENG WID STA MID MIDA FDP FALD FFP1 VARI FDP1";
+constexpr std::string_view kCycle72 =
+    "KNAME RTP RFP SDIS DP MID FAL FALD FFP1 FFD VARI RL AS1 LP1 FF3 AS2 LP2 UMODE FS ZFS GMODE DMODE AMODE";
 constexpr std::string_view kCycle76 =
     "RTP RFP SDIS DP DPR LENG WID CRAD PA PO STA MID FAL FALD FFP1 FFD CDIR VARI AP1 AP2 FS ZFS GMODE DMODE AMODE";
 constexpr std::string_view kCycle77 =
@@ -244,6 +247,46 @@ MillReading read_cycle71(MillValues values, const MillUnits& units) {
   return call.reading;
 }
 
+// AS1, AS2: units 1 straight along the tangent, 4 vertically. Without compensation the control has no others (ShopMill
+// (BAS) 10.04, "Path milling along the center-point path"), and the length counts from the tool's centre (PGZ).
+ir::MillApproach approach_of(MillCall& call, std::string_view name, double length) {
+  const int kind = call.digit(name, 1.0);
+  if ((kind != 1 && kind != 4) || call.number(name) >= 10.0)
+    call.leave("with an approach (AS1, AS2) that is not known");
+  if (kind == 1 && length == 0.0) call.alarm(kAlarmApproach);
+  return kind == 1 ? ir::MillApproach::straight : ir::MillApproach::vertical;
+}
+
+// RL 40: without compensation of the radius. VARI: hundreds where the tool goes after each depth. How far from the
+// contour the approach begins under compensation, no source states for certain.
+MillReading read_cycle72(MillValues values, const MillUnits& units) {
+  constexpr std::array kLifts = {ir::MillLift::return_level, ir::MillLift::in_front, ir::MillLift::clearance,
+                                 ir::MillLift::none};
+  MillCall call(values, units, kCycle72);
+  call.screen_modes();
+  call.levels();
+  call.feeds();
+  call.allowances();
+  MillCycle& c = call.reading.cycle;
+  c.shape = MillShape::path;
+  if (call.number("RL") != 40.0) call.leave("with compensation of the radius (RL), whose approach is not certain");
+  const int kind = call.digit("VARI", 1.0);
+  if (kind == 5) call.leave("with a chamfer (VARI)");
+  if (kind == 2) call.leave("with finishing (VARI) along the tool's centre");
+  if (kind != 1) call.alarm(kAlarmCuts);
+  if (call.digit("VARI", 10.0) != 0) call.leave("with a path from depth to depth by feed (VARI)");
+  const auto lift = static_cast<std::size_t>(call.digit("VARI", 100.0));
+  if (lift >= kLifts.size() || call.number("VARI") >= 1000.0) call.leave("with a kind (VARI) that is not known");
+  if (lift < kLifts.size()) c.lift = kLifts[lift];
+  if (c.allowance_side != 0.0) call.leave("with an allowance (FAL) along the tool's centre");
+  const bool is_alike = call.number("AS2") == 0.0;
+  c.approach_length = call.size("LP1");
+  c.retract_length = is_alike ? c.approach_length : call.size("LP2");
+  c.approach = approach_of(call, "AS1", c.approach_length);
+  c.retract = is_alike ? c.approach : approach_of(call, "AS2", c.retract_length);
+  return call.reading;
+}
+
 void spigot_values(MillCall& call) {
   call.screen_modes();
   call.levels();
@@ -286,6 +329,7 @@ std::span<const MillRow> milling_cycles() {
       {"LONGHOLE", kLonghole, read_longhole},
       {"CYCLE61", kCycle61, read_cycle61},
       {"CYCLE71", kCycle71, read_cycle71},
+      {"CYCLE72", kCycle72, read_cycle72},
       {"CYCLE76", kCycle76, read_cycle76},
       {"CYCLE77", kCycle77, read_cycle77},
   });

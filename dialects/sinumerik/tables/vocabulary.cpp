@@ -92,12 +92,12 @@ constexpr std::string_view kPacingProcedure[] = {"FGROUP"};
 
 // Standard cycles that are not read. They move, but for those of the list after it.
 constexpr std::string_view kCycle[] = {
-    "CYCLE60",  "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE72",   "CYCLE78",   "CYCLE79",   "CYCLE90",   "CYCLE92",
-    "CYCLE93",  "CYCLE94",   "CYCLE96",   "CYCLE98",   "CYCLE99",   "CYCLE116",  "CYCLE150",  "CYCLE160",  "CYCLE206",
-    "CYCLE207", "CYCLE208",  "CYCLE209",  "CYCLE210",  "CYCLE435",  "CYCLE495",  "CYCLE750",  "CYCLE751",  "CYCLE752",
-    "CYCLE753", "CYCLE754",  "CYCLE755",  "CYCLE756",  "CYCLE757",  "CYCLE758",  "CYCLE759",  "CYCLE782",  "CYCLE801",
-    "CYCLE802", "CYCLE805",  "CYCLE806",  "CYCLE860",  "CYCLE899",  "CYCLE930",  "CYCLE940",  "CYCLE950",  "CYCLE951",
-    "CYCLE952", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079"};
+    "CYCLE60",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE78",   "CYCLE79",   "CYCLE90",   "CYCLE92",  "CYCLE93",
+    "CYCLE94",   "CYCLE96",   "CYCLE98",   "CYCLE99",   "CYCLE116",  "CYCLE150",  "CYCLE160",  "CYCLE206", "CYCLE207",
+    "CYCLE208",  "CYCLE209",  "CYCLE210",  "CYCLE435",  "CYCLE495",  "CYCLE750",  "CYCLE751",  "CYCLE752", "CYCLE753",
+    "CYCLE754",  "CYCLE755",  "CYCLE756",  "CYCLE757",  "CYCLE758",  "CYCLE759",  "CYCLE782",  "CYCLE801", "CYCLE802",
+    "CYCLE805",  "CYCLE806",  "CYCLE860",  "CYCLE899",  "CYCLE930",  "CYCLE940",  "CYCLE950",  "CYCLE951", "CYCLE952",
+    "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079"};
 
 // … and change where coordinates lie: swivelled planes, measured work offsets and tools.
 constexpr std::string_view kShiftingCycle[] = {"CYCLE800", "CYCLE830", "CYCLE961", "CYCLE971", "CYCLE972", "CYCLE973",

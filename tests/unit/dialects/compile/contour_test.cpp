@@ -274,7 +274,7 @@ TEST(Contour, WhatIsNotInterpretedIsReportedAndNothingIsCut) {
   const Texts small = {{"NECK", "PROC NECK\nG1 X20 Z0\nZ-10\nX21 Z-10.5\nX60\nM17\n"}};
   EXPECT_TRUE(cycle("\"NECK\",5,0,0,2,0.3,0.2,0.15,9", small)
                   .names("CYCLE95 with an allowance along the contour (FAL) that a piece of it is too short for"));
-  for (const std::string name : {"CYCLE93", "CYCLE94", "CYCLE72"}) {
+  for (const std::string name : {"CYCLE93", "CYCLE94", "CYCLE79"}) {
     const Result other = run(kHead + name + "(1,2,3)\nM30\n", {}, ir::MachineKind::lathe);
     EXPECT_TRUE(other.names(name));
   }

@@ -290,8 +290,8 @@ TEST(SinumerikCycles, AProgramOfTheUserGoesBefore) {
 }
 
 TEST(SinumerikCycles, OthersAreNamed) {
-  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nCYCLE72(\"SIDE\",10,0,1,-5,2,0,0,100,100,11,41,1,2)\nG91 G0 X1\nM30\n");
-  EXPECT_TRUE(ran.names("CYCLE72"));
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nCYCLE90(10,0,1,-5,,28,25,2,100,2,0,0,0)\nG91 G0 X1\nM30\n");
+  EXPECT_TRUE(ran.names("CYCLE90"));
   EXPECT_TRUE(ran.names("increments from a position that is not known"));
 }
 
