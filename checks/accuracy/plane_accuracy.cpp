@@ -137,7 +137,7 @@ PlaneAccuracy::Place PlaneAccuracy::place_of(curves::Point at, const Place* near
     place.curve = near->curve;
     place.foot = curves::closest_from(settings_.nominal[near->curve].curve, at, near->foot.t);
     const double lost = std::fabs(near->foot.distance) + step_mm * 1.0001 + 1e-9;
-    found = std::fabs(place.foot.distance) <= lost && !place.foot.at_end;
+    found = place.foot.settled && std::fabs(place.foot.distance) <= lost && !place.foot.at_end;
   }
   for (std::size_t i = 0; !found && i < settings_.nominal.size(); ++i) {
     const curves::ParametricFoot foot = curves::closest(settings_.nominal[i].curve, at, kSearchPieces);

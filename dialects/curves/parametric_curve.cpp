@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kSteps = 60;
 constexpr int kNewtonSteps = 20;
+constexpr double kSettled_mm = 1e-7;  // along the curve
 
 struct Trial {
   double t = 0.0;
@@ -80,26 +81,35 @@ ParametricFoot closest(const ParametricCurve& curve, Point point, int pieces) {
   return foot_of(curve, point, nearest);
 }
 
+// Near a center of curvature the distance hardly changes along the curve: only Newton's steps settle there. Far from a
+// foot they may lead anywhere, or uphill; then the step of a straight curve still leads downhill.
 ParametricFoot closest_from(const ParametricCurve& curve, Point point, double t_near) {
   Trial trial = trial_at(curve, point, std::clamp(t_near, curve.t.low, curve.t.high));
   Trial nearest = trial;
+  const auto step_by = [&](double slope) {
+    return std::clamp(trial.t - trial.gradient / slope, curve.t.low, curve.t.high);
+  };
+  const double least = 1e-14 * std::max(std::fabs(curve.t.low), std::fabs(curve.t.high));
   for (int step = 0; step < kNewtonSteps; ++step) {
     const double square = dot(trial.curve.derivative, trial.curve.derivative);
     const double rise = square + dot(trial.curve.point - point, trial.curve.second);
-    // Where the distance bends in the wrong direction, the step of a straight curve still leads downhill.
-    const double slope = rise > 0.1 * square ? rise : square;
-    if (!(slope > 0.0)) break;
-    const double t = std::clamp(trial.t - trial.gradient / slope, curve.t.low, curve.t.high);
+    if (!(square > 0.0)) break;
+    const bool bends_well = rise > 0.0;
+    const double t = step_by(bends_well ? rise : square);
     // A shorter step cannot be distinguished from rounding; an end is arrived at all the same.
     const bool at_end = t <= curve.t.low || t >= curve.t.high;
-    const double least = 1e-14 * std::max(std::fabs(curve.t.low), std::fabs(curve.t.high));
     if (t == trial.t || (std::fabs(t - trial.t) <= least && !at_end)) break;
-    const Trial next = trial_at(curve, point, t);
-    if (next.square < nearest.square || at_end) nearest = next;
+    Trial next = trial_at(curve, point, t);
+    const bool nearer = std::fabs(next.gradient) < std::fabs(trial.gradient) && next.square <= trial.square;
+    if (bends_well && !nearer) next = trial_at(curve, point, step_by(square));
+    if (next.square < nearest.square || next.t <= curve.t.low || next.t >= curve.t.high) nearest = next;
     if (!(std::fabs(next.gradient) < std::fabs(trial.gradient))) break;
     trial = next;
   }
-  return foot_of(curve, point, nearest);
+  ParametricFoot foot = foot_of(curve, point, nearest);
+  const double aside = std::fabs(nearest.gradient) / std::max(norm(nearest.curve.derivative), 1e-300);
+  foot.settled = foot.at_end || aside <= kSettled_mm;
+  return foot;
 }
 
 }  // namespace dripfeed::curves

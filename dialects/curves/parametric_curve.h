@@ -37,6 +37,7 @@ struct ParametricFoot {
   double distance = 0.0;  // mm, positive to the left of the direction of t
   bool at_end = false;    // it is an end of the curve
   double overhang = 0.0;  // mm along the end's tangent, where the point lies beyond an end
+  bool settled = true;    // no Newton step would lead further
 };
 
 // The nearest point: the range is scanned in `pieces`, and the best ones are refined by safeguarded Newton steps. True
@@ -44,7 +45,8 @@ struct ParametricFoot {
 ParametricFoot closest(const ParametricCurve& curve, Point point, int pieces = 64);
 
 // The foot that Newton's steps reach from `t_near`: that of a path which is followed from place to place. At most a
-// curve's own bend away from the nearest point; its distance is never below the true one.
+// curve's own bend away from the nearest point; its distance is never below the true one, and may be far above it where
+// the foot is not settled.
 ParametricFoot closest_from(const ParametricCurve& curve, Point point, double t_near);
 
 }  // namespace dripfeed::curves

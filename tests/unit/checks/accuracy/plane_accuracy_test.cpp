@@ -118,6 +118,20 @@ TEST(PlaneAccuracy, AnArcOnItsCircleIsExact) {
   EXPECT_NEAR(part.gaps.at(0).high_mm, 84.85, 0.01);  // by chords of the missing half
 }
 
+// The foot turns as far as the cutter's center does, on a circle many times as large.
+TEST(PlaneAccuracy, ACutterThatFillsItsPocketIsExact) {
+  PlaneSettings settings = settings_for(circle());
+  for (const double path : {0.3, 0.01, 0.001}) {
+    settings.tools[0].diameter_mm = 2 * (30 - path);
+    ir::Motion arc = line({path, 0}, {path, 0});
+    arc.kind = ir::MotionKind::arc_ccw;
+    arc.center = {-path, 0, 0};
+    const Report report = run(settings, {arc});
+    EXPECT_LT(report.surface->max_mm, 1e-9) << path;
+    EXPECT_TRUE(report.covered) << path;
+  }
+}
+
 TEST(PlaneAccuracy, ANurbsCurveInEitherDirection) {
   const curves::ParametricCurve curve = curves::curve_of({4, kPoints, {1, 3, 1, 1, 1, 3, 1}, {}});
   for (const bool backwards : {false, true}) {
