@@ -7,6 +7,7 @@
 #include "dialects/family/contour_check.h"
 #include "dialects/family/engraving.h"
 #include "dialects/family/offset_check.h"
+#include "dialects/family/point_chords.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
@@ -83,7 +84,26 @@ void Binder::check_offset(const OffsetContour& contour) {
   }
 }
 
+void Binder::check_equal_steps(const Step& step) {
+  for (const ir::ExpressionId value : {step.values[0], step.values[1]})
+    if (names_unknown(family_.arena, value, known_))
+      return report(DiagnosticId::family_syntax, step.span,
+                    {"the steps of a curve and how far it may lie from them depend on parameters only, and on what "
+                     "follows from them"});
+  const std::optional<double> count = compute(step.values[0]);
+  const std::optional<double> most_mm = compute(step.values[1]);
+  if (!count || !most_mm) return;
+  const PointCurve& curve = family_.point_curves[static_cast<std::size_t>(step.number) - 1];
+  const double height_mm = equal_steps_height(result_.bound, curve, *count);
+  if (height_mm <= *most_mm) return;
+  report(
+      DiagnosticId::family_constraint_failed, step.span,
+      {fmt::format("{} equal steps within {} mm (the curve lies up to {} mm from a chord)",
+                   text::format_shortest(*count), text::format_shortest(*most_mm), text::format_fixed(height_mm, 4))});
+}
+
 void Binder::check_verb(const Step& step) {
+  if (step.number > 0) return check_equal_steps(step);
   if (names_unknown(family_.arena, step.values[0], known_))
     return report(
         DiagnosticId::family_syntax, step.span,

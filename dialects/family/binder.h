@@ -75,6 +75,9 @@ class Binder {
   // Of verbs that stand for many moves, but not in a branch that these values do not take.
   void check_verbs();
   void check_verb(const Step& step);
+  // A require whose number is not 0: of values[0] equal steps of the point curve with that number, counted from 1, none
+  // may leave the curve by more than values[1].
+  void check_equal_steps(const Step& step);
   void follow(const Step& step);
   void check_offset(const OffsetContour& contour);
   // Those that are known before the program runs.

@@ -253,7 +253,7 @@ enum class StepKind : std::uint8_t {
   optional_stop,
   plane,        // number: 0 xy, 1 zx, 2 yz
   native,       // number: row of Family::natives
-  require,      // values[0]: a condition that the values of a verb fulfil; text
+  require,      // values[0]: a condition that a verb's values fulfil; text; or equal steps, see check_equal_steps
   contour,      // number: row of Family::contours, which its values fulfil
   offset,       // number: row of Family::offsets, likewise
   polar_begin,  // y is a length across x on the face, until the end

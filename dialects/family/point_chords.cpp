@@ -76,10 +76,11 @@ struct SpacePiece {
     const double w = xy.points[i].weight;
     return {xy.points[i].point.z / w, xy.points[i].point.x / w, z.points[i].point.z / w};
   }
+  [[nodiscard]] SpacePlace first() const { return point(0); }
+  [[nodiscard]] SpacePlace last() const { return point(xy.count - 1); }
   // Of its middle control points none is farther from the chord between its ends, by quarters of the piece.
-  [[nodiscard]] double height() const {
-    const SpacePlace a = point(0);
-    const SpacePlace b = point(xy.count - 1);
+  [[nodiscard]] double height() const { return height_over(first(), last()); }
+  [[nodiscard]] double height_over(SpacePlace a, SpacePlace b) const {
     double most = 0.0;
     for (int i = 0; i < kQuarters; ++i) {
       const auto t = [this](int quarter) { return xy.t.low + xy.t.width() * quarter / kQuarters; };
@@ -111,6 +112,15 @@ double chords_of(const SpacePiece& piece, double error_mm) {
     chords = std::max(chords + 1.0, std::floor(chords * std::min(2.0, std::sqrt(height / error_mm))));
   }
   return kMostOfPoints + 1.0;
+}
+
+// The pieces of a curve in both planes.
+std::vector<SpacePiece> pieces_of(const BoundFamily& bound, const PointCurve& curve) {
+  const std::vector<BezierPiece> xy = curves::pieces_of(plane_of(bound, curve, ir::Address::x, ir::Address::y));
+  const std::vector<BezierPiece> z = curves::pieces_of(plane_of(bound, curve, ir::Address::z, ir::Address::z));
+  std::vector<SpacePiece> out;
+  for (std::size_t i = 0; i < xy.size() && i < z.size(); ++i) out.push_back({xy[i], z[i]});
+  return out;
 }
 
 }  // namespace
@@ -175,6 +185,31 @@ ChordCounts point_chord_counts(const BoundFamily& bound, const PointCurve& curve
   }
   if (sum > kMostOfPoints) return {{}, "this curve takes more than 100,000 chords for its error"};
   return out;
+}
+
+// A chord may lie over a knot: then over parts of two pieces and more.
+double equal_steps_height(const BoundFamily& bound, const PointCurve& curve, double count) {
+  const std::vector<SpacePiece> pieces = pieces_of(bound, curve);
+  if (pieces.empty() || !(count >= 1.0)) return 0.0;
+  const double low = pieces.front().xy.t.low;
+  const double high = pieces.back().xy.t.high;
+  double most = 0.0;
+  std::size_t piece = 0;
+  double from = low;
+  for (double i = 1.0; i <= std::min(count, kMostOfPoints); ++i) {
+    const double to = i == count ? high : low + (high - low) * i / count;
+    std::vector<SpacePiece> parts;
+    for (;; ++piece) {
+      const curves::Range t = pieces[piece].xy.t;
+      const double end = std::min(t.high, to);
+      if (end > std::max(t.low, from)) parts.push_back(pieces[piece].part(std::max(t.low, from), end));
+      if (t.high >= to || piece + 1 == pieces.size()) break;
+    }
+    for (const SpacePiece& one : parts)
+      most = std::max(most, one.height_over(parts.front().first(), parts.back().last()));
+    from = to;
+  }
+  return most;
 }
 
 }  // namespace dripfeed::family

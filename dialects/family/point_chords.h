@@ -23,4 +23,7 @@ std::vector<double> own_knots(const BoundFamily& bound, const PointCurve& curve)
 // from the chord than the farthest control point.
 ChordCounts point_chord_counts(const BoundFamily& bound, const PointCurve& curve);
 
+// How far a curve without fault may lie from the chords of so many equal steps, proved as above: 0 for less than one.
+double equal_steps_height(const BoundFamily& bound, const PointCurve& curve, double count);
+
 }  // namespace dripfeed::family

@@ -30,8 +30,8 @@ constexpr auto kMostPoints = static_cast<std::int32_t>(curves::BezierPiece::kMos
 
 }  // namespace
 
-// bezier AXIS LIST AXIS LIST [AXIS LIST] [weights LIST] (steps COUNT | within LENGTH)
-// nurbs order N AXIS LIST ... [weights LIST] [knots LIST] (steps COUNT | within LENGTH)
+// bezier AXIS LIST AXIS LIST [AXIS LIST] [weights LIST] (steps COUNT [within LENGTH] | within LENGTH)
+// nurbs order N AXIS LIST ... [weights LIST] [knots LIST] (steps COUNT [within LENGTH] | within LENGTH)
 void BodyReader::cut_along_points(bool is_bezier) {
   compensation_waits_ = false;
   PointCurve curve;
@@ -52,11 +52,20 @@ void BodyReader::cut_along_points(bool is_bezier) {
   const bool is_equal = cursor_.accept_word("steps");
   if (!is_equal && !cursor_.accept_word("within")) return cursor_.expected("steps or within");
   const ExpressionId by = expressions_.value_of(is_equal ? kRatio : kLength).id;
+  const bool is_limited = is_equal && !cursor_.line_failed() && cursor_.accept_word("within");
+  const ExpressionId most = is_limited ? expressions_.value_of(kLength).id : ExpressionId::none;
   if (cursor_.line_failed()) return;
   curve.span = {verb_.begin, cursor_.last_span().end};
   if (!is_equal) curve.error = by;
   scope_.open();
   PointScheme scheme = scheme_of(std::move(curve));
+  if (is_limited) {
+    Step limited = step(StepKind::require);
+    limited.number = static_cast<std::int32_t>(family_.point_curves.size());
+    limited.values[0] = by;
+    limited.values[1] = most;
+    add(std::move(limited));
+  }
   if (is_equal)
     equal_point_steps(scheme, by);
   else

@@ -132,7 +132,7 @@ Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std
   for (const family::List& one : family.lists)
     out.meaning.emplace(one.line, with_text(name_of(one.symbol), one.counts_chords ? "for these values only" : ""));
   for (const family::Step& one : family.steps) {
-    if (one.kind == family::StepKind::require || one.kind == family::StepKind::contour ||
+    if ((one.kind == family::StepKind::require && one.number == 0) || one.kind == family::StepKind::contour ||
         one.kind == family::StepKind::offset)
       out.verbs.insert(one.line);
     if (one.kind == family::StepKind::let && !out.verbs.contains(one.line))

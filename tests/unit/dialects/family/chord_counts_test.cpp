@@ -149,6 +149,33 @@ TEST(ChordCounts, WhatIsNoCurveIsRefused) {
   EXPECT_EQ(fault("mill", line + "x t"), "expected steps or within before the end of the line");
 }
 
+// A circle of radius 20 in four conics: 8 equal steps are chords with a sagitta of 1.522 mm, 3 lie over its knots and
+// have one of 10 mm.
+TEST(ChordCounts, EqualStepsAreHeldToTheirError) {
+  const auto fault_of_circle = [](const std::string& before, const std::string& steps, const std::string& after = "") {
+    const std::string text =
+        "family test\nmachine mill\nparam n count 8 in 1..99\nconst half = 0.5*sqrt(2)\n"
+        "list xs = 20 mm, 20 mm, 0 mm, -20 mm, -20 mm, -20 mm, 0 mm, 20 mm, 20 mm\n"
+        "list ys = 0 mm, 20 mm, 20 mm, 20 mm, 0 mm, -20 mm, -20 mm, -20 mm, 0 mm\n"
+        "list ws = 1, half, 1, half, 1, half, 1, half, 1\nlist ks = 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4\nprogram test\n"
+        "  spindle 600 rpm cw\n  feed 100 mm/min\n" +
+        before + "  cut along nurbs order 3 x xs y ys weights ws knots ks " + steps + "\n" + after + "end\n";
+    ReadFamilyResult read = read_family(text::Source("test", text));
+    if (text::has_error(read.diagnostics)) return read.diagnostics.front().arguments.front();
+    const BindResult bound = bind_family(std::make_shared<const Family>(std::move(read.family)), {});
+    return bound.diagnostics.empty() ? "" : bound.diagnostics.front().arguments.front();
+  };
+  EXPECT_EQ(fault_of_circle("", "steps n within 1.7 mm"), "");
+  EXPECT_THAT(fault_of_circle("", "steps n within 1.52 mm"),
+              testing::StartsWith("8 equal steps within 1.52 mm (the curve lies up to 1.55"));
+  EXPECT_EQ(fault_of_circle("", "steps 3 within 10.5 mm"), "");
+  EXPECT_THAT(fault_of_circle("", "steps 3 within 9.99 mm"), testing::StartsWith("3 equal steps within 9.99 mm"));
+  EXPECT_EQ(fault_of_circle("", "steps 99 within 0.012 mm"), "");
+  EXPECT_EQ(fault_of_circle("  if n > 20\n", "steps 3 within 1 mm", "  end\n"), "") << "not cut with these values";
+  EXPECT_THAT(fault_of_circle("  let more = n\n  set more = more + 1\n", "steps more within 1 mm"),
+              testing::StartsWith("the steps of a curve and how far"));
+}
+
 // Random cubic curves of three axes with weights, some inner knots twice: measured by a recursion of its own.
 TEST(ChordCounts, CurvesByPointsLieWithinTheirError) {
   std::mt19937 random(11);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same curves in every run
