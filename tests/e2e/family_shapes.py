@@ -43,22 +43,29 @@ def ring_radius(z, c, radius=31, cone=radians(15), tilt=radians(4), depth=5):
     return low
 
 
+# Radius, angle of the cone and tilt in degrees, depth where the axes meet; how far the tabulated ring may be off.
+RINGS = ((31, 15, 4, 5, 0.004), (125, 45, 15, -100, 0.002), (125, 0, 20, 100, 0.025), (9, 40, 20, -4, 0.048), (5, 0, 0, 0, 0.0))
+
+
 def ring(folder):
-    """The nose touches the section at each point."""
-    for sections, worst_mm in (("exact", 0.0), ("table", 0.004)):
-        for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
-            cuts = [m for kind, m in trace("seal-ring", "mazak-qtn", mode, folder, f"sections={sections}") if kind == "linear"]
-            expect(len(cuts) == 14 * 72 + 1 and abs(cuts[-1]["C"] - 14 * 360) < 1e-6, "14 turns")
-            worst = 0.0
-            for move in random.Random(1).sample(cuts, 60):
-                z, r, c = move["Z"] + 0.4, move["X"] / 2 + 0.4, radians(move["C"])
-                low, high = z - 1, z + 1
-                while high - low > 1e-7:
-                    a, b = (2 * low + high) / 3, (low + 2 * high) / 3
-                    low, high = (low, b) if hypot(a - z, ring_radius(a, c) - r) < hypot(b - z, ring_radius(b, c) - r) else (a, high)
-                worst = max(worst, abs(hypot(low - z, ring_radius(low, c) - r) - 0.4))
-            expect(worst_mm / 2 < worst + (worst_mm == 0) and worst <= worst_mm + print_mm, f"ring, {sections}, {mode}: {worst}")
-            print(f"seal-ring, {sections}, {mode}: the nose is {worst:.6f} mm off the cone at most")
+    """The nose touches the section at each point, also at corners of the ranges."""
+    for radius, cone, tilt, depth, off_mm in RINGS:
+        values = (f"cone_diameter={2 * radius} mm", f"cone_angle={cone} deg", f"tilt={tilt} deg", f"meeting_depth={depth} mm")
+        section = lambda z, c: ring_radius(z, c, radius, radians(cone), radians(tilt), depth)
+        for sections, worst_mm in (("exact", 0.0), ("table", off_mm)):
+            for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
+                cuts = [m for kind, m in trace("seal-ring", "mazak-qtn", mode, folder, f"sections={sections}", *values) if kind == "linear"]
+                expect(len(cuts) == 14 * 72 + 1 and abs(cuts[-1]["C"] - 14 * 360) < 1e-6, "14 turns")
+                worst = 0.0
+                for move in random.Random(1).sample(cuts, 60):
+                    z, r, c = move["Z"] + 0.4, move["X"] / 2 + 0.4, radians(move["C"])
+                    low, high = z - 1, z + 1
+                    while high - low > 1e-7:
+                        a, b = (2 * low + high) / 3, (low + 2 * high) / 3
+                        low, high = (low, b) if hypot(a - z, section(a, c) - r) < hypot(b - z, section(b, c) - r) else (a, high)
+                    worst = max(worst, abs(hypot(low - z, section(low, c) - r) - 0.4))
+                expect(worst_mm / 2 < worst + (worst_mm == 0) and worst <= worst_mm + print_mm, f"ring {values}, {sections}, {mode}: {worst}")
+                print(f"seal-ring {' '.join(values)}, {sections}, {mode}: the nose is {worst:.6f} mm off the cone at most")
 
 
 HEIGHTS = [-2, -6, -6, -2, -8, -14, -2, -8, -3, -2, -12, -8, -4, -6, -8, -2]
@@ -153,23 +160,34 @@ def worm_by_points(folder):
         print(f"{family} on {machine}: every pass at its place")
 
 
-def flank_distance(center, side, turn, lead, hand, pitch_radius=20.0, module=4.0):
+def flank_distance(center, side, turn, lead, hand, pitch_radius, module, angle):
     """From a point to a flank of the groove next to it, in the part's own space; `turn` is where the tool stands around x."""
     def flank(r, t):
-        x = side * (pi * module / 4 + (r - pitch_radius) * tan(radians(20))) + hand * lead * t / (2 * pi)
+        x = side * (pi * module / 4 + (r - pitch_radius) * tan(radians(angle))) + hand * lead * t / (2 * pi)
         return (x, -r * sin(t), r * cos(t))
     off = lambda r, t: dist(center, flank(r, t))
-    near = min((off(14 + 0.5 * i, turn + 0.03 * j), 14 + 0.5 * i, turn + 0.03 * j) for i in range(22) for j in range(-8, 9))
-    return lowest(off, near[1:], (0.25, 0.015))
+    low, high = pitch_radius - 1.5 * module, pitch_radius + 1.125 * module
+    step = (high - low) / 21
+    near = min((off(low + step * i, turn + 0.03 * j), low + step * i, turn + 0.03 * j) for i in range(22) for j in range(-8, 9))
+    return lowest(off, near[1:], (step / 2, 0.015))
+
+
+# Mode, starts, hand, radius of the ball, module, pitch diameter, flank angle, and what must be changed with them: usual values, and corners.
+WORMS = (("macro", 1, "right", 1.5, 4, 40, 20, ()), ("explicit", 1, "right", 1.5, 4, 40, 20, ()), ("macro", 3, "left", 1, 4, 40, 20, ()),
+         ("macro", 1, "left", 10, 20, 300, 5, ("run_out=60 mm", "layer_depth=10 mm", "rough_width=10 mm")),
+         ("macro", 8, "right", 2, 20, 300, 25, ("run_out=60 mm", "layer_depth=10 mm", "rough_width=10 mm", "thread_length=2 mm", "finish=0 mm")),
+         ("explicit", 1, "right", 0.2, 0.5, 4, 5, ("run_out=0.8 mm", "finish=0.05 mm", "thread_length=2 mm")))
 
 
 def worm(folder):
     """Roughing stays clear of both flanks, each of the last passes touches one."""
-    for mode, print_mm, starts, hand, ball in (("macro", MACRO_MM, 1, "right", 1.5), ("explicit", EXPLICIT_MM, 1, "right", 1.5), ("macro", MACRO_MM, 3, "left", 1)):
-        cuts = [m for kind, m in trace("worm", "mazak-vcn", mode, folder, f"starts={starts}", f"hand={hand}", f"ball_diameter={2 * ball} mm")
-                if kind == "linear"]
-        lead, sign = 4 * pi * starts, 1 if hand == "right" else -1
-        expect(abs(min(m["Z"] for m in cuts) - 15.2) < 1e-3, "the root")
+    for mode, starts, hand, ball, module, pitch_diameter, angle, more in WORMS:
+        print_mm = MACRO_MM if mode == "macro" else EXPLICIT_MM
+        values = (f"starts={starts}", f"hand={hand}", f"ball_diameter={2 * ball} mm", f"module={module} mm", f"pitch_diameter={pitch_diameter} mm",
+                  f"flank_angle={angle} deg", *more)
+        cuts = [m for kind, m in trace("worm", "mazak-vcn", mode, folder, *values) if kind == "linear"]
+        lead, sign = module * pi * starts, 1 if hand == "right" else -1
+        expect(abs(min(m["Z"] for m in cuts) - (pitch_diameter / 2 - 1.2 * module)) < 1e-3, "the root")
         # A pass begins where A is turned back; the last twenty of each start follow the flanks.
         begins = [i for i in range(1, len(cuts)) if cuts[i]["A"] * sign < cuts[i - 1]["A"] * sign]
         first_of_last = begins[-20 * starts]
@@ -179,14 +197,14 @@ def worm(folder):
             turn = radians(m["A"])
             center = (m["X"], -(m["Z"] + ball) * sin(turn), (m["Z"] + ball) * cos(turn))
             # The groove that the tool is in: of several starts the nearest.
-            shift = round((m["X"] - sign * lead * turn / (2 * pi)) / (4 * pi)) * 4 * pi
+            shift = round((m["X"] - sign * lead * turn / (2 * pi)) / (module * pi)) * module * pi
             here = (center[0] - shift, *center[1:])
-            gap = min(flank_distance(here, side, turn, lead, sign) for side in (-1, 1)) - ball
-            expect(gap >= -print_mm, f"worm, {mode}: {gap} into a flank")
+            gap = min(flank_distance(here, side, turn, lead, sign, pitch_diameter / 2, module, angle) for side in (-1, 1)) - ball
+            expect(gap >= -print_mm, f"worm, {mode}, {values}: {gap} into a flank")
             if chosen >= first_of_last:
                 finishing.append(abs(gap))
-        expect(len(finishing) > 20 and max(finishing) <= print_mm, f"worm, {mode}, {starts} starts: {max(finishing)}")
-        print(f"worm, {mode}, {starts} starts: the last passes are {max(finishing):.6f} mm off a flank at most")
+        expect(len(finishing) > 20 and max(finishing) <= print_mm, f"worm, {mode}, {values}: {max(finishing)} of {len(finishing)}")
+        print(f"worm, {mode}, {' '.join(values)}: the last passes are {max(finishing):.6f} mm off a flank at most")
 
 
 def path_of(trace_moves):
@@ -197,16 +215,54 @@ def path_of(trace_moves):
         if at and kind == "linear":
             n = max(1, int(dist(at, end) / 0.1))
             places += [tuple(a + (b - a) * i / n for a, b in zip(at, end)) for i in range(n + 1)]
-        elif at and kind == "arc-ccw":
+        elif at and kind in ("arc-ccw", "arc-cw"):
+            turn = 1 if kind == "arc-ccw" else -1
             x, y = at[0] + m["I"], at[1] + m["J"]
             r, first, last = hypot(m["I"], m["J"]), math.atan2(-m["J"], -m["I"]), math.atan2(end[1] - y, end[0] - x)
             expect(abs(hypot(end[0] - x, end[1] - y) - r) < 2e-3, "an arc ends on its circle")
-            sweep = (last - first) % (2 * pi) or 2 * pi
-            sweep = 2 * pi if sweep < 1e-6 or sweep > 2 * pi - 1e-6 else sweep
-            n = max(1, int(r * sweep / 0.1))
+            sweep = turn * (last - first) % (2 * pi)
+            sweep = turn * (2 * pi if sweep < 1e-6 or sweep > 2 * pi - 1e-6 else sweep)
+            n = max(1, int(r * abs(sweep) / 0.1))
             places += [(x + r * cos(first + sweep * i / n), y + r * sin(first + sweep * i / n), at[2] + (end[2] - at[2]) * i / n) for i in range(n + 1)]
         at = end
     return places
+
+
+def left_of_floor(places, r, half, outside):
+    """Where no place of the cutter's center is near enough: of a grid over the half sizes, inside by 0.02 mm."""
+    cells = {}
+    for x, y in places:
+        cells.setdefault((x // r, y // r), []).append((x, y))
+    step = max(half) / 60
+    grid = [(step * i, step * j) for i in range(-60, 61) for j in range(-60, 61)]
+    return [(x, y) for x, y in grid if outside(x, y) < -0.02
+            and not any(dist((x, y), p) <= r + 0.02 for i in (-1, 0, 1) for j in (-1, 0, 1) for p in cells.get((x // r + i, y // r + j), ()))]
+
+
+def floors(folder):
+    """All of the floor is cut and nothing beyond the wall, also where the cutter is much smaller than what it clears."""
+    rounded = lambda length, width, corner: lambda x, y: (
+        hypot(max(abs(x) - length / 2 + corner, 0), max(abs(y) - width / 2 + corner, 0)) + min(max(abs(x) - length / 2, abs(y) - width / 2) + corner, 0) - corner)
+    slot = lambda length, width: lambda x, y: hypot(max(abs(x) - length / 2, 0), y) - width / 2
+    circle = lambda diameter: lambda x, y: hypot(x, y) - diameter / 2
+    around = lambda outer, island: lambda x, y: max(outer(x, y), -island(x, y))
+    cases = (("slot", 6, (35, 5), slot(60, 10), 8, ()),
+             ("slot", 6, (55, 25), slot(60, 50), 3, ("slot_width=50 mm", "cutter_diameter=3 mm", "overlap=0.8")),
+             ("slot", 6, (26, 25), slot(2, 50), 8, ("slot_length=2 mm", "slot_width=50 mm", "overlap=0.1")),
+             ("round-pocket", 12, (30, 30), circle(60), 16, ()),
+             ("round-pocket", 12, (30, 30), circle(60), 3, ("cutter_diameter=3 mm", "overlap=0.9")),
+             ("round-pocket", 12, (30, 30), circle(60), 59.9, ("cutter_diameter=59.9 mm",)),
+             ("island-pocket", 10, (50, 35), around(rounded(100, 70, 12), rounded(40, 20, 4)), 12, ()),
+             ("island-pocket", 10, (50, 35), around(rounded(100, 70, 12), rounded(40, 20, 4)), 3, ("cutter_diameter=3 mm", "overlap=0.8")))
+    for family, depth, half, outside, cutter, values in cases:
+        for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
+            places = path_of(trace(family, "haas-vf2", mode, folder, *values))
+            r = cutter / 2
+            over = max(outside(x, y) + r for x, y, z in places if z < -1e-6)
+            expect(abs(over) <= print_mm, f"{family} {values}, {mode}: {over} beyond the wall")
+            left = left_of_floor([place[:2] for place in places if place[2] < -depth + 1e-6], r, half, outside)
+            expect(not left, f"{family} {values}, {mode}: the floor is left at {left[:5]}")
+        print(f"{family} {' '.join(values)}: no more and no less")
 
 
 def pocket(folder):
@@ -230,19 +286,14 @@ def pocket(folder):
             for x, y in [(sign * x, sign * y) for x, y in wall for sign in (-1, 1)]:
                 gap = min(dist((x, y), place[:2]) for place in places if place[2] < -12 + 1e-6) - r
                 expect(gap <= print_mm + 0.0015, f"pocket {size}, {mode}: {gap} left on the wall at {x} {y}")
-            cells = {}
-            for x, y, z in places:
-                if z < -12 + 1e-6:
-                    cells.setdefault((x // r, y // r), []).append((x, y))
-            left = [(x, y) for x in (0.77 * i for i in range(-60, 61)) for y in (0.77 * i for i in range(-60, 61)) if outside(x, y) < -0.02
-                    and not any(dist((x, y), p) <= r + 0.02 for i in (-1, 0, 1) for j in (-1, 0, 1) for p in cells.get((x // r + i, y // r + j), ()))]
+            left = left_of_floor([place[:2] for place in places if place[2] < -12 + 1e-6], r, (length / 2, width / 2), outside)
             expect(not left, f"pocket {size}, {mode}: the floor is left at {left[:5]}")
         print(f"rectangular-pocket, {length} x {width}, corners of {corner} mm: no more and no less")
 
 
 def main():
     with tempfile.TemporaryDirectory() as name:
-        for shape in (ring, surface, nurbs_surface, worm, worm_by_points, pocket):
+        for shape in (ring, surface, nurbs_surface, worm, worm_by_points, pocket, floors):
             shape(pathlib.Path(name))
 
 
