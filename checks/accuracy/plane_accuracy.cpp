@@ -1,5 +1,6 @@
 // The path is followed from place to place: each foot is sought from the one before. The distance of a place from a
-// curve changes no more than the place moves, so a foot that is farther than that has been lost, and is sought again.
+// curve changes no more than the place moves, so a foot that is farther than that has been lost, and is sought again;
+// so is one that is beyond the tolerance, because at a cusp the path may have gone on along another branch.
 #include "checks/accuracy/plane_accuracy.h"
 
 #include <algorithm>
@@ -20,7 +21,11 @@ namespace dripfeed::accuracy {
 namespace {
 
 constexpr double kSamePlace_mm = 1e-6;
-constexpr double kJoin_mm = 0.01;  // ends of a contour that are given in hundredths meet
+constexpr double kSameFoot_mm = 1e-9;
+constexpr std::size_t kMostPassed = 1U << 18U;
+constexpr int kGapPoints = 64;         // of a gap, that are compared with the whole path
+constexpr std::size_t kMostGaps = 64;  // that are
+constexpr double kJoin_mm = 0.01;      // ends of a contour that are given in hundredths meet
 constexpr double kShort_mm = 0.25;
 constexpr double kPieceLength_mm = 1.0;
 constexpr int kMostPlaces = 128;
@@ -109,6 +114,8 @@ void PlaneAccuracy::add_move(const ir::Motion& motion) {
   if (!(curves::length_of(piece) > 0.0)) return;  // a plunge
   ++report_.blocks;
   last_place_ = motion.place;
+  compensated_ = motion.comp != ir::CompSide::off;
+  if (passed_.size() < kMostPassed) passed_.push_back(piece);
   add_corner(motion, curves::point_at(piece, 0.0), curves::direction_at(piece, 0.0));
   int parts = 1;
   if (const auto* arc = std::get_if<curves::Arc>(&piece)) {
@@ -133,17 +140,23 @@ PlaneAccuracy::Side PlaneAccuracy::side_of(const ir::Motion& motion, const Plane
 PlaneAccuracy::Place PlaneAccuracy::place_of(curves::Point at, const Place* near, double step_mm) const {
   Place place{at, 0, {}, false};
   bool found = false;
+  double followed = 1e300;
   if (near != nullptr) {
     place.curve = near->curve;
     place.foot = curves::closest_from(settings_.nominal[near->curve].curve, at, near->foot.t);
     const double lost = std::fabs(near->foot.distance) + step_mm * 1.0001 + 1e-9;
-    found = place.foot.settled && std::fabs(place.foot.distance) <= lost && !place.foot.at_end;
+    const PlaneNominal& nominal = settings_.nominal[place.curve];
+    const double off = std::fabs(std::fabs(place.foot.distance) - expected(nominal));
+    found = place.foot.settled && std::fabs(place.foot.distance) <= lost && !place.foot.at_end &&
+            off <= nominal.tolerance_mm;
+    if (place.foot.settled) followed = std::fabs(place.foot.distance);
   }
   for (std::size_t i = 0; !found && i < settings_.nominal.size(); ++i) {
     const curves::ParametricFoot foot = curves::closest(settings_.nominal[i].curve, at, kSearchPieces);
     if ((i == 0 && near == nullptr) || std::fabs(foot.distance) < std::fabs(place.foot.distance)) {
       place.curve = i;
       place.foot = foot;
+      place.sought = near != nullptr && std::fabs(foot.distance) < followed - kSameFoot_mm;
     }
   }
   // A closed curve has no ends to lie beyond.
@@ -206,7 +219,12 @@ void PlaneAccuracy::add_piece(const ir::Motion& motion, const curves::PathPiece&
     const Visit from{part - 1.0 / count, before};
     const Visit to{part, here};
     if (before.on && here.on && before.curve == here.curve) {
-      cover_between(before, here);
+      const bool over_seam = closed_[here.curve] && std::fabs(here.foot.t - before.foot.t) >
+                                                        0.5 * settings_.nominal[here.curve].curve.t.width();
+      if (here.sought && !over_seam)
+        cover(here.curve, {here.foot.t, here.foot.t});
+      else
+        cover_between(before, here);
       last = to;
       continue;
     }
@@ -323,7 +341,21 @@ void PlaneAccuracy::cover(std::size_t curve, curves::Range t) {
   covered.insert(covered.erase(first, last), t);
 }
 
+bool PlaneAccuracy::is_passed(std::size_t curve, curves::Range t) const {
+  const PlaneNominal& nominal = settings_.nominal[curve];
+  const double enough = expected(nominal) + nominal.tolerance_mm;
+  for (int i = 0; i <= kGapPoints; ++i) {
+    const curves::Point at = nominal.curve.at(t.low + t.width() * i / kGapPoints).point;
+    const bool near = std::ranges::any_of(passed_, [&](const curves::PathPiece& piece) {
+      return std::visit([&](const auto& one) { return curves::distance(one, at) <= enough; }, piece);
+    });
+    if (!near) return false;
+  }
+  return true;
+}
+
 void PlaneAccuracy::find_gaps() {
+  std::size_t compared = 0;
   for (std::size_t i = 0; i < settings_.nominal.size(); ++i) {
     const curves::ParametricCurve& curve = settings_.nominal[i].curve;
     double reached = curve.t.low;
@@ -334,6 +366,7 @@ void PlaneAccuracy::find_gaps() {
       const curves::Point to = curve.at(t).point;
       const double width = curves::distance(from, middle) + curves::distance(middle, to);
       if (width <= settings_.coverage_mm) return;
+      if (compared++ < kMostGaps && is_passed(i, {reached, t})) return;
       report_.gaps.push_back({0.0, width});
       if (report_.has_unmeasured_cuts) return;
       report_.findings.add(text::DiagnosticId::nominal_not_covered, last_place_, width, 0.0, [&] {

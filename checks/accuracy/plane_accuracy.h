@@ -47,7 +47,8 @@ class PlaneAccuracy final : public ir::MotionSink {
     curves::Point at;
     std::size_t curve = 0;
     curves::ParametricFoot foot;
-    bool on = false;  // on the nominal, not beyond an end
+    bool on = false;      // on the nominal, not beyond an end
+    bool sought = false;  // its foot does not follow from the one before
   };
   // The place at `part` of a piece, 0 at its start, 1 at its end.
   struct Visit {
@@ -68,6 +69,10 @@ class PlaneAccuracy final : public ir::MotionSink {
   void add_piece(const ir::Motion& motion, const curves::PathPiece& piece);
   [[nodiscard]] Side side_of(const ir::Motion& motion, const PlaneNominal& nominal);
   [[nodiscard]] Place place_of(curves::Point at, const Place* near, double step_mm) const;
+  // How far the cutter's center should be from it.
+  [[nodiscard]] double expected(const PlaneNominal& nominal) const {
+    return compensated_ || nominal.of_center ? 0.0 : radius_;
+  }
   [[nodiscard]] double value_of(const Place& place, curves::Point direction, const Side& side) const;
   void add_corner(const ir::Motion& motion, curves::Point at, curves::Point direction);
   void add_bound(const curves::PathPiece& piece, const Place& first, const Place& last, const Side& side,
@@ -80,6 +85,8 @@ class PlaneAccuracy final : public ir::MotionSink {
   // What lies between two neighbouring places on one curve.
   void cover_between(const Place& a, const Place& b);
   void cover(std::size_t curve, curves::Range t);
+  // What following the path has lost is compared with all of it: whether no point of that part is too far from it.
+  [[nodiscard]] bool is_passed(std::size_t curve, curves::Range t) const;
   void find_gaps();
 
   PlaneSettings settings_;
@@ -92,12 +99,14 @@ class PlaneAccuracy final : public ir::MotionSink {
   std::vector<End> ends_;                            // by curve, low and high
   double radius_ = 0.0;
   bool radius_known_ = false;
+  bool compensated_ = false;  // the present move
   bool surface_known_ = true;
   bool proved_ = true;
   double bound_ = 0.0;
   double along_ = 0.0;
-  std::optional<Place> last_;             // where the last piece ended
-  std::optional<curves::Point> heading_;  // and in which direction
+  std::vector<curves::PathPiece> passed_;  // the path, as far as there is room for it
+  std::optional<Place> last_;              // where the last piece ended
+  std::optional<curves::Point> heading_;   // and in which direction
   ir::Place last_place_;
 };
 

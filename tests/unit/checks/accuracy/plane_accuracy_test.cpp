@@ -132,6 +132,31 @@ TEST(PlaneAccuracy, ACutterThatFillsItsPocketIsExact) {
   }
 }
 
+// Two branches that meet in a point and leave each other slowly: the path goes on along the other one.
+TEST(PlaneAccuracy, ACuspIsFollowed) {
+  const curves::ParametricCurve cusp{{-1, 1},
+                                     [](double t) {
+                                       return curves::ParametricPoint{
+                                           {10 * t * t, 10 * t * t * t}, {20 * t, 30 * t * t}, {20, 60 * t}};
+                                     },
+                                     [](double, double) { return curves::Box{{20, 20}, {-60, 60}}; },
+                                     {}};
+  PlaneSettings settings = settings_for(cusp);
+  settings.nominal[0].of_center = true;
+  for (const bool backwards : {false, true}) {
+    const Report report = run(settings, chords(cusp, 400, 0, ir::CompSide::off, backwards));
+    EXPECT_LE(report.figures().max_mm, 0.02);
+    EXPECT_TRUE(report.covered);
+    EXPECT_TRUE(report.findings.empty());
+  }
+  // What turns back before the point leaves it out, and is off the other branch.
+  std::vector<ir::Motion> all = chords(cusp, 400, 0);
+  all.erase(all.begin() + 150, all.begin() + 250);
+  all.insert(all.begin() + 150, line(cusp.at(-0.25).point, cusp.at(0.25).point));
+  const Report cut_short = run(settings, all);
+  EXPECT_FALSE(cut_short.covered);
+}
+
 TEST(PlaneAccuracy, ANurbsCurveInEitherDirection) {
   const curves::ParametricCurve curve = curves::curve_of({4, kPoints, {1, 3, 1, 1, 1, 3, 1}, {}});
   for (const bool backwards : {false, true}) {
