@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Gouges and accuracy of the shipped families at the corners of what their ranges and conditions allow.
 
-family_corners.py BINARY [--families NAME ...] [--corners N] [--machine NAME] [--seed N]: for each family, its numbers at the least or
-largest value of each range with each word of its choices, all combinations or N of them (200) by a seeded choice. Where a condition refuses
+family_corners.py BINARY [--families NAME ...] [--corners N] [--machine NAME] [--seed N]: for each family, its numbers and those of its lists at the
+least or largest value of each range with each word of its choices, all combinations or N of them (200) by a seeded choice. Where a condition refuses
 one, the line from the usual values to it is bisected, and the last point that is allowed is measured. The machine is the preset with tools
 of whatever diameter the family asks for, and long enough. A point fails where gouges or accuracy do, where it cannot be rendered, or where
 something is not checked that is checked at the usual values; what the machine refuses (travel, speed) is counted apart: gouges and accuracy
@@ -25,6 +25,8 @@ MACHINES = {"lathe": "fanuc-0i-lathe", "mill": "fanuc-0i-mill"}
 OTHER = {"worm": "mazak-vcn", "worm-turned": "mazak-integrex", "turning-cycle": "sinumerik-840d-lathe", "seal-ring": "sinumerik-810d-lathe"}
 NUMBER = r"-?[0-9.]+(?:e-?[0-9]+)?"
 PARAM = re.compile(rf"^param (\w+)\s+(length|angle|feed|speed|count|ratio|time)\s+({NUMBER})\s*([a-z/]*)\s+in ({NUMBER})\.\.({NUMBER})", re.M)
+# Not knots, which rise.
+LIST = re.compile(rf"^param (?!knot)(\w+)\s+list of (length|ratio) ([-0-9., a-z]+?)\s+in ({NUMBER})\.\.({NUMBER})", re.M)
 CHOICE = re.compile(r"^param (\w+)\s+choice (\w+) of ([a-z_]+(?:, [a-z_]+)*)", re.M)
 
 
@@ -34,12 +36,18 @@ class Family:
         text = path.read_text()
         self.machine = OTHER.get(self.name) or MACHINES[re.search(r"^machine ([a-z]+)", text, re.M).group(1)]
         self.params = [(name, kind, float(usual), unit, float(low), float(high)) for name, kind, usual, unit, low, high in PARAM.findall(text)]
+        self.lists = []
+        for name, kind, numbers, low, high in LIST.findall(text):
+            usual = [float(one.removesuffix("mm")) for one in numbers.split(",")]
+            self.lists.append((name, "mm" if kind == "length" else "", usual, float(low), float(high)))
         self.choices = [(name, words.split(", ")) for name, _, words in CHOICE.findall(text)]
 
     def corners(self, most, choice, kept=()):
-        """All, or so many of them: the end of each number's range and the word of each choice. What is kept has its usual value."""
+        """All, or so many of them: the end of each number's range, by chance one for each of a list, and the word of each choice. What is kept has
+        its usual value."""
         ends = [(0.0,) if name in kept else (low - usual, high - usual) for name, _, usual, _, low, high in self.params]
         ends += [words for _, words in self.choices]
+        ends += [[[choice.choice((low, high)) - one for one in usual] for _ in range(2)] for _, _, usual, low, high in self.lists]
         if math.prod(map(len, ends)) <= most:
             return list(itertools.product(*ends))
         return [tuple(choice.choice(one) for one in ends) for _ in range(most)]
@@ -50,7 +58,10 @@ class Family:
         for (name, kind, usual, unit, _, _), by in zip(self.params, corner):
             value = usual + part * by
             out.append(f"{name}={round(value) if kind == 'count' else f'{value:.6f}'} {unit}".strip())
-        return out + [f"{name}={word}" for (name, _), word in zip(self.choices, corner[len(self.params):])]
+        first = len(self.params) + len(self.choices)
+        for (name, unit, usual, _, _), by in zip(self.lists, corner[first:]):
+            out.append(f"{name}=" + ", ".join(f"{one + part * more:.6f} {unit}".strip() for one, more in zip(usual, by)))
+        return out + [f"{name}={word}" for (name, _), word in zip(self.choices, corner[len(self.params):first])]
 
 
 def with_any_tool(machine, folder):
@@ -157,7 +168,7 @@ def main():
             corners = family.corners(options.corners, random.Random(options.seed))
             trials = Trials(options.binary, family, with_any_tool(machine, folder), options.mode, options.wait)
             counts, points = trials.measure(corners, options.threads)
-            print(f"{family.name} on {machine}: {len(family.params)} numbers, {len(family.choices)} choices, {len(corners)} corners, {counts['refused']} "
+            print(f"{family.name} on {machine}: {len(family.params)} numbers, {len(family.lists)} lists, {len(family.choices)} choices, {len(corners)} corners, {counts['refused']} "
                   f"refused by a condition and replaced by the last point before them, {counts['no point']} of them by none: {counts['pass']} pass, "
                   f"{counts['machine']} are beyond the machine, {counts['family'] + counts['open']} fail, {counts['long']} take too long", flush=True)
             bad = [one for one in points if one[0] in ("family", "open", "long")]
