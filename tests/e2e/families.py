@@ -272,6 +272,23 @@ def lists_from_tables(folder):
     refused(family, machine, ["error[family-given-twice]", "weight"], f"weight={', '.join('1' * 7)}", f"weight={', '.join('1' * 7)}")
 
 
+def points_beyond_the_variables(folder):
+    """200 points of a worm on a machine with 150 variables: no macro, and plain blocks where the choice is free, with the reason; 20 fit in."""
+    family = next(Family(path) for path in FAMILIES if path.stem == "worm")
+    machine = folder / "few.json"
+    profile = json.loads((ROOT / "deploy/machines/mazak-vcn.json").read_text())
+    profile["control"]["variables"] = [{"first": 100, "last": 199}, {"first": 500, "last": 549}]
+    machine.write_text(json.dumps(profile))
+    place = lambda count: "place=" + ", ".join(f"({0.02 * i - 2:.2f} mm, {24 - 0.03 * i:.2f} mm)" for i in range(count))
+    why = "the program needs 427 variables, the control has 150"
+    values = ("--set", "flanks=points", "--set", place(200))
+    done = ask("render", family.path, "--machine", machine, "--mode", "macro", *values)
+    expect(done.returncode == 1 and not done.stdout and f"error[not-enough-variables]: {why}" in done.stderr, done.stderr)
+    done = ask("render", family.path, "--machine", machine, *values)
+    expect(done.returncode == 0 and f"explicit: it cannot be a macro: {why}" in done.stderr, done.stderr)
+    expect(ask("render", family.path, "--machine", machine, "--mode", "macro", "--set", "flanks=points", "--set", place(20)).returncode == 0, "20 points")
+
+
 def one_of(document):
     (file,) = json.loads(document)["files"]
     return file
@@ -325,6 +342,7 @@ def main():
                 for family in families]
         failed = []
         lists_from_tables(folder)
+        points_beyond_the_variables(folder)
         checked_and_timed(folder)
         for family, *parts in jobs:
             line = []
