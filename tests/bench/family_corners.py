@@ -47,7 +47,8 @@ class Family:
         its usual value."""
         ends = [(0.0,) if name in kept else (low - usual, high - usual) for name, _, usual, _, low, high in self.params]
         ends += [words for _, words in self.choices]
-        ends += [[[choice.choice((low, high)) - one for one in usual] for _ in range(16)] for _, _, usual, low, high in self.lists]
+        for name, _, usual, low, high in self.lists:
+            ends.append([[0.0 if name in kept else choice.choice((low, high)) - one for one in usual] for _ in range(16)])
         if math.prod(map(len, ends)) <= most:
             return list(itertools.product(*ends))
         return [tuple(choice.choice(one) for one in ends) for _ in range(most)]

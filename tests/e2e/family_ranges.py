@@ -15,7 +15,7 @@ from family_corners import Family, Trials, with_any_tool  # noqa: E402
 MODES, BISECTIONS, SEED = ("macro", "explicit"), 6, 3
 # Of the steps of a program: their least value makes it thousands of times as long.
 KEPT = {"layer_depth", "rough_width", "scallop", "points", "finish", "angle_step", "chord_error", "peck", "turn_points", "lead", "cuts", "cut_depth",
-        "ramp_depth", "passes", "overlap", "thread_passes", "depth_of_cut", "entry_angle", "helix_angle", "flank_passes", "layer", "root_clearance"}
+        "ramp_depth", "passes", "overlap", "thread_passes", "depth_of_cut", "entry_angle", "helix_angle", "flank_passes", "layer", "root_clearance", "weight"}
 # The usual values of what is not named.
 ONCE_FAILED = {"round-pocket": (("cutter_diameter=16 mm", "pocket_diameter=16.5 mm"), ("cutter_diameter=79.8 mm", "pocket_diameter=80 mm"))}
 REFUSED = {"round-pocket": ("cutter_diameter=59.999 mm",), "nurbs-profile": ("steps=4",)}
