@@ -196,8 +196,9 @@ double equal_steps_height(const BoundFamily& bound, const PointCurve& curve, dou
   double most = 0.0;
   std::size_t piece = 0;
   double from = low;
-  for (double i = 1.0; i <= std::min(count, kMostOfPoints); ++i) {
-    const double to = i == count ? high : low + (high - low) * i / count;
+  const auto steps = static_cast<int>(std::ceil(std::min(count, kMostOfPoints)));
+  for (int i = 1; i <= steps; ++i) {
+    const double to = i == steps ? high : low + (high - low) * i / count;
     std::vector<SpacePiece> parts;
     for (;; ++piece) {
       const curves::Range t = pieces[piece].xy.t;

@@ -203,6 +203,7 @@ TEST(PlaneAccuracy, WhatIsJoinedIsCoveredAsOnePieceIs) {
   constexpr double kTurn = 2 * std::numbers::pi;
   for (const std::vector<double>& cuts : {std::vector<double>{0, 0.5}, {0.1, 0.35, 0.8}, {0, 0.25, 0.5, 0.75}}) {
     std::vector<curves::ParametricCurve> parts;
+    parts.reserve(cuts.size());
     for (std::size_t i = 0; i < cuts.size(); ++i)
       parts.push_back(part_of_circle(kTurn * cuts[i], kTurn * (i + 1 < cuts.size() ? cuts[i + 1] : cuts[0] + 1)));
     for (const bool backwards : {false, true}) {
