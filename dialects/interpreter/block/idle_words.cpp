@@ -58,7 +58,7 @@ bool takes_none(const PlainCode& code) { return std::ranges::find(kTakeNone, cod
 // Words of the modal motion; others than these four are not judged here. A corner stands at the end of a move.
 std::uint64_t taken_by_motion(const PlainBlock& block, const BlockRules& rules, Function motion) {
   constexpr std::uint64_t kCorner = bit_of(Address::i) | bit_of(Address::k) | bit_of(Address::r);
-  const bool moves = ((block.present | block.unknown) & rules.axis_addresses) != 0;
+  const bool moves = ((block.present | block.unknown) & rules.axis_addresses) != 0 && !has_code(block, Function::dwell);
   if (motion == Function::rapid) return 0;
   if (motion == Function::linear) return rules.corner_letters && moves ? kCorner : 0;
   return motion == Function::arc_cw || motion == Function::arc_ccw ? kWordsOfArc : kIdleLetters;
@@ -83,6 +83,18 @@ bool names_axes_with_dwell(const PlainBlock& block, const BlockRules& rules, con
   return ((block.present | block.unknown) & rules.axis_addresses & ~taken) != 0;
 }
 
+// Q of a thread is the spindle's angle where it begins (0i-F B-64604EN-1, "Multiple threading"): a second start, which
+// positions do not show.
+bool states_thread_start(const PlainBlock& block, const BlockRules& rules, const Effects& effects,
+                         const ModalState& state) {
+  const bool is_zero = block.has(Address::q) && block.at(Address::q) == 0.0;
+  if (((block.present | block.unknown) & bit_of(Address::q)) == 0 || is_zero || effects.one_shot != Function::none)
+    return false;
+  if (state.turning.active) return state.turning.cycle == ir::TurningCycle::thread;
+  const bool threads = state.modes.motion == Function::thread || state.modes.motion == Function::thread_changing;
+  return threads && ((block.present | block.unknown) & rules.axis_addresses) != 0;
+}
+
 }  // namespace
 
 std::uint64_t idle_notes(const PlainBlock& block, const BlockRules& rules, const Effects& effects,
@@ -92,6 +104,7 @@ std::uint64_t idle_notes(const PlainBlock& block, const BlockRules& rules, const
   const std::uint64_t letters = (block.present | block.unknown) & kIdleLetters & ~rules.axis_addresses;
   if (letters == 0 || !rules.semantics.arc_radius_is_r) return 0;
   const bool acts_once = effects.one_shot != Function::none && effects.one_shot != Function::dwell;
+  if (states_thread_start(block, rules, effects, state)) return kNoteThreadStart;
   if (acts_once || state.drilling.active || state.turning.active) return 0;
   if ((letters & kDirection) != 0 && has_code(block, Function::comp_off)) return kNoteCompDirection;
   const std::uint64_t idle = letters & ~taken_by_motion(block, rules, state.modes.motion) & ~taken_by_codes(block);

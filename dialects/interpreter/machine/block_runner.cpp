@@ -29,8 +29,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 35>& counted_notes() {
-  static const std::array<NoteRow, 35> rows = {{
+const std::array<NoteRow, 36>& counted_notes() {
+  static const std::array<NoteRow, 36> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the move to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a position that is not known"}},
@@ -70,6 +70,7 @@ const std::array<NoteRow, 35>& counted_notes() {
       {kNoteHoleWithoutDepth, {"a drilling cycle without a depth", ir::Function::drill}},
       {kNoteIdleWord,
        {"a word that no code of its block takes (P of a spindle, a word of the builder's, an axis next to G04)"}},
+      {kNoteThreadStart, {"the angle at which a thread begins (Q), for a second start", ir::Function::thread}},
       {kNoteAxisTwice, {"an axis with two words in its block (X and U), of which one is effective"}},
       {kNoteMoveAtFrameEnd, {"axis letters in the block that ends a rotation or scaling", ir::Function::rotate}},
       {kNoteCompDirection, {"I, J and K of G40, the direction in which the compensation ends"}},

@@ -16,6 +16,7 @@ enum class Flow : std::uint8_t { next, program_end, subprogram_end };
 inline constexpr std::uint64_t kNoteShiftedIncrement = 1ULL << 32;  // setting data decides where it ends
 inline constexpr std::uint64_t kNoteIdleWord = 1ULL << 33;          // a word that no code of the block takes
 inline constexpr std::uint64_t kNoteCompDirection = 1ULL << 34;     // G40 I K: in which direction it ends
+inline constexpr std::uint64_t kNoteThreadStart = 1ULL << 37;       // Q: at which angle of the spindle
 inline constexpr std::uint64_t kNoteAxisTwice = 1ULL << 36;         // X and U: which of them is effective
 inline constexpr std::uint64_t kNoteMoveAtFrameEnd = 1ULL << 35;    // G69 X: whether the axis moves
 inline constexpr std::uint32_t kNoteNoFeed = 1;                     // a cut with feed 0

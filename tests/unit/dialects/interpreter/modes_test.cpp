@@ -322,6 +322,21 @@ TEST(Modes, AnAxisThatIsNamedTwiceIsNotKnown) {
   EXPECT_EQ(counted({{Address::z, 40.0}, {Address::x, 3.0}, {Address::w, -1.0}, {Address::f, 1.0}}, lathe), 1U);
 }
 
+TEST(Modes, TheStartOfAThreadIsNotInItsPositions) {
+  const auto counted = [](Function function, std::int16_t argument, double angle) {
+    Builder b;
+    b.block({{Function::rapid}}, {{Address::x, 50.0}, {Address::z, 3.0}});
+    b.block({{function, argument}}, {{Address::x, 40.0}, {Address::z, -9.0}, {Address::f, 1.0}, {Address::q, angle}});
+    b.end();
+    return run_program(b.build(), lathe_control()).result.not_interpreted.size();
+  };
+  constexpr auto kCycle = static_cast<std::int16_t>(ir::TurningCycle::thread);
+  EXPECT_EQ(counted(Function::thread, 0, 180'000.0), 1U);
+  EXPECT_EQ(counted(Function::thread, 0, 0.0), 0U);
+  EXPECT_EQ(counted(Function::turning_cycle, kCycle, 180'000.0), 1U);
+  EXPECT_EQ(counted(Function::turning_cycle, kCycle, 0.0), 0U);
+}
+
 TEST(Modes, MachineCoordinatesAreForOneBlock) {
   Builder b;
   b.block({{Function::rapid}}, {{Address::x, 1.0}, {Address::y, 2.0}, {Address::z, 3.0}});
