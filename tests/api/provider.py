@@ -116,7 +116,12 @@ class Glewlwyd:
 def key_pair(kind="RS256", key_id="first"):
     key = ec.generate_private_key(ec.SECP256R1()) if kind.startswith("ES") else rsa.generate_private_key(65537, 2048)
     algorithm = jwt.algorithms.get_default_algorithms()[kind]
-    return {"key": key, "kid": key_id, "alg": kind, "public": json.loads(algorithm.to_jwk(key.public_key())) | {"kid": key_id, "use": "sig", "alg": kind}}
+    public = json.loads(algorithm.to_jwk(key.public_key()))
+    # The library leaves out zero bytes at the beginning, and RFC 7518 (6.2.1.2) wants all: one key of 128 was none.
+    for coordinate in ("x", "y"):
+        if coordinate in public:
+            public[coordinate] = part(getattr(key.public_key().public_numbers(), coordinate).to_bytes(32, "big"))
+    return {"key": key, "kid": key_id, "alg": kind, "public": public | {"kid": key_id, "use": "sig", "alg": kind}}
 
 
 def part(value):
