@@ -31,6 +31,7 @@ BindResult Binder::bind() {
   if (text::has_error(result_.diagnostics)) return std::move(result_);
   for (const Requirement& requirement : family_.requirements) check(requirement);
   for (const CurveShape& curve : family_.curves) check_curve(curve);
+  for (const NurbsSurfaceShape& surface : family_.nurbs_surfaces) check_surface(surface);
   for (const Step& step : family_.steps)
     if (step.kind == StepKind::set) {
       known_[static_cast<std::size_t>(step.target)] = 0;
@@ -139,6 +140,12 @@ void Binder::check_curve(const CurveShape& curve) {
   }
   const std::string fault = fault_of(result_.bound, curve);
   if (!fault.empty()) report(DiagnosticId::family_syntax, curve.span, {fault});
+}
+
+void Binder::check_surface(const NurbsSurfaceShape& surface) {
+  if (!compute(surface.row) || !compute(surface.tolerance)) return;
+  const std::string fault = fault_of(result_.bound, surface);
+  if (!fault.empty()) report(DiagnosticId::family_syntax, surface.span, {fault});
 }
 
 void Binder::count_chords(const ChordedCurve& curve) {

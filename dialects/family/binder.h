@@ -64,6 +64,7 @@ class Binder {
   void define(const List& list);
   void check(const Requirement& requirement);
   void check_curve(const CurveShape& curve);
+  void check_surface(const NurbsSurfaceShape& surface);
   // Only where the curve depends on nothing of the body its chords are counted before the program runs.
   void count_chords(const ChordedCurve& curve);
   // Checks a curve by its points, and finds the lists that follow from them.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dialects/curves/nurbs.h"
+#include "dialects/curves/nurbs_surface.h"
 #include "dialects/family/evaluate.h"
 #include "dialects/family/formula.h"
 #include "dialects/family/second_derivative.h"
@@ -68,11 +69,49 @@ curves::HeightField surface(const BoundFamily& bound, const SurfaceShape& shape)
   return out;
 }
 
+std::span<const double> numbers_of(const BoundFamily& bound, ir::SymbolId list) {
+  return list == ir::SymbolId::none ? std::span<const double>() : list_in(bound.values, list);
+}
+
+// Lists of points of two lengths leave a surface without points, which is a fault.
+curves::NurbsSurface nurbs_surface(const BoundFamily& bound, const NurbsSurfaceShape& shape) {
+  const auto copy = [&](ir::SymbolId list) {
+    const std::span<const double> numbers = numbers_of(bound, list);
+    return std::vector<double>(numbers.begin(), numbers.end());
+  };
+  curves::NurbsSurface out;
+  out.order = static_cast<std::size_t>(shape.order);
+  const double row = value_of(bound, shape.row);
+  out.row = row >= 1.0 ? static_cast<std::size_t>(row) : 0;
+  out.weights = copy(shape.weight_list);
+  out.knots_u = copy(shape.knot_u_list);
+  out.knots_v = copy(shape.knot_v_list);
+  const std::span<const double> x = numbers_of(bound, shape.x_list);
+  const std::span<const double> y = numbers_of(bound, shape.y_list);
+  const std::span<const double> z = numbers_of(bound, shape.z_list);
+  if (x.size() != y.size() || y.size() != z.size()) return out;
+  for (std::size_t i = 0; i < x.size(); ++i) out.points.push_back({x[i], y[i], z[i]});
+  return out;
+}
+
+// Later ones are carved into earlier ones, whichever kind they are of.
+std::vector<curves::HeightField> surfaces(const BoundFamily& bound) {
+  std::vector<std::pair<std::uint32_t, curves::HeightField>> by_line;
+  for (const SurfaceShape& shape : bound.family->surfaces) by_line.emplace_back(shape.line, surface(bound, shape));
+  for (const NurbsSurfaceShape& shape : bound.family->nurbs_surfaces)
+    if (fault_of(bound, shape).empty())
+      by_line.emplace_back(shape.line,
+                           curves::heights_of(nurbs_surface(bound, shape), value_of(bound, shape.tolerance)));
+  std::ranges::sort(by_line, {}, &std::pair<std::uint32_t, curves::HeightField>::first);
+  std::vector<curves::HeightField> out;
+  out.reserve(by_line.size());
+  for (auto& [line, field] : by_line) out.push_back(std::move(field));
+  return out;
+}
+
 // The points, weights and knots that are given as lists. Lists of two lengths leave an empty curve, which is a fault.
 void add_lists(const BoundFamily& bound, const CurveShape& shape, curves::Nurbs& out) {
-  const auto numbers = [&](ir::SymbolId list) {
-    return list == ir::SymbolId::none ? std::span<const double>() : list_in(bound.values, list);
-  };
+  const auto numbers = [&](ir::SymbolId list) { return numbers_of(bound, list); };
   const std::span<const double> x = numbers(shape.x_list);
   const std::span<const double> y = numbers(shape.y_list);
   const std::span<const double> weight = numbers(shape.weight_list);
@@ -149,13 +188,17 @@ std::string fault_of(const BoundFamily& bound, const CurveShape& shape) {
   return range(bound, shape.t).width() > 0.0 ? "" : "the curve's parameter has no range";
 }
 
+std::string fault_of(const BoundFamily& bound, const NurbsSurfaceShape& shape) {
+  return curves::fault_of(nurbs_surface(bound, shape));
+}
+
 Geometry geometry(const BoundFamily& bound) {
   Geometry out;
   out.machine = bound.family->machine;
   if (bound.family->stock) out.stock = stock(bound, *bound.family->stock);
   for (const NominalShape& shape : bound.family->nominals) out.nominal.pieces.push_back(piece(bound, shape));
   std::ranges::sort(out.nominal.pieces, {}, [](const curves::ProfilePiece& p) { return p.curve.z.low; });
-  for (const SurfaceShape& shape : bound.family->surfaces) out.surfaces.push_back(surface(bound, shape));
+  out.surfaces = surfaces(bound);
   for (const CurveShape& shape : bound.family->curves) {
     if (fault_of(bound, shape).empty()) out.curves.push_back(plane_curve(bound, shape));
   }

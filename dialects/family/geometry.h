@@ -57,5 +57,6 @@ Geometry geometry(const BoundFamily& bound);
 
 // What is wrong with the points, weights and knots of a curve with these values; empty for none.
 std::string fault_of(const BoundFamily& bound, const CurveShape& shape);
+std::string fault_of(const BoundFamily& bound, const NurbsSurfaceShape& shape);
 
 }  // namespace dripfeed::family

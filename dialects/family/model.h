@@ -130,6 +130,21 @@ struct SurfaceShape {
   std::uint32_t line = 0;
 };
 
+// A NURBS surface by lists: points row by row, a row along v. It stands among the surfaces by its line.
+struct NurbsSurfaceShape {
+  std::int32_t order = 0;
+  ir::ExpressionId row = ir::ExpressionId::none;  // points of a row
+  ir::SymbolId x_list = ir::SymbolId::none;
+  ir::SymbolId y_list = ir::SymbolId::none;
+  ir::SymbolId z_list = ir::SymbolId::none;
+  ir::SymbolId weight_list = ir::SymbolId::none;  // none: all 1
+  ir::SymbolId knot_u_list = ir::SymbolId::none;  // none: clamped and uniform, and so is the other
+  ir::SymbolId knot_v_list = ir::SymbolId::none;
+  ir::ExpressionId tolerance = ir::ExpressionId::none;
+  std::uint32_t line = 0;
+  text::Span span;
+};
+
 struct CurvePoint {
   ir::ExpressionId x = ir::ExpressionId::none;
   ir::ExpressionId y = ir::ExpressionId::none;
@@ -353,6 +368,7 @@ struct Family {
   std::optional<StockShape> stock;
   std::vector<NominalShape> nominals;
   std::vector<SurfaceShape> surfaces;
+  std::vector<NurbsSurfaceShape> nurbs_surfaces;
   std::vector<CurveShape> curves;
   std::vector<ChordedCurve> chorded;
   std::vector<PointCurve> point_curves;

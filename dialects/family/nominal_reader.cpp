@@ -57,20 +57,66 @@ void NominalReader::profile() {
 
 void NominalReader::of_mill() {
   if (cursor_.at_word("z")) return surface();
+  if (cursor_.accept_word("surface")) return nurbs_surface();
   CurveShape out;
   out.line = cursor_.peek().line;
   if (cursor_.accept_word("curve")) return formula_curve(std::move(out));
   if (cursor_.accept_word("bezier")) return point_curve(std::move(out));
   if (!cursor_.accept_word("nurbs")) {
-    return cursor_.expected("z = ..., curve, bezier or nurbs, the nominals of a mill");
+    return cursor_.expected("z = ..., surface, curve, bezier or nurbs, the nominals of a mill");
   }
+  out.order = order();
+  point_curve(std::move(out));
+}
+
+// order N
+std::int32_t NominalReader::order() {
   cursor_.expect_word("order");
   const text::Span at = cursor_.peek().span;
-  out.order = cursor_.expect_integer("the curve's order, degree + 1");
-  if (!cursor_.line_failed() && (out.order < 2 || out.order > static_cast<int>(curves::BezierPiece::kMostPoints))) {
+  const std::int32_t out = cursor_.expect_integer("the order, degree + 1");
+  if (!cursor_.line_failed() && (out < 2 || out > static_cast<int>(curves::BezierPiece::kMostPoints)))
     cursor_.syntax(at, "the order must be 2 to 16");
+  return out;
+}
+
+void NominalReader::nurbs_surface() {
+  NurbsSurfaceShape out{.line = cursor_.peek().line, .span = cursor_.last_span()};
+  out.order = order();
+  tolerance(out.tolerance);
+  bool failed = cursor_.line_failed();
+  cursor_.finish_line();
+  while (!cursor_.at_end() && !cursor_.at_word("end")) {
+    if (cursor_.at_line_end()) {
+      cursor_.advance();
+      continue;
+    }
+    surface_line(out);
+    failed = failed || cursor_.line_failed();
+    cursor_.finish_line();
   }
-  point_curve(std::move(out));
+  cursor_.expect_word("end");
+  if (failed || cursor_.line_failed()) return;
+  if (out.x_list == ir::SymbolId::none || out.row == ir::ExpressionId::none)
+    return cursor_.syntax(out.span, "a surface has a line 'points' and a line 'row'");
+  family_.nurbs_surfaces.push_back(out);
+}
+
+// points LIST LIST LIST [weights LIST] | row COUNT | knots LIST LIST
+void NominalReader::surface_line(NurbsSurfaceShape& out) {
+  if (cursor_.accept_word("points")) {
+    for (ir::SymbolId* list : {&out.x_list, &out.y_list, &out.z_list}) expect_list(kLength, *list);
+    if (!cursor_.line_failed() && cursor_.accept_word("weights")) expect_list(kRatio, out.weight_list);
+  } else if (cursor_.accept_word("row")) {
+    out.row = expressions_.value_of(kRatio).id;
+  } else if (cursor_.accept_word("knots")) {
+    for (ir::SymbolId* list : {&out.knot_u_list, &out.knot_v_list}) expect_list(kRatio, *list);
+  } else {
+    cursor_.expected("points, row, knots or end");
+  }
+}
+
+void NominalReader::expect_list(Dimension dimension, ir::SymbolId& into) {
+  if (!cursor_.line_failed() && !accept_list(dimension, into)) cursor_.expected("the name of a list");
 }
 
 void NominalReader::surface() {
@@ -122,9 +168,6 @@ void NominalReader::point(CurveShape& out) {
 
 // points LIST LIST [weights LIST]
 void NominalReader::points(CurveShape& out) {
-  const auto expect_list = [&](Dimension dimension, ir::SymbolId& into) {
-    if (!cursor_.line_failed() && !accept_list(dimension, into)) cursor_.expected("the name of a list");
-  };
   expect_list(kLength, out.x_list);
   expect_list(kLength, out.y_list);
   if (!cursor_.line_failed() && cursor_.accept_word("weights")) expect_list(kRatio, out.weight_list);

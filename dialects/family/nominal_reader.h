@@ -22,10 +22,14 @@ class NominalReader {
 
  private:
   void surface();
+  void nurbs_surface();
+  void surface_line(NurbsSurfaceShape& out);
+  void expect_list(Dimension dimension, ir::SymbolId& into);
   void formula_curve(CurveShape out);
   void point_curve(CurveShape out);
   void point(CurveShape& out);
   void points(CurveShape& out);
+  std::int32_t order();
   bool accept_list(Dimension dimension, ir::SymbolId& into);
   // "in" a ".." b, both of that dimension.
   ExpressionRange range(Dimension dimension);

@@ -8,28 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "dialects/curves/height_field.h"
+#include "tests/unit/dialects/curves/de_boor.h"
 
 namespace dripfeed::curves {
 namespace {
 
 const std::vector<Point> kPoints = {{25, 50},      {42.7, 24.4},  {70.7, 72.2}, {86.5, 165.4},
                                     {112.5, 38.3}, {132.4, 35.2}, {175, 150}};
-
-// N_i,p(t) by Cox and de Boor; the last span is closed.
-double basis(const std::vector<double>& knots, std::size_t i, std::size_t degree, double t) {
-  if (degree == 0) {
-    const bool last = t == knots.back() && knots[i] < knots[i + 1] && knots[i + 1] == knots.back();
-    return (knots[i] <= t && t < knots[i + 1]) || last ? 1.0 : 0.0;
-  }
-  double sum = 0.0;
-  if (knots[i + degree] > knots[i]) {
-    sum += (t - knots[i]) / (knots[i + degree] - knots[i]) * basis(knots, i, degree - 1, t);
-  }
-  if (knots[i + degree + 1] > knots[i + 1]) {
-    sum += (knots[i + degree + 1] - t) / (knots[i + degree + 1] - knots[i + 1]) * basis(knots, i + 1, degree - 1, t);
-  }
-  return sum;
-}
 
 Point de_boor(const Nurbs& nurbs, double t) {
   const auto knots = nurbs.knots.empty() ? clamped_knots(nurbs.points.size(), nurbs.order) : nurbs.knots;

@@ -78,6 +78,36 @@ TEST(FamilyNominal, CurvesByPoints) {
   EXPECT_NEAR(g.curves[1].curve.at(0.5).point.x, 1, 1e-12);
 }
 
+// A plane that two rows of two points span, and a later surface that is carved into it.
+const std::string kPlane =
+    "list px = 0 mm, 0 mm, 2*size, 2*size\nlist py = 0 mm, size, 0 mm, size\nlist pz = -1 mm, -1 mm, -3 mm, -3 mm\n"
+    "list pw of ratio 4\n";
+
+TEST(FamilyNominal, SurfacesByPoints) {
+  const Geometry g =
+      geometry_of(whole(kPlane + "nominal surface order 2 tolerance 0.1 mm\n  points px py pz\n  row 2\nend\n"
+                                 "nominal z = -7 mm for x in 0 mm .. size/2 y in 0 mm .. size tolerance 0.2 mm"));
+  ASSERT_EQ(g.surfaces.size(), 2U);
+  const auto plane = curves::surface_at(g.surfaces, 15, 5);
+  ASSERT_TRUE(plane);
+  EXPECT_NEAR(plane->z, -2.5, 1e-9);
+  EXPECT_EQ(plane->tolerance, 0.1);
+  EXPECT_EQ(curves::surface_at(g.surfaces, 2, 5)->z, -7);
+}
+
+TEST(FamilyNominal, FaultsOfSurfacesAreReported) {
+  const auto expect_reported = [](const std::string& lines, std::string_view part) {
+    const std::string messages = faults(whole(kPlane + "nominal surface order 2 tolerance 0.1 mm\n" + lines + "end"));
+    EXPECT_NE(messages.find(part), std::string::npos) << messages;
+  };
+  expect_reported("  points px py pz\n  row 3\n", "whole rows");
+  expect_reported("  points px py pz weights pw\n  row 2\n", "above 0");
+  expect_reported("  points px py\n  row 2\n", "the name of a list");
+  expect_reported("  points px py pz\n", "a line 'row'");
+  expect_reported("  row 2\n", "a line 'points'");
+  expect_reported("  point x 0 mm y 0 mm\n", "points, row, knots or end");
+}
+
 TEST(FamilyNominal, FaultsAreReported) {
   const auto expect_reported = [](const std::string& text, std::string_view part) {
     const std::string messages = faults(text);
