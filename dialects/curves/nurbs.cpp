@@ -86,6 +86,20 @@ std::vector<double> clamped_knots(std::size_t points, std::size_t order) {
   return knots;
 }
 
+std::string fault_of_knots(const std::vector<double>& knots, std::size_t points, std::size_t order) {
+  if (knots.size() != points + order) return "there must be as many knots as points and order";
+  if (!all_finite(knots) || !std::ranges::is_sorted(knots)) return "knots must not decrease";
+  const double low = knots[order - 1];
+  const double high = knots[points];
+  if (!(low < high)) return "the knots leave no range";
+  for (std::size_t i = 1; i + order < knots.size(); ++i) {
+    // As often as the order would tear the curve apart; at the outer ends it is usual.
+    const bool inner = knots[i] > low && knots[i] < high;
+    if (inner && knots[i] == knots[i + order - 1]) return "an inner knot stands too often";
+  }
+  return {};
+}
+
 std::string fault_of(const Nurbs& nurbs) {
   if (nurbs.order < 2 || nurbs.order > BezierPiece::kMostPoints) return "the order must be 2 to 16";
   if (nurbs.points.size() < nurbs.order) return "a curve needs at least as many points as its order";
@@ -98,18 +112,7 @@ std::string fault_of(const Nurbs& nurbs) {
   if (std::ranges::all_of(nurbs.points, [&](Point point) { return point == nurbs.points.front(); })) {
     return "all points are the same";
   }
-  if (nurbs.knots.empty()) return {};
-  if (nurbs.knots.size() != nurbs.points.size() + nurbs.order) return "there must be as many knots as points and order";
-  if (!all_finite(nurbs.knots) || !std::ranges::is_sorted(nurbs.knots)) return "knots must not decrease";
-  const double low = nurbs.knots[nurbs.order - 1];
-  const double high = nurbs.knots[nurbs.points.size()];
-  if (!(low < high)) return "the knots leave no range for the curve";
-  for (std::size_t i = 1; i + nurbs.order < nurbs.knots.size(); ++i) {
-    // As often as the order would tear the curve apart; at the outer ends it is usual.
-    const bool inner = nurbs.knots[i] > low && nurbs.knots[i] < high;
-    if (inner && nurbs.knots[i] == nurbs.knots[i + nurbs.order - 1]) return "an inner knot stands too often";
-  }
-  return {};
+  return nurbs.knots.empty() ? std::string() : fault_of_knots(nurbs.knots, nurbs.points.size(), nurbs.order);
 }
 
 std::vector<BezierPiece> pieces_of(const Nurbs& nurbs) {

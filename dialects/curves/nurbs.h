@@ -21,6 +21,9 @@ struct Nurbs {
 // The knots 0 (order times), 1, 2, …, and the last one order times.
 std::vector<double> clamped_knots(std::size_t points, std::size_t order);
 
+// What is wrong with the knots of so many points, in one sentence; empty for nothing.
+std::string fault_of_knots(const std::vector<double>& knots, std::size_t points, std::size_t order);
+
 // What is wrong with it, in one sentence; empty when it is a curve.
 std::string fault_of(const Nurbs& nurbs);
 

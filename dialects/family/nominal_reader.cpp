@@ -83,19 +83,7 @@ void NominalReader::nurbs_surface() {
   NurbsSurfaceShape out{.line = cursor_.peek().line, .span = cursor_.last_span()};
   out.order = order();
   tolerance(out.tolerance);
-  bool failed = cursor_.line_failed();
-  cursor_.finish_line();
-  while (!cursor_.at_end() && !cursor_.at_word("end")) {
-    if (cursor_.at_line_end()) {
-      cursor_.advance();
-      continue;
-    }
-    surface_line(out);
-    failed = failed || cursor_.line_failed();
-    cursor_.finish_line();
-  }
-  cursor_.expect_word("end");
-  if (failed || cursor_.line_failed()) return;
+  if (!lines_to_end([&] { surface_line(out); })) return;
   if (out.x_list == ir::SymbolId::none || out.row == ir::ExpressionId::none)
     return cursor_.syntax(out.span, "a surface has a line 'points' and a line 'row'");
   family_.nurbs_surfaces.push_back(out);
@@ -184,10 +172,7 @@ bool NominalReader::accept_list(Dimension dimension, ir::SymbolId& into) {
   return true;
 }
 
-void NominalReader::point_curve(CurveShape out) {
-  const text::Span head = cursor_.last_span();
-  tolerance(out.tolerance);
-  if (!cursor_.line_failed()) out.of_center = cursor_.accept_word("center");
+bool NominalReader::lines_to_end(const std::function<void()>& read_line) {
   bool failed = cursor_.line_failed();
   cursor_.finish_line();
   while (!cursor_.at_end() && !cursor_.at_word("end")) {
@@ -195,27 +180,28 @@ void NominalReader::point_curve(CurveShape out) {
       cursor_.advance();
       continue;
     }
-    if (cursor_.accept_word("point")) {
-      point(out);
-    } else if (cursor_.accept_word("points")) {
-      points(out);
-    } else if (cursor_.accept_word("knots")) {
-      if (accept_list(kRatio, out.knot_list)) {
-        failed = failed || cursor_.line_failed();
-        cursor_.finish_line();
-        continue;
-      }
-      while (!cursor_.line_failed() && !cursor_.at_line_end()) {
-        out.knots.push_back(expressions_.value_of(kRatio).id);
-      }
-    } else {
-      cursor_.expected("point, points, knots or end");
-    }
+    read_line();
     failed = failed || cursor_.line_failed();
     cursor_.finish_line();
   }
   cursor_.expect_word("end");
-  if (!failed) add(std::move(out), head);
+  return !failed && !cursor_.line_failed();
+}
+
+// point x VALUE y VALUE [weight VALUE] | points LIST LIST [weights LIST] | knots (LIST | VALUE VALUE ...)
+void NominalReader::curve_line(CurveShape& out) {
+  if (cursor_.accept_word("point")) return point(out);
+  if (cursor_.accept_word("points")) return points(out);
+  if (!cursor_.accept_word("knots")) return cursor_.expected("point, points, knots or end");
+  if (accept_list(kRatio, out.knot_list)) return;
+  while (!cursor_.line_failed() && !cursor_.at_line_end()) out.knots.push_back(expressions_.value_of(kRatio).id);
+}
+
+void NominalReader::point_curve(CurveShape out) {
+  const text::Span head = cursor_.last_span();
+  tolerance(out.tolerance);
+  if (!cursor_.line_failed()) out.of_center = cursor_.accept_word("center");
+  if (lines_to_end([&] { curve_line(out); })) add(std::move(out), head);
 }
 
 void NominalReader::add(CurveShape out, text::Span head) {

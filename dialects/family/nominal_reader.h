@@ -1,6 +1,7 @@
 // Declarations of nominal geometry: profiles of lathes, surfaces and plane curves of mills.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <string_view>
 
@@ -24,6 +25,9 @@ class NominalReader {
   void surface();
   void nurbs_surface();
   void surface_line(NurbsSurfaceShape& out);
+  void curve_line(CurveShape& out);
+  // The lines of a declaration and its end. False: a fault in one of them was reported.
+  bool lines_to_end(const std::function<void()>& read_line);
   void expect_list(Dimension dimension, ir::SymbolId& into);
   void formula_curve(CurveShape out);
   void point_curve(CurveShape out);

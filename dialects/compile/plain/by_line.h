@@ -11,7 +11,7 @@
 
 namespace dripfeed::compile {
 
-// Of one program. Line numbers may be any: those of a family's program are far apart.
+// Of one program. Line numbers may be far apart.
 template <class Row>
 class ByLine {
  public:

@@ -73,11 +73,11 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
-    // Most blocks only compute, and of a family's program there is no text that could write anything.
-    if (place.program == 0 && is_quick_ && carried_.at(0, names_.programs, place.line) == nullptr) {
+    if (place.program == 0) {
       main_line_ = place.line;
       in_call_ = false;
-      return;
+      // Most blocks only compute, and of a family's program there is no text that could write anything.
+      if (is_quick_ && carried_.at(0, names_.programs, place.line) == nullptr) return;
     }
     look_at(place, changes);
   }
@@ -111,12 +111,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
  private:
   void look_at(const ir::Place& place, std::span<const interpreter::VariableChange> changes) {
-    if (place.program == 0) {
-      main_line_ = place.line;
-      in_call_ = false;
-    } else if (!std::exchange(in_call_, true)) {
-      calls_.push_back({main_line_, place.ordinal});
-    }
+    if (place.program != 0 && !std::exchange(in_call_, true)) calls_.push_back({main_line_, place.ordinal});
     if (const CarriedBlock* carried = carried_.at(place.program, names_.programs, place.line)) {
       for (const passes::Refusal& word : carried->lost) lose(word);
       pending_.push_back({place.ordinal, main_line_, carried});

@@ -3,7 +3,6 @@
 #include "dialects/interpreter/block/apply.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -24,6 +23,7 @@
 #include "dialects/interpreter/motion/polar.h"
 #include "dialects/interpreter/motion/spline_block.h"
 #include "dialects/interpreter/motion/transformed.h"
+#include "dialects/interpreter/state/axis_words.h"
 #include "dialects/ir/frame_use.h"
 
 namespace dripfeed::interpreter {
@@ -188,7 +188,7 @@ void frame(const PlainBlock& block, const BlockRules& rules, const Effects& effe
   if (effects.argument == ir::kFrameEnds) {
     if (end_point_frame(block, rules, effects.one_shot, state)) note_language_of_frame(rules, state, result);
     // The axes of G50.1 are those whose mirror ends.
-    if (effects.one_shot == Function::mirror || ((block.present | block.unknown) & rules.axis_addresses) == 0) return;
+    if (effects.one_shot == Function::mirror || axis_letters(block, rules) == 0) return;
     result.notes |= kNoteMoveAtFrameEnd;
     return forget_positions(block, rules, state);
   }
@@ -259,7 +259,7 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
 // Moves when there is something to move by: axis words, or the centre of an arc alone, which is a full circle.
 bool has_move(const PlainBlock& block, const BlockRules& rules, const ModalState& state) {
   constexpr std::uint64_t kArcWords = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
-  if (((block.present | block.unknown) & rules.axis_addresses) != 0 || has_polar_words(block)) return true;
+  if (axis_letters(block, rules) != 0 || has_polar_words(block)) return true;
   if (((block.present | block.unknown) & bit_of(Address::direct_angle)) != 0) return true;
   const bool arc = state.modes.motion == Function::arc_cw || state.modes.motion == Function::arc_ccw;
   if (block.has(Address::modal_rounding) && !arc) return false;
@@ -321,18 +321,10 @@ bool uses_contour_offset(const ModalState& state) {
   return state.modes.comp != ir::CompSide::off || state.transformation.shape == Transformation::Shape::cylinder;
 }
 
-// X and U of a lathe in one block: the one that stands later is effective (Fanuc 0i-F B-64604EN-1, "Absolute and
-// incremental programming"), and a block does not know the order of its words.
+// X and U of a lathe in one block: which of them is effective, their order may decide, and a block does not know it.
 void note_axis_named_twice(std::uint64_t letters, const BlockRules& rules, ModalState& state, BlockResult& result) {
-  const auto axes_of_letters = [&](std::uint64_t rest) {
-    std::uint16_t axes = 0;
-    for (; rest != 0; rest &= rest - 1)
-      axes |= static_cast<std::uint16_t>(
-          1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis));
-    return axes;
-  };
   const std::uint16_t twice =
-      axes_of_letters(letters & rules.coordinates) & axes_of_letters(letters & ~rules.coordinates);
+      axes_of(letters & rules.coordinates, rules) & axes_of(letters & ~rules.coordinates, rules);
   if (twice == 0) return;
   result.notes |= kNoteAxisTwice;
   state.unknown |= twice;
@@ -376,9 +368,8 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   }
   if (((block.present | block.unknown) & kIdleLetters) != 0 || effects.one_shot == Function::dwell) [[unlikely]]
     result.notes |= idle_notes(block, rules, effects, state);
-  const std::uint64_t axis_letters = (block.present | block.unknown) & rules.axis_addresses;
-  if ((axis_letters & ~rules.coordinates) != 0) [[unlikely]]
-    note_axis_named_twice(axis_letters, rules, state, result);
+  if (const std::uint64_t letters = axis_letters(block, rules); (letters & ~rules.coordinates) != 0) [[unlikely]]
+    note_axis_named_twice(letters, rules, state, result);
   if (((block.present | block.unknown) & kContourOffsetWord) != 0) [[unlikely]]
     state.offsets_contour = !block.has(Address::contour_offset) || block.at(Address::contour_offset) != 0.0;
   if (state.offsets_contour && result.moved && uses_contour_offset(state)) [[unlikely]]

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dialects/interpreter/state/axis_words.h"
 #include "dialects/interpreter/state/block_result.h"
 
 namespace dripfeed::interpreter {
@@ -58,7 +59,7 @@ bool takes_none(const PlainCode& code) { return std::ranges::find(kTakeNone, cod
 // Words of the modal motion; others than these four are not judged here. A corner stands at the end of a move.
 std::uint64_t taken_by_motion(const PlainBlock& block, const BlockRules& rules, Function motion) {
   constexpr std::uint64_t kCorner = bit_of(Address::i) | bit_of(Address::k) | bit_of(Address::r);
-  const bool moves = ((block.present | block.unknown) & rules.axis_addresses) != 0 && !has_code(block, Function::dwell);
+  const bool moves = axis_letters(block, rules) != 0 && !has_code(block, Function::dwell);
   if (motion == Function::rapid) return 0;
   if (motion == Function::linear) return rules.corner_letters && moves ? kCorner : 0;
   return motion == Function::arc_cw || motion == Function::arc_ccw ? kWordsOfArc : kIdleLetters;
@@ -80,11 +81,10 @@ bool names_axes_with_dwell(const PlainBlock& block, const BlockRules& rules, con
   constexpr std::array kTimes = {Address::p, Address::x, Address::u};
   const auto time = std::ranges::find_if(kTimes, [&](Address address) { return block.has(address); });
   const std::uint64_t taken = time == kTimes.end() ? 0 : bit_of(*time);
-  return ((block.present | block.unknown) & rules.axis_addresses & ~taken) != 0;
+  return (axis_letters(block, rules) & ~taken) != 0;
 }
 
-// Q of a thread is the spindle's angle where it begins (0i-F B-64604EN-1, "Multiple threading"): a second start, which
-// positions do not show.
+// Q of a thread is the spindle's angle where it begins: a second start, which positions do not show.
 bool states_thread_start(const PlainBlock& block, const BlockRules& rules, const Effects& effects,
                          const ModalState& state) {
   const bool is_zero = block.has(Address::q) && block.at(Address::q) == 0.0;
@@ -92,7 +92,7 @@ bool states_thread_start(const PlainBlock& block, const BlockRules& rules, const
     return false;
   if (state.turning.active) return state.turning.cycle == ir::TurningCycle::thread;
   const bool threads = state.modes.motion == Function::thread || state.modes.motion == Function::thread_changing;
-  return threads && ((block.present | block.unknown) & rules.axis_addresses) != 0;
+  return threads && axis_letters(block, rules) != 0;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "dialects/interpreter/motion/polar.h"
 #include "dialects/interpreter/motion/polynomial_block.h"
 #include "dialects/interpreter/motion/spline_block.h"
+#include "dialects/interpreter/state/axis_words.h"
 
 namespace dripfeed::interpreter {
 
@@ -164,10 +165,7 @@ void leave_reference(const PlainBlock& block, const BlockRules& rules, ModalStat
 }
 
 void forget_positions(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
-  for (std::uint64_t rest = (block.present | block.numbered | block.unknown) & rules.axis_addresses; rest != 0;
-       rest &= rest - 1)
-    state.unknown |= static_cast<std::uint16_t>(
-        1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis));
+  state.unknown |= axes_of((block.present | block.numbered | block.unknown) & rules.axis_addresses, rules);
 }
 
 }  // namespace dripfeed::interpreter

@@ -2,10 +2,25 @@
 #pragma once
 
 #include <bit>
+#include <cstdint>
 
 #include "dialects/interpreter/state/block_rules.h"
 
 namespace dripfeed::interpreter {
+
+// Bits of the axis letters in it, also of those whose value is not known.
+inline std::uint64_t axis_letters(const PlainBlock& block, const BlockRules& rules) {
+  return (block.present | block.unknown) & rules.axis_addresses;
+}
+// Bits of the axes that these letters name.
+inline std::uint16_t axes_of(std::uint64_t letters, const BlockRules& rules) {
+  std::uint16_t axes = 0;
+  for (; letters != 0; letters &= letters - 1) {
+    const AxisWord& word = rules.axis_words[static_cast<std::size_t>(std::countr_zero(letters))];
+    axes |= static_cast<std::uint16_t>(1U << index_of(word.axis));
+  }
+  return axes;
+}
 
 // Calls visit(axis, value, incremental) for each axis word that is there: mm or degrees, as programmed but for the
 // diameter, which becomes what is kept.

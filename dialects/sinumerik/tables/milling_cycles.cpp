@@ -248,7 +248,8 @@ MillReading read_cycle71(MillValues values, const MillUnits& units) {
 }
 
 // AS1, AS2: units 1 straight along the tangent, 4 vertically. Without compensation the control has no others (ShopMill
-// (BAS) 10.04, "Path milling along the center-point path"), and the length counts from the tool's centre (PGZ).
+// (BAS) 10.04, "Path milling along the center-point path"), and the length counts from the tool's centre, which is what
+// the contour leads then.
 ir::MillApproach approach_of(MillCall& call, std::string_view name, double length) {
   const int kind = call.digit(name, 1.0);
   if ((kind != 1 && kind != 4) || call.number(name) >= 10.0)
